@@ -1,0 +1,56 @@
+#pragma once
+#include <iosfwd>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/cl/record.h"
+#include "ir/diag/diagnostic.h"
+#include "ir/program/program.h"
+#include "ir/text/source_map.h"
+
+namespace arelem::backend {
+
+/// One printed value or title, as the listing shows it.
+struct ListingItem {
+  int isn = 0;
+  int mode = 3;
+  std::string title;
+  std::string name;
+  int subscript = 0;
+  EntityPtr entity;  ///< null for a scalar
+  double scalar = 0.0;
+  bool undefined = false;
+};
+
+/// What a target may use beside the records.
+struct Context {
+  const SourceMap* sources = nullptr;
+  const ir::Program* program = nullptr;      ///< null when the records were read from a file
+  std::vector<EntityPtr> entities;           ///< in order of definition
+  std::vector<ListingItem> printed;
+};
+
+/// Writes one output format. `finish` is called once after the last record.
+class Writer : public cl::RecordSink {
+ public:
+  virtual void finish() = 0;
+};
+
+struct Target {
+  std::string_view name;                      ///< of --to
+  std::string_view summary;
+  std::vector<std::string_view> suffixes;     ///< with the dot; the first is the default
+  bool binary = false;
+  bool needsMotion = true;                    ///< false: made from program and context alone
+  std::unique_ptr<Writer> (*make)(std::ostream& out, const Context& context, DiagnosticSink& sink) = nullptr;
+};
+
+/// THE list of targets.
+[[nodiscard]] std::span<const Target> targets();
+[[nodiscard]] const Target* findTarget(std::string_view name);
+[[nodiscard]] const Target* targetForFile(std::string_view path);
+
+}  // namespace arelem::backend

@@ -1,0 +1,3 @@
+#include <ostream>
+
+#include "ir/program/program.h"
