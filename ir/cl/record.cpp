@@ -19,6 +19,8 @@ struct CodeOf {
   TypeCode operator()(const Diagnostic&) const { return {13000, 3}; }
   TypeCode operator()(const Listing&) const { return {13000, 4}; }
   TypeCode operator()(const Fini&) const { return {14000, 0}; }
+  TypeCode operator()(const Card&) const { return {1000, 0}; }
+  TypeCode operator()(const Raw& raw) const { return {raw.type, raw.sub}; }
 };
 }  // namespace
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -58,8 +59,15 @@ struct Diagnostic { int number = 0; };
 struct Listing { bool on = true; };
 /// 14000.
 struct Fini {};
+/// 1000 alone: a statement begins that leaves no record of its own (INDIRV, PSIS, THICK, TLAXIS, ...), or
+/// the same statement is executed once more. Writers make the 1000 records of all other statements from
+/// the change of `isn`; this body asks for one where that rule sees nothing. Most targets pass over it.
+struct Card {};
+/// A record of a tape whose class is unknown here: kept word by word.
+struct Raw { int type = 0; int sub = 0; std::vector<std::uint64_t> words; };
 
-using Body = std::variant<Post, Text, Surface, Motion, Switch, Values, Multax, Units, Diagnostic, Listing, Fini>;
+using Body = std::variant<Post, Text, Surface, Motion, Switch, Values, Multax, Units, Diagnostic, Listing, Fini,
+                          Card, Raw>;
 
 struct Record {
   int isn = 0;            ///< statement number; the 1000 records of a CLTAPE are made from it
