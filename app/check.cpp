@@ -1,0 +1,57 @@
+#include <iostream>
+
+#include "app/command.h"
+#include "app/options.h"
+#include "app/pipeline.h"
+
+namespace arelem::app {
+
+namespace {
+struct Tally {
+  std::size_t files = 0, failed = 0, errors = 0, warnings = 0;
+};
+
+ExitCode checkOne(const std::string& path,
+                  const Settings& settings,
+                  const InterruptFlag& interrupted,
+                  Tally& tally) {
+  Compilation job(settings);
+  if (load(job, path, interrupted) && job.log.errors() == 0) {
+    static_cast<void>(evaluate(job, interrupted));
+  }
+  job.log.print(job.sources, job.main, settings);
+  ++tally.files;
+  tally.failed += job.log.errors() > 0 ? 1 : 0;
+  tally.errors += job.log.errors();
+  tally.warnings += job.log.warnings();
+  return job.log.exitCode();
+}
+}  // namespace
+
+int runCheck(const Invocation& invocation) {
+  CLI::App app("Reads and evaluates part programs without computing any motion.", "check");
+  Settings settings;
+  std::vector<std::string> files;
+  app.add_option("FILE", files, "part programs; - is standard input")->required();
+  addSourceOptions(app, settings);
+  addMessageOptions(app, settings);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  const InterruptFlag& interrupted = invocation.interrupt.flag();
+  ExitCode result = ExitCode::ok;
+  Tally tally;
+  for (const std::string& file : files) {
+    if (!interrupted) {
+      result = worse(result, checkOne(file, settings, interrupted, tally));
+    }
+  }
+  if (!settings.quiet && settings.format != DiagnosticFormat::json) {
+    std::cerr << fmt::format("arelem: {} checked, {} with errors: {}, {}\n",
+                             counted(tally.files, "file"), tally.failed,
+                             counted(tally.errors, "error"), counted(tally.warnings, "warning"));
+  }
+  return static_cast<int>(result);
+}
+
+}  // namespace arelem::app

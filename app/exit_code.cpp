@@ -1,0 +1,43 @@
+#include "app/exit_code.h"
+
+#include <algorithm>
+#include <array>
+
+namespace arelem::app {
+
+ExitCode exitCodeFor(const DiagRow& row) {
+  if (row.severity != Severity::error) {
+    return ExitCode::ok;
+  }
+  const std::string_view room = row.code.substr(0, 3);
+  if (room == "E03" || room == "E05") {
+    return ExitCode::geometryUnsolvable;
+  }
+  if (room == "E06") {
+    return ExitCode::outputNotWritten;
+  }
+  if (room == "E07") {
+    return ExitCode::inputUnreadable;
+  }
+  if (room == "E08") {
+    return ExitCode::limitReached;
+  }
+  return ExitCode::programHasErrors;
+}
+
+ExitCode worse(ExitCode a, ExitCode b) {
+  constexpr std::array order = {ExitCode::internalError,
+                                ExitCode::interrupted,
+                                ExitCode::terminated,
+                                ExitCode::limitReached,
+                                ExitCode::wrongUse,
+                                ExitCode::inputUnreadable,
+                                ExitCode::programHasErrors,
+                                ExitCode::geometryUnsolvable,
+                                ExitCode::verificationFailed,
+                                ExitCode::outputNotWritten,
+                                ExitCode::ok};
+  return *std::find_if(order.begin(), order.end(), [&](ExitCode c) { return c == a || c == b; });
+}
+
+}  // namespace arelem::app

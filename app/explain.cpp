@@ -1,0 +1,91 @@
+#include <iostream>
+
+#include "app/command.h"
+#include "app/manual_pages.h"
+#include "app/messages.h"
+#include "app/nearest.h"
+#include "app/options.h"
+
+namespace arelem::app {
+
+namespace {
+std::string upper(std::string text) {
+  for (char& c : text) {
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+/// Rows with this code or name, or all rows that carry it as the number of the old system.
+std::vector<const DiagRow*> rowsFor(const std::string& word) {
+  if (const DiagRow* row = findDiagnostic(word)) {
+    return {row};
+  }
+  std::vector<const DiagRow*> rows;
+  for (const DiagRow& row : diagnosticTable()) {
+    if (!word.empty() && row.legacy == word) {
+      rows.push_back(&row);
+    }
+  }
+  return rows;
+}
+
+void printRow(const DiagRow& row) {
+  for (const ManualPage& page : manualPages()) {
+    if (page.code == row.code) {
+      std::cout << page.text;
+      return;
+    }
+  }
+  std::cout << "# " << row.code << ' ' << row.name << "\n\n" << row.text << '\n';
+}
+
+void printList() {
+  for (const DiagRow& row : diagnosticTable()) {
+    std::cout << fmt::format(
+        "{:6} {:28} {}\n", row.code, row.name,
+        row.legacy.empty() ? "" : fmt::format("(old APT number {})", row.legacy));
+  }
+}
+
+std::string guess(const std::string& word) {
+  std::vector<std::string> known;
+  for (const DiagRow& row : diagnosticTable()) {
+    known.emplace_back(row.code);
+    known.emplace_back(row.name);
+  }
+  const std::string found = nearest(upper(word), known);
+  return found.empty() ? "" : "; did you mean `" + found + "`?";
+}
+}  // namespace
+
+int runExplain(const Invocation& invocation) {
+  CLI::App app(
+      "Explains a diagnostic: what it means, a wrong and a right example.\n"
+      "CODE is a code (E0312), a name (UndefinedSymbol) or a number of the old system (1005).",
+      "explain");
+  std::string word;
+  bool list = false;
+  app.add_option("CODE", word, "what to explain");
+  app.add_flag("--list", list, "every code with its name and old number");
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  if (list) {
+    printList();
+    return static_cast<int>(ExitCode::ok);
+  }
+  const auto rows = rowsFor(word);
+  if (rows.empty()) {
+    printUsageError("explain", word.empty()
+                                   ? "a CODE is missing; --list shows all"
+                                   : "there is no diagnostic `" + word + "`" + guess(word));
+    return static_cast<int>(ExitCode::wrongUse);
+  }
+  for (const DiagRow* row : rows) {
+    printRow(*row);
+  }
+  return static_cast<int>(ExitCode::ok);
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,173 @@
+#include "app/options.h"
+
+#include <array>
+#include <charconv>
+#include <iostream>
+
+#include "app/exit_code.h"
+#include "app/messages.h"
+#include "app/nearest.h"
+
+namespace arelem::app {
+
+namespace {
+struct LimitName {
+  const char* name;
+  std::uint64_t Limits::*member;
+};
+constexpr std::array limitNames = {
+    LimitName{"steps", &Limits::steps},     LimitName{"depth", &Limits::depth},
+    LimitName{"records", &Limits::records}, LimitName{"errors", &Limits::errors},
+    LimitName{"nesting", &Limits::nesting}, LimitName{"elements", &Limits::elements},
+    LimitName{"line", &Limits::line},       LimitName{"bytes", &Limits::bytes},
+    LimitName{"points", &Limits::points},   LimitName{"array", &Limits::array}};
+
+template <class Number>
+bool readNumber(const std::string& text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+std::pair<std::string, std::string> splitAssignment(const std::string& option,
+                                                    const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw CLI::ValidationError(option, "`" + text + "` is not of the form name=value");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+void setLimit(Limits& limits, const std::string& text) {
+  const auto [name, value] = splitAssignment("--limits", text);
+  std::vector<std::string> names;
+  for (const LimitName& limit : limitNames) {
+    if (name == limit.name) {
+      if (!readNumber(value, limits.*limit.member)) {
+        throw CLI::ValidationError("--limits", "`" + value + "` is not a whole number");
+      }
+      return;
+    }
+    names.emplace_back(limit.name);
+  }
+  throw CLI::ValidationError(
+      "--limits", "there is no limit `" + name + "`; there are " + CLI::detail::join(names, ", "));
+}
+
+void setDefine(std::map<std::string, double>& defines, const std::string& text) {
+  auto [name, value] = splitAssignment("--define", text);
+  double number = 0.0;
+  if (!readNumber(value, number)) {
+    throw CLI::ValidationError("--define", "`" + value + "` is not a number");
+  }
+  for (char& c : name) {
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  if (!defines.emplace(name, number).second) {
+    throw CLI::ValidationError("--define", "`" + name + "` is given twice");
+  }
+}
+
+/// An option that may be repeated and takes one word each time.
+CLI::Option* addRepeated(CLI::App& app,
+                         const std::string& names,
+                         const std::string& help,
+                         const std::string& value,
+                         const std::function<void(const std::string&)>& take) {
+  return app
+      .add_option_function<std::vector<std::string>>(
+          names,
+          [take](const std::vector<std::string>& words) {
+            for (const std::string& word : words) {
+              take(word);
+            }
+          },
+          help)
+      ->type_name(value)
+      ->allow_extra_args(false);
+}
+
+std::string unknownOption(const CLI::App& app, const std::vector<std::string>& remaining) {
+  for (const std::string& word : remaining) {
+    if (!word.starts_with('-')) {
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) {
+        known.push_back("--" + name);
+      }
+    }
+    const std::string guess = nearest(word.substr(0, word.find('=')), known);
+    return "unknown option `" + word + "`" +
+           (guess.empty() ? "" : "; did you mean `" + guess + "`?");
+  }
+  return "`" + remaining.front() + "` is one word too many";
+}
+}  // namespace
+
+void addMessageOptions(CLI::App& app, Settings& settings) {
+  using Formats = std::map<std::string, DiagnosticFormat>;
+  using Colors = std::map<std::string, ColorChoice>;
+  app.add_option("--diagnostics", settings.format,
+                 "how messages are written: human, json (one object a line), gnu")
+      ->transform(CLI::CheckedTransformer(Formats{{"human", DiagnosticFormat::human},
+                                                  {"json", DiagnosticFormat::json},
+                                                  {"gnu", DiagnosticFormat::gnu}})
+                      .description("FORMAT"));
+  app.add_option("--color", settings.color, "auto, always or never; NO_COLOR is obeyed")
+      ->transform(CLI::CheckedTransformer(Colors{{"auto", ColorChoice::automatic},
+                                                 {"always", ColorChoice::always},
+                                                 {"never", ColorChoice::never}})
+                      .description("WHEN"));
+  app.add_option("--max-errors", settings.maxErrors, "errors shown for one input (20)")
+      ->type_name("N");
+  app.add_flag("-q,--quiet", settings.quiet, "no warnings, no summary");
+  app.add_flag("-v,--verbose", settings.verbose, "a summary with times");
+}
+
+void addSourceOptions(CLI::App& app, Settings& settings) {
+  using Dialects = std::map<std::string, frontend::Dialect>;
+  app.add_option("--dialect", settings.dialect, "auto, apt360, apt4, cl or native")
+      ->transform(CLI::CheckedTransformer(Dialects{{"auto", frontend::Dialect::automatic},
+                                                   {"apt360", frontend::Dialect::apt360},
+                                                   {"apt4", frontend::Dialect::apt4},
+                                                   {"cl", frontend::Dialect::cl},
+                                                   {"native", frontend::Dialect::native}})
+                      .description("NAME"));
+  addRepeated(app, "-D,--define", "gives a scalar a value before the program starts", "NAME=VALUE",
+              [&settings](const std::string& word) { setDefine(settings.defines, word); });
+  addRepeated(app, "-I,--include", "a folder where LIBRY and INCLUDE look first", "DIR",
+              [&settings](const std::string& word) { settings.libraryPath.push_back(word); });
+  addRepeated(app, "--limits", "bounds on work and size, such as steps=1000000,depth=20",
+              "NAME=VALUE,...", [&settings](const std::string& word) {
+                for (const std::string& one : CLI::detail::split(word, ',')) {
+                  setLimit(settings.limits, one);
+                }
+              });
+}
+
+std::optional<int> parse(CLI::App& app, std::vector<std::string> words) {
+  const std::string command = app.get_name();
+  app.allow_extras();
+  std::vector<std::string> reversed(words.rbegin(), words.rend());
+  try {
+    app.parse(std::move(reversed));
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return static_cast<int>(ExitCode::ok);
+  } catch (const CLI::ArgumentMismatch& error) {
+    printUsageError(
+        command, std::string(error.what()) + " (an option that takes one value may be given once)");
+    return static_cast<int>(ExitCode::wrongUse);
+  } catch (const CLI::ParseError& error) {
+    printUsageError(command, error.what());
+    return static_cast<int>(ExitCode::wrongUse);
+  }
+  if (!app.remaining().empty()) {
+    printUsageError(command, unknownOption(app, app.remaining()));
+    return static_cast<int>(ExitCode::wrongUse);
+  }
+  return std::nullopt;
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,93 @@
+#include "app/pipeline.h"
+
+#include <chrono>
+
+#include "app/library_path.h"
+#include "app/source_file.h"
+
+#include "runtime/path/transform.h"
+
+namespace arelem::app {
+
+namespace {
+/// Adds the time of its own life to a figure.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_ = Clock::now();
+};
+
+frontend::Options frontendOptions(const Settings& settings, const InterruptFlag& interrupted) {
+  frontend::Options options;
+  options.dialect = settings.dialect;
+  options.limits = settings.limits;
+  options.defines = settings.defines;
+  options.libraryPath = settings.libraryPath;
+  for (std::string& folder : installedLibrary()) {
+    options.libraryPath.push_back(std::move(folder));
+  }
+  options.interrupted = &interrupted;
+  return options;
+}
+}  // namespace
+
+bool load(Compilation& job, const std::string& path, const InterruptFlag& interrupted) {
+  const Stopwatch watch(job.seconds.parse);
+  Result<std::string> bytes = readBytes(path, job.settings.limits);
+  if (!bytes) {
+    job.log.accept(bytes.takeFailure());
+    return false;
+  }
+  Result<SourceText> source = decodeSource(displayName(path), *std::move(bytes));
+  if (!source) {
+    job.log.accept(source.takeFailure());
+    return false;
+  }
+  for (Failure& warning : source->warnings) {
+    job.log.accept(std::move(warning));
+  }
+  job.main = job.sources.add(displayName(path), std::move(source->text));
+  job.program =
+      frontend::compile(job.sources, job.main, frontendOptions(job.settings, interrupted), job.log);
+  return !interrupted;
+}
+
+bool evaluate(Compilation& job, const InterruptFlag& interrupted) {
+  const Stopwatch watch(job.seconds.evaluate);
+  job.evaluation = runtime::evaluate(job.program, {job.settings.limits, &interrupted}, job.log);
+  return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
+}
+
+bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& interrupted) {
+  const Stopwatch watch(job.seconds.execute);
+  const auto transformer = path::makeTransformer(records, job.log);
+  job.motion = runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted},
+                                *transformer, job.log);
+  transformer->finish();
+  return job.motion.complete && job.log.errors() == 0 && !interrupted;
+}
+
+backend::Context backendContext(const Compilation& job) {
+  backend::Context context;
+  context.sources = &job.sources;
+  context.program = &job.program;
+  for (const runtime::Defined& defined : job.evaluation.defined) {
+    if (defined.entity) {
+      context.entities.push_back(defined.entity);
+    }
+  }
+  for (const runtime::Printed& p : job.evaluation.printed) {
+    context.printed.push_back(
+        {p.isn, p.mode, p.title, p.name, p.subscript, p.entity, p.scalar, p.undefined});
+  }
+  return context;
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,47 @@
+#pragma once
+#include <string>
+
+#include "app/messages.h"
+#include "app/settings.h"
+
+#include "backend/backend.h"
+#include "runtime/run.h"
+
+/// The one way through the house: source -> program -> evaluation -> records. Commands differ only
+/// in how far they go and in what they do with the result.
+namespace arelem::app {
+
+/// Everything that is known about one input; each stage fills in its part.
+struct Compilation {
+  explicit Compilation(const Settings& given) : settings(given) {}
+
+  const Settings& settings;
+  SourceMap sources;
+  BufferId main;
+  DiagnosticLog log;
+  ir::Program program;
+  runtime::Evaluation evaluation;
+  runtime::MotionOutcome motion;
+  struct {
+    double parse = 0.0, evaluate = 0.0, execute = 0.0;  ///< wall time of each stage
+  } seconds;
+};
+
+/// Reads the input and parses it. False when there is nothing to go on with: diagnosed in the log.
+[[nodiscard]] bool load(Compilation& job,
+                        const std::string& path,
+                        const InterruptFlag& interrupted);
+
+/// Section 1. False when the program has errors and must not be executed.
+[[nodiscard]] bool evaluate(Compilation& job, const InterruptFlag& interrupted);
+
+/// Sections 2 and 3: cutter-location records, transformed, go to `records`.
+/// False when a motion failed; the records are then incomplete.
+[[nodiscard]] bool execute(Compilation& job,
+                           cl::RecordSink& records,
+                           const InterruptFlag& interrupted);
+
+/// What a back end may look at beside the records. Valid as long as the job.
+[[nodiscard]] backend::Context backendContext(const Compilation& job);
+
+}  // namespace arelem::app
