@@ -1,0 +1,194 @@
+#include "backend/cltext/writer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "backend/cltext/statement.h"
+#include "backend/text/clean.h"
+
+namespace arelem::backend {
+
+namespace {
+bool isAppliedAlready(Word word) {
+  return word == Word::TRACUT || word == Word::COPY || word == Word::INDEX;
+}
+
+class TextWriter : public Writer {
+ public:
+  TextWriter(std::ostream& out, int decimals, DiagnosticSink& sink)
+      : buffer_(out), line_(buffer_, decimals), sink_(sink) {}
+
+  void accept(const cl::Record& record) override {
+    record_ = &record;
+    std::visit(*this, record.body);
+  }
+  void finish() override { buffer_.finish(); }
+
+  void operator()(const cl::Motion& motion) {
+    if (!writable(motion.coordinates)) {
+      return;
+    }
+    const std::string_view word = motion.kind == cl::Motion::Kind::from ? "FROM" : "GOTO";
+    const std::size_t stride = motion.stride();
+    for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
+      line_.begin(word);
+      for (std::size_t k = 0; k < stride; ++k) {
+        line_.length(motion.coordinates[i + k]);
+      }
+      line_.end();
+    }
+  }
+  void operator()(const cl::Post& post) {
+    if (!std::all_of(post.arguments.begin(), post.arguments.end(),
+                     [this](const auto& v) { return writable(v); })) {
+      return;
+    }
+    const bool foreign = !post.foreign.empty();
+    line_.begin(foreign ? statementText(post.foreign) : std::string(spell(post.word)),
+                !foreign && isAppliedAlready(post.word));
+    for (const cl::Value& value : post.arguments) {
+      argument(value);
+    }
+    line_.end();
+  }
+  /// The text as it is, after `WORD / `; a blank less each side where that keeps it within the
+  /// columns.
+  void operator()(const cl::Text& body) {
+    const std::string clean = statementText(body.text);
+    const std::string_view text = trimmed(clean);
+    buffer_.append(spell(body.word));
+    if (!text.empty()) {
+      const bool fits = spell(body.word).size() + 3 + text.size() <= StatementWriter::columns;
+      buffer_.append(fits ? " / " : "/");
+      buffer_.append(text);
+    }
+    buffer_.append('\n');
+  }
+  void operator()(const cl::Surface& body) {
+    line_.begin(spell(body.surface.type) == "CYLNDR" ? "CYLNDR" : "CIRCLE", true);
+    lengths(body.surface.canon);
+  }
+  void operator()(const cl::Switch& body) { bare(spell(body.word), true); }
+  void operator()(const cl::Values& body) {
+    line_.begin(spell(body.word));
+    lengths(body.values);
+  }
+  void operator()(const cl::Multax& body) { switched("MULTAX", body.on, false); }
+  void operator()(const cl::Units& body) {
+    line_.begin("UNITS");
+    line_.text(spell(body.unit));
+    line_.end();
+  }
+  void operator()(const cl::Diagnostic& body) {
+    line_.begin("DIAGNOSTIC", true);
+    line_.parameter(body.number);
+    line_.end();
+  }
+  void operator()(const cl::Listing& body) { switched("CLPRNT", body.on, true); }
+  void operator()(const cl::Fini&) { bare("FINI", false); }
+  void operator()(const cl::Card&) {}
+  void operator()(const cl::Raw& body) {
+    line_.begin("RECORD", true);
+    line_.parameter(body.type);
+    line_.parameter(body.sub);
+    for (const std::uint64_t word : body.words) {
+      line_.text(fmt::format("{:016X}", word));
+    }
+    line_.end();
+  }
+
+ private:
+  void bare(std::string_view word, bool comment) {
+    line_.begin(word, comment);
+    line_.end();
+  }
+  void switched(std::string_view word, bool on, bool comment) {
+    line_.begin(word, comment);
+    line_.text(on ? "ON" : "OFF");
+    line_.end();
+  }
+  void lengths(const std::vector<double>& values) {
+    for (const double value : values) {
+      line_.length(isWritable(value) ? value : refuse(value));
+    }
+    line_.end();
+  }
+  void argument(const cl::Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+      line_.parameter(*number);
+    } else if (const auto* word = std::get_if<Word>(&value)) {
+      line_.text(spell(*word));
+    } else if (const auto* text = std::get_if<std::string>(&value)) {
+      line_.text(parameterText(*text));
+    } else {
+      surface(std::get<cl::SurfaceValue>(value));
+    }
+  }
+  /// A nested definition, `(PLANE / 0, 0, 1, 0.1)`; a matrix as its twelve numbers.
+  void surface(const cl::SurfaceValue& value) {
+    if (value.type == EntityType::matrix) {
+      for (const double number : value.canon) {
+        line_.length(number);
+      }
+      return;
+    }
+    const bool plane = value.type == EntityType::plane;
+    for (std::size_t i = 0; i < value.canon.size(); ++i) {
+      std::array<char, numberRoom> digits{};
+      const char* end = writeFixed(digits.data(), value.canon[i], shortest);
+      std::string item(digits.data(), static_cast<std::size_t>(end - digits.data()));
+      if (i == 0) {
+        item = fmt::format("({} / {}{}", spell(value.type), plane ? "" : "CANON, ", item);
+      }
+      line_.text(i + 1 == value.canon.size() ? item + ")" : item);
+    }
+  }
+  /// A word that the vocabulary does not know: what could end the parameter is taken out.
+  static std::string parameterText(const std::string& text) {
+    std::string clean = statementText(text);
+    std::replace_if(
+        clean.begin(), clean.end(), [](char c) { return c == ',' || c == '/'; }, ' ');
+    return clean;
+  }
+
+  bool writable(const std::vector<double>& values) {
+    for (const double value : values) {
+      if (!isWritable(value)) {
+        refuse(value);
+        return false;
+      }
+    }
+    return true;
+  }
+  bool writable(const cl::Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+      return isWritable(*number) || refuse(*number) != 0.0;
+    }
+    const auto* surface = std::get_if<cl::SurfaceValue>(&value);
+    return surface == nullptr || writable(surface->canon);
+  }
+  /// Reports the first number that no text can hold; the statement it stands in is left out.
+  double refuse(double value) {
+    if (!refused_) {
+      sink_.accept(diagnose(record_->origin, diag::OutputNumber, value, record_->isn));
+      refused_ = true;
+    }
+    return 0.0;
+  }
+
+  OutBuffer buffer_;
+  StatementWriter line_;
+  DiagnosticSink& sink_;
+  const cl::Record* record_ = nullptr;
+  bool refused_ = false;
+};
+}  // namespace
+
+std::unique_ptr<Writer> makeTextWriter(std::ostream& out,
+                                       const Context& context,
+                                       DiagnosticSink& sink) {
+  return std::make_unique<TextWriter>(out, context.decimals, sink);
+}
+
+}  // namespace arelem::backend

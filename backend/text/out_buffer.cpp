@@ -1,0 +1,39 @@
+#include "backend/text/out_buffer.h"
+
+#include <cstring>
+#include <ostream>
+
+namespace arelem::backend {
+
+OutBuffer::OutBuffer(std::ostream& out) : out_(out), block_(blockSize) {}
+
+void OutBuffer::append(std::string_view bytes) {
+  if (bytes.size() > blockSize - used_) {
+    flush();
+  }
+  if (bytes.size() > blockSize) {
+    out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return;
+  }
+  std::memcpy(block_.data() + used_, bytes.data(), bytes.size());
+  used_ += bytes.size();
+}
+
+char* OutBuffer::room(std::size_t size) {
+  if (size > blockSize - used_) {
+    flush();
+  }
+  return block_.data() + used_;
+}
+
+void OutBuffer::flush() {
+  out_.write(block_.data(), static_cast<std::streamsize>(used_));
+  used_ = 0;
+}
+
+void OutBuffer::finish() {
+  flush();
+  out_.flush();
+}
+
+}  // namespace arelem::backend
