@@ -13,5 +13,15 @@ inline constexpr double parallel = 1e-8;
 inline constexpr double wholeExponent = 1e-6;
 /// Relative rounding allowance for values computed from doubles of size one.
 inline constexpr double rounding = 1e-14;
+/// A component of a unit direction at most this decides no modifier: it may be rounding. Dimensionless.
+inline constexpr double symmetric = 1e-9;
+/// Unit normals whose determinant (sine of their angle) is at most this have no common point. Dimensionless.
+inline constexpr double singular = 1e-9;
+/// Planes are perpendicular when the cosine of their angle is at most this. Dimensionless.
+inline constexpr double perpendicular = 1e-6;
+/// Scales of a matrix in different directions that differ by at most this, relative, are the same. Dimensionless.
+inline constexpr double similarity = 1e-9;
+/// A whole number (a count, an index) may be off by this after arithmetic. Dimensionless.
+inline constexpr double wholeNumber = 1e-6;
 
 }  // namespace arelem::tolerance

@@ -1,0 +1,174 @@
+#include "ir/define/matcher.h"
+
+#include <algorithm>
+
+#include "ir/define/distance.h"
+
+namespace arelem::define {
+
+namespace {
+
+constexpr std::size_t longestSignature = 16;
+
+const std::vector<Pattern>& compiledForms() {
+  static const std::vector<Pattern> compiled = [] {
+    std::vector<Pattern> list;
+    for (const FormRow& form : formTable()) {
+      list.push_back(compile(form.pattern));
+    }
+    return list;
+  }();
+  return compiled;
+}
+
+const Pattern& compiledForm(FormId form) {
+  return compiledForms()[static_cast<std::size_t>(form)];
+}
+
+bool isOf(const FormRow& form, Word noun) { return form.anyNoun || form.noun == noun; }
+
+/// A set of automaton nodes, closed under splits.
+class NodeSet {
+ public:
+  explicit NodeSet(const Pattern& pattern) : pattern_(&pattern), in_(pattern.nodes.size(), false) {}
+
+  void add(int node) {
+    std::vector<int> open{node};
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (at < 0 || in_[static_cast<std::size_t>(at)]) {
+        continue;
+      }
+      in_[static_cast<std::size_t>(at)] = true;
+      members_.push_back(at);
+      const Pattern::Node& n = pattern_->nodes[static_cast<std::size_t>(at)];
+      if (n.kind == Pattern::Node::Kind::split) {
+        open.push_back(n.next);
+        open.push_back(n.other);
+      }
+    }
+  }
+  void clear() {
+    for (const int member : members_) {
+      in_[static_cast<std::size_t>(member)] = false;
+    }
+    members_.clear();
+  }
+  [[nodiscard]] const std::vector<int>& members() const { return members_; }
+
+ private:
+  const Pattern* pattern_;
+  std::vector<bool> in_;
+  std::vector<int> members_;
+};
+
+Mismatch::Kind kindOf(const Edit& edit, std::span<const Symbol> parameters) {
+  switch (edit.kind) {
+    case Edit::Kind::missing:
+      return Mismatch::Kind::missing;
+    case Edit::Kind::surplus:
+      return Mismatch::Kind::surplus;
+    case Edit::Kind::replace:
+      break;
+  }
+  const bool words = parameters[edit.position].sort == Symbol::Sort::word &&
+                     edit.expected.sort == Symbol::Sort::word;
+  return words ? Mismatch::Kind::wrongWord : Mismatch::Kind::wrongType;
+}
+
+/// What would fit at `position` in any of the forms that one change there would satisfy.
+std::vector<std::string> fitting(Word noun, std::span<const Symbol> parameters, const Edit& edit) {
+  std::vector<std::string> texts;
+  for (const FormRow& form : formTable()) {
+    if (!isOf(form, noun)) {
+      continue;
+    }
+    for (const Expectation& wanted : oneChange(compiledForm(form.id), parameters, edit)) {
+      const std::string text(wanted.text);
+      if (std::find(texts.begin(), texts.end(), text) == texts.end()) {
+        texts.push_back(text);
+      }
+    }
+  }
+  return texts;
+}
+
+Mismatch explain(Word noun, std::span<const Symbol> parameters) {
+  struct Near {
+    FormId form;
+    EditPath path;
+  };
+  std::vector<Near> all;
+  for (const FormRow& form : formTable()) {
+    if (isOf(form, noun)) {
+      all.push_back({form.id, editPath(compiledForm(form.id), parameters)});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Near& a, const Near& b) { return a.path.cost < b.path.cost; });
+  Mismatch mismatch;
+  for (std::size_t i = 0; i < std::min(all.size(), mismatchForms); ++i) {
+    mismatch.nearest.push_back(all[i].form);
+  }
+  if (!all.empty() && all.front().path.edits.size() == 1) {
+    const Edit& edit = all.front().path.edits.front();
+    mismatch.kind = kindOf(edit, parameters);
+    mismatch.position = edit.position;
+    if (edit.kind != Edit::Kind::surplus) {
+      mismatch.expected = fitting(noun, parameters, edit);
+    }
+  }
+  return mismatch;
+}
+
+}  // namespace
+
+bool accepts(const Pattern& pattern, std::span<const Symbol> parameters) {
+  NodeSet now(pattern);
+  NodeSet next(pattern);
+  now.add(pattern.start);
+  for (const Symbol& symbol : parameters) {
+    next.clear();
+    for (const int member : now.members()) {
+      const Pattern::Node& node = pattern.nodes[static_cast<std::size_t>(member)];
+      if (node.kind == Pattern::Node::Kind::take && node.wanted.accepts(symbol)) {
+        next.add(node.next);
+      }
+    }
+    std::swap(now, next);
+    if (now.members().empty()) {
+      return false;
+    }
+  }
+  return std::any_of(now.members().begin(), now.members().end(), [&](int member) {
+    return pattern.nodes[static_cast<std::size_t>(member)].kind == Pattern::Node::Kind::end;
+  });
+}
+
+std::variant<FormId, Mismatch> match(Word noun, std::span<const Symbol> parameters) {
+  for (const FormRow& form : formTable()) {
+    if (isOf(form, noun) && accepts(compiledForm(form.id), parameters)) {
+      return form.id;
+    }
+  }
+  return explain(noun, parameters);
+}
+
+std::string syntaxLine(Word noun, FormId form) {
+  return std::string(spell(noun)) + "/ " + std::string(row(form).pattern);
+}
+
+std::string signature(Word noun, std::span<const Symbol> parameters) {
+  std::string text = std::string(spell(noun)) + "/";
+  const std::size_t shown = std::min(parameters.size(), longestSignature);
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? " " : ", ") + describe(parameters[i]);
+  }
+  if (shown < parameters.size()) {
+    text += ", ... (" + std::to_string(parameters.size()) + " parameters)";
+  }
+  return text;
+}
+
+}  // namespace arelem::define

@@ -1,0 +1,147 @@
+// CANON forms: canonical numbers as input, and copies of an entity with some numbers replaced.
+#include "runtime/define/canonical.h"
+
+#include <cmath>
+#include <limits>
+
+#include "ir/space/tolerance.h"
+#include "runtime/define/choice.h"
+#include "runtime/define/resolve.h"
+
+namespace arelem::define {
+
+using geometry::Canon;
+
+namespace {
+
+/// Numbers of a POLCON: jroots, m1..m12, t, cb, pb, 7 x 8 coefficients, 7 of the square root.
+constexpr std::size_t polyconicCount = 79;
+
+std::size_t expectedCount(EntityType type) {
+  return type == EntityType::polyconic ? polyconicCount
+                                       : static_cast<std::size_t>(canonicalCount(type));
+}
+
+/// Divides canon[first..first+n) by the length of the three numbers from `first`, unless that is 1 already.
+Result<bool> normalize(EntityType type, Canon& canon, std::size_t first, std::size_t n) {
+  const Vec3 direction(canon[first], canon[first + 1], canon[first + 2]);
+  const double length = direction.norm();
+  if (!(length > tolerance::nullDirection)) {
+    return fail(diag::NullDirection, spell(type), direction.cwiseAbs().maxCoeff(),
+                tolerance::nullDirection);
+  }
+  if (std::abs(length - 1.0) <= std::numeric_limits<double>::epsilon()) {
+    return true;
+  }
+  for (std::size_t i = first; i < first + n; ++i) {
+    canon[i] /= length;
+  }
+  return true;
+}
+
+Result<bool> require(EntityType type, const Canon& canon, std::size_t index, bool good,
+                     std::string_view rule) {
+  if (!good) {
+    return fail(diag::BadCanonicalValue, spell(type), index + 1, canon[index], rule);
+  }
+  return true;
+}
+
+Result<bool> checkCircle(EntityType type, const Canon& canon) {
+  for (const std::size_t index : {std::size_t{3}, std::size_t{4}}) {
+    Result<bool> zero = require(type, canon, index, canon[index] == 0.0, "0: the axis of a circle is z");
+    if (!zero) {
+      return zero;
+    }
+  }
+  Result<bool> axis = require(type, canon, 5, std::abs(canon[5]) == 1.0, "1: the axis of a circle is z");
+  return axis ? require(type, canon, 6, canon[6] > 0.0, "greater than 0") : std::move(axis);
+}
+
+Result<bool> check(EntityType type, Canon& canon) {
+  Result<bool> good = true;
+  switch (type) {
+    case EntityType::line:
+      good = require(type, canon, 2, canon[2] == 0.0, "0: a line is a vertical plane");
+      return good ? normalize(type, canon, 0, 4) : std::move(good);
+    case EntityType::plane:
+      return normalize(type, canon, 0, 4);
+    case EntityType::circle:
+      return checkCircle(type, canon);
+    case EntityType::cylinder:
+      good = require(type, canon, 6, canon[6] > 0.0, "greater than 0");
+      return good ? normalize(type, canon, 3, 3) : std::move(good);
+    case EntityType::cone:
+      good = require(type, canon, 6, canon[6] > 0.0 && canon[6] < 1.0,
+                     "a cosine between 0 and 1, ends excluded");
+      return good ? normalize(type, canon, 3, 3) : std::move(good);
+    case EntityType::sphere:
+      return require(type, canon, 3, canon[3] > 0.0, "greater than 0");
+    case EntityType::torus:
+      good = require(type, canon, 6, canon[6] > 0.0, "greater than 0");
+      good = good ? require(type, canon, 7, canon[7] > 0.0, "greater than 0") : std::move(good);
+      return good ? normalize(type, canon, 3, 3) : std::move(good);
+    default:
+      return good;
+  }
+}
+
+}  // namespace
+
+Result<Canon> checkedCanon(EntityType type, Canon canon) {
+  const std::size_t count = expectedCount(type);
+  if (count != 0 && canon.size() != count) {
+    return fail(diag::WrongCanonicalCount, spell(type), canon.size(), std::to_string(count));
+  }
+  if (type == EntityType::pattern && (canon.empty() || canon.size() % 3 != 0)) {
+    return fail(diag::WrongCanonicalCount, spell(type), canon.size(), "three for each point");
+  }
+  Result<bool> good = check(type, canon);
+  if (!good) {
+    return good.takeFailure();
+  }
+  return canon;
+}
+
+namespace {
+Result<Resolved> checkedResult(const Arguments& given, Canon canon, PatternShape pattern) {
+  Result<Canon> checked = checkedCanon(given.type(), std::move(canon));
+  if (!checked) {
+    return checked.takeFailure();
+  }
+  return Resolved(*std::move(checked), pattern);
+}
+}  // namespace
+
+Result<Resolved> canonicalInput(const Arguments& given) {
+  Canon canon;
+  for (std::size_t i = 1; i < given.count(); ++i) {
+    canon.push_back(given.scalar(i));
+  }
+  return checkedResult(given, std::move(canon), {PatternShape::Kind::random, 1});
+}
+
+Result<Resolved> canonicalCopy(const Arguments& given) {
+  const Entity& original = given.entity(0);
+  if (original.type != given.type()) {
+    return fail(diag::WrongCanonicalType, spell(given.type()), spell(original.type));
+  }
+  Canon canon = original.canon;
+  const std::size_t values = given.count() - 2;
+  if (values > canon.size()) {
+    return fail(diag::WrongCanonicalCount, spell(given.type()), values, std::to_string(canon.size()));
+  }
+  bool replaced = false;
+  for (std::size_t i = 0; i < values; ++i) {
+    if (given.isScalar(i + 2)) {
+      canon[i] = given.scalar(i + 2);
+      replaced = true;
+    }
+  }
+  if (!replaced) {
+    return Resolved(std::move(canon), original.pattern);
+  }
+  return checkedResult(given, std::move(canon), original.pattern);
+}
+
+}  // namespace arelem::define

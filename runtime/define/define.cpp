@@ -1,0 +1,126 @@
+#include "runtime/define/define.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "ir/define/matcher.h"
+#include "ir/diag/diagnostic.h"
+#include "runtime/define/resolve.h"
+
+namespace arelem::define {
+
+namespace {
+
+using Method = Result<Resolved> (*)(const Arguments&);
+constexpr std::array methods = {
+#define ARELEM_FORM(id, noun, method, pattern, meaning) Method{&method},
+#define ARELEM_ANY_FORM(id, method, pattern, meaning) Method{&method},
+#include "ir/define/forms.def"
+#undef ARELEM_FORM
+#undef ARELEM_ANY_FORM
+};
+static_assert(methods.size() == static_cast<std::size_t>(FormId::count));
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+Symbol symbolOf(const Parameter& parameter) {
+  return std::visit(Overloaded{[](Omitted) { return Symbol::empty(); },
+                               [](double) { return Symbol::scalar(); },
+                               [](Word word) { return Symbol::of(word); },
+                               [](const EntityPtr& entity) { return Symbol::of(entity->type); }},
+                    parameter);
+}
+
+/// "CENTER", "`XLARGE` or `XSMALL`", "a circle, a line or a scalar" ...
+std::string choiceOf(const std::vector<std::string>& texts) {
+  std::string list;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (i != 0) {
+      list += i + 1 == texts.size() ? " or " : ", ";
+    }
+    list += "`" + texts[i] + "`";
+  }
+  return list;
+}
+
+std::string formsHelp(Word noun, const std::vector<FormId>& forms) {
+  std::string text = "forms that come near:";
+  for (const FormId form : forms) {
+    text += "\n  " + syntaxLine(noun, form) + "  (" + std::string(row(form).meaning) + ")";
+  }
+  return text;
+}
+
+Failure failureOf(Word noun, const std::vector<Symbol>& symbols, const Mismatch& mismatch) {
+  const std::string_view name = spell(noun);
+  const std::size_t number = mismatch.position + 1;
+  const auto describeAt = [&] { return describe(symbols[mismatch.position]); };
+  Failure failure;
+  switch (mismatch.kind) {
+    case Mismatch::Kind::noneIsNear:
+      failure = fail(diag::NoSuchForm, name, signature(noun, symbols));
+      break;
+    case Mismatch::Kind::wrongWord:
+      failure = fail(diag::WrongModifier, number, name, describeAt(), choiceOf(mismatch.expected));
+      break;
+    case Mismatch::Kind::wrongType:
+      failure = fail(diag::WrongParameterType, number, name, describeAt(), choiceOf(mismatch.expected));
+      break;
+    case Mismatch::Kind::missing:
+      failure = fail(diag::MissingParameter, number, name, symbols.size(), choiceOf(mismatch.expected));
+      break;
+    case Mismatch::Kind::surplus:
+      failure = fail(diag::SurplusParameter, number, name, describeAt());
+      break;
+  }
+  failure.notes.push_back("written was " + signature(noun, symbols));
+  failure.help = formsHelp(noun, mismatch.nearest);
+  return failure;
+}
+
+bool allFinite(const geometry::Canon& canon) {
+  return std::all_of(canon.begin(), canon.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Minus zero prints badly and means nothing.
+void clearMinusZeros(geometry::Canon& canon) {
+  for (double& v : canon) {
+    v += 0.0;
+  }
+}
+
+}  // namespace
+
+Result<Entity> define(EntityType type, std::span<const Parameter> parameters, const Context& context) {
+  std::vector<Symbol> symbols(parameters.size());
+  std::transform(parameters.begin(), parameters.end(), symbols.begin(), symbolOf);
+  const std::optional<Word> noun = findWord(spell(type));
+  if (!noun) {
+    return fail(diag::NoSuchForm, spell(type), "");
+  }
+  const std::variant<FormId, Mismatch> found = match(*noun, symbols);
+  if (const auto* mismatch = std::get_if<Mismatch>(&found)) {
+    return failureOf(*noun, symbols, *mismatch);
+  }
+  const auto form = static_cast<std::size_t>(std::get<FormId>(found));
+  Result<Resolved> resolved = methods[form](Arguments(type, parameters, context));
+  if (!resolved) {
+    return resolved.takeFailure();
+  }
+  if (!allFinite(resolved->canon)) {
+    return fail(diag::NotFinite, spell(type));
+  }
+  clearMinusZeros(resolved->canon);
+  Entity entity;
+  entity.type = type;
+  entity.canon = std::move(resolved->canon);
+  entity.pattern = resolved->pattern;
+  return entity;
+}
+
+}  // namespace arelem::define

@@ -1,0 +1,60 @@
+// Canonical forms printed by the old system (tests/data/golden/definitions.json, made from programs of ours).
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/runtime/define/forms.h"
+
+namespace arelem::define::test {
+namespace {
+
+using Names = std::map<std::string, EntityPtr>;
+
+Parameter parameterOf(const nlohmann::json& value, const Names& names) {
+  if (value.is_null()) {
+    return Omitted{};
+  }
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  if (value.contains("word")) {
+    return *findWord(value["word"].get<std::string>());
+  }
+  return names.at(value["entity"].get<std::string>());
+}
+
+Context contextOf(const nlohmann::json& row) {
+  if (!row.contains("zsurf")) {
+    return {};
+  }
+  const auto& z = row["zsurf"];
+  return {z[0].get<double>(), z[1].get<double>(), z[2].get<double>(), z[3].get<double>()};
+}
+
+TEST(OldSystem, CanonicalFormsAgree) {
+  std::ifstream file(std::string(ARELEM_SOURCE_DIR) + "/tests/data/golden/definitions.json");
+  ASSERT_TRUE(file);
+  const nlohmann::json rows = nlohmann::json::parse(file);
+  std::map<std::string, Names> programs;
+  int compared = 0;
+  for (const auto& row : rows) {
+    Names& names = programs[row["case"].get<std::string>()];
+    const auto name = row["name"].get<std::string>();
+    P parameters;
+    for (const auto& value : row["parameters"]) {
+      parameters.push_back(parameterOf(value, names));
+    }
+    const EntityType type = *entityType(*findWord(row["type"].get<std::string>()));
+    const Entity entity = defined(type, parameters, contextOf(row));
+    names[name] = std::make_shared<const Entity>(entity);
+    if (row.contains("expected")) {
+      expectCanon(entity.canon, row["expected"].get<std::vector<double>>(), 1e-9,
+                  row["case"].get<std::string>() + " " + name);
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 200);
+}
+
+}  // namespace
+}  // namespace arelem::define::test
