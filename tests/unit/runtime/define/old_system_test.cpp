@@ -31,6 +31,16 @@ Context contextOf(const nlohmann::json& row) {
   return {z[0].get<double>(), z[1].get<double>(), z[2].get<double>(), z[3].get<double>()};
 }
 
+/// Where the old system is less exact than 1e-9 (each explained in docs/differences.md): what it may be off by.
+double allowanceFor(const std::string& place) {
+  static const std::map<std::string, double> known = {
+      {"g05_vectors V25", 3e-9},  // VECTOR/ATANGL beyond 90 degrees: its sine and cosine are off by 2.7e-9
+      {"g05_vectors V26", 3e-9},
+  };
+  const auto found = known.find(place);
+  return found == known.end() ? 1e-9 : found->second;
+}
+
 TEST(OldSystem, CanonicalFormsAgree) {
   std::ifstream file(std::string(ARELEM_SOURCE_DIR) + "/tests/data/golden/definitions.json");
   ASSERT_TRUE(file);
@@ -48,8 +58,8 @@ TEST(OldSystem, CanonicalFormsAgree) {
     const Entity entity = defined(type, parameters, contextOf(row));
     names[name] = std::make_shared<const Entity>(entity);
     if (row.contains("expected")) {
-      expectCanon(entity.canon, row["expected"].get<std::vector<double>>(), 1e-9,
-                  row["case"].get<std::string>() + " " + name);
+      const std::string place = row["case"].get<std::string>() + " " + name;
+      expectCanon(entity.canon, row["expected"].get<std::vector<double>>(), allowanceFor(place), place);
       ++compared;
     }
   }
