@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""Compares arelem with the results of the old system, program by program.
+
+Per program: printed geometry, all records but motion, end positions, number of cut vectors, and whether every point
+of our paths keeps the tolerances (measured by surfaces.py). Our own cases lie in tests/data/oracle; the examples of
+the old system are read in place where they exist (ARELEM_SHARED, or the folder `shared` beside the project).
+"""
+import argparse
+import json
+import multiprocessing
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+import bands
+import part_program
+import records
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parent.parent
+CHECKS = ("geometry", "records", "ends", "vectors", "bands", "diagnostics")
+END_TOLERANCE = 1e-4  # part unit
+
+
+def programs():
+    """(name, source, result) of every program with a result of the old system."""
+    data = PROJECT / "tests" / "data" / "oracle"
+    for folder in (data / "cases", data / "bad"):
+        for result in sorted(folder.glob("*.json")):
+            yield result.stem, result.with_suffix(".apt"), result
+    shared = pathlib.Path(os.environ.get("ARELEM_SHARED", PROJECT.parent / "shared"))
+    examples = shared / "oracle" / "examples"
+    if not examples.is_dir():
+        print("the old system's examples are not here (ARELEM_SHARED): compared with our own cases only")
+        return
+    for result in sorted(examples.glob("*.json")):
+        yield "examples/" + result.stem, shared / "corpus" / "aptos-apt360" / (result.stem + ".apt"), result
+
+
+class Arelem:
+    def __init__(self, binary):
+        self.binary = binary
+
+    def call(self, *words):
+        done = subprocess.run([self.binary, *map(str, words)], capture_output=True, text=True, timeout=300)
+        return done.returncode, done.stdout, done.stderr
+
+    def geometry(self, path):
+        code, out, _ = self.call("geometry", path, "--json", "-q", "--diagnostics=json")
+        return code, json.loads(out) if out.strip() else []
+
+    def records(self, path):
+        code, out, err = self.call("compile", path, "--to", "json", "-o", "-", "--diagnostics=json", "-q",
+                                   "--max-errors", "100000")
+        messages = [json.loads(line) for line in err.splitlines() if line.startswith("{")]
+        return code, [json.loads(line) for line in out.splitlines()], messages
+
+
+def compare_geometry(arelem, source, oracle):
+    """The last print of each name against its last value here. Nested definitions have no name to compare by."""
+    if not oracle["prints"]:
+        return []
+    _, rows = arelem.geometry(source)
+    ours = {(r["name"], r["subscript"]): r for r in rows}
+    theirs = {(r["name"], r["subscript"]): r for r in oracle["prints"] if not r["name"].startswith("*")}
+    wrong = []
+    for key, row in theirs.items():
+        mine = ours.get(key)
+        if row["type"] == "UNDEF" or row["n"] != len(row["values"]):
+            continue  # printed before it had a value, or more numbers than the old listing shows
+        if mine is None:
+            wrong.append(f"{key[0]} is not defined")
+        elif mine["type"] != row["type"] or not records.same_rows(mine["values"], row["values"]):
+            wrong.append(f"{key[0]}({key[1]}) {mine['type']} {mine['values']} instead of {row['type']} {row['values']}")
+    return wrong
+
+
+def compare_ends(ours, theirs, band):
+    wrong, worst = [], 0.0
+    for a, b in zip(ours, theirs):
+        if a["isn"] != b["isn"] or a["kind"] != b["kind"]:
+            wrong.append(f"{a['kind']} of statement {a['isn']} where the old system has {b['kind']} of {b['isn']}")
+            break
+        off = records.end_distance(a, b)
+        worst = max(worst, off)
+        if off > END_TOLERANCE + band:
+            wrong.append(f"statement {a['isn']}: {a['points'][-1]} is {off:.6f} from {b['points'][-1]}")
+    if not wrong and len(ours) != len(theirs):
+        wrong.append(f"{len(ours)} motions instead of {len(theirs)}")
+    return wrong, worst
+
+
+def measure_bands(arelem, source, our_motions):
+    """Deviation rows and reasons for what was not measured."""
+    text = source.read_text(errors="replace")
+    named = part_program.name_nested(text)
+    with tempfile.NamedTemporaryFile("w", suffix=".apt") as file:
+        file.write(named)
+        file.flush()
+        _, rows = arelem.geometry(file.name)
+    name = lambda r: r["name"] if r["subscript"] == 0 else f"{r['name']}({r['subscript']})"
+    scalars = {name(r): r["values"][0] for r in rows if r["type"] == "SCALAR"}
+    entities = {name(r): (r["type"], r["values"]) for r in rows if r["type"] != "SCALAR"}
+    return bands.measure(named, entities, scalars, our_motions)
+
+
+def compare_diagnostics(oracle, code, messages):
+    """A program that fails there must fail here, with the old numbers among ours."""
+    wanted = {str(d["number"]) for d in oracle["diagnostics"] if d["number"] > 0}
+    told = {m["legacy"] for m in messages if m["legacy"]}
+    wrong = [f"old number {number} is not reported" for number in sorted(wanted - told)]
+    if wanted and code == 0:
+        wrong.append("it compiles without an error")
+    return wrong
+
+
+def compare(task):
+    name, source, result, binary = task
+    arelem = Arelem(binary)
+    oracle = json.loads(result.read_text())
+    outcome = {"name": name, "wrong": {}, "rows": [], "skipped": [], "vectors": (0, 0), "end": 0.0}
+    try:
+        code, ours, messages = arelem.records(source)
+    except (subprocess.TimeoutExpired, json.JSONDecodeError) as error:
+        outcome["wrong"]["diagnostics"] = [f"{type(error).__name__}: {error}"[:200]]
+        return outcome
+    if oracle["status"] != "ok":
+        outcome["wrong"]["diagnostics"] = compare_diagnostics(oracle, code, messages)
+        return outcome
+    if code != 0:
+        first = messages[0] if messages else {"code": "", "message": f"exit {code}", "range": None}
+        line = first["range"]["start"]["line"] if first["range"] else 0
+        outcome["wrong"]["diagnostics"] = [f"exit {code}: line {line} {first['code']} {first['message']}"]
+        return outcome
+    outcome["wrong"]["geometry"] = compare_geometry(arelem, source, oracle)
+    difference = records.first_difference(records.others(ours), records.others(oracle["cl"]))
+    outcome["wrong"]["records"] = [difference] if difference else []
+    our_motions = records.motions(ours)
+    try:
+        outcome["rows"], outcome["skipped"] = measure_bands(arelem, source, our_motions)
+    except part_program.Unfollowed as reason:
+        outcome["skipped"] = [f"not followed: {reason}"]
+    outcome["wrong"]["ends"], outcome["end"] = compare_ends(our_motions, records.motions(oracle["cl"]),
+                                                            band_allowance(oracle["cl"]))
+    counts = records.cut_vectors(ours), records.cut_vectors(oracle["cl"])
+    outcome["vectors"] = counts
+    outcome["wrong"]["vectors"] = [f"{counts[0]} points, the old system needs {counts[1]}"] if counts[0] > counts[1] else []
+    outcome["wrong"]["bands"] = [
+        f"statement {r['isn']}, {r['role']} surface: {r['low']:+.6f} to {r['high']:+.6f}, "
+        f"allowed {-r['inner']:+.6f} to {r['outer']:+.6f}" for r in outcome["rows"] if bands.violation(r)]
+    return outcome
+
+
+def band_allowance(oracle_records):
+    """The band within which the old system's own points lie; ours lie on the surface."""
+    inner = max((max(r["values"]) for r in oracle_records if r["kind"] == "INTOL"), default=0.0)
+    outer = max((max(r["values"]) for r in oracle_records if r["kind"] == "OUTTOL"), default=0.0005)
+    return inner + outer
+
+
+def known_differences():
+    known = {}
+    for line in (HERE / "known.tsv").read_text().splitlines():
+        if line and not line.startswith("#"):
+            name, check, reason = line.split("\t")
+            known[(name, check)] = reason
+    return known
+
+
+def report(outcomes, show_rows):
+    known, failures, used = known_differences(), 0, set()
+    mark = lambda o, c: "-" if c not in o["wrong"] else "known" if (o["name"], c) in known and o["wrong"][c] \
+        else "WRONG" if o["wrong"][c] else "ok"
+    print(f"{'program':26}" + "".join(f"{c:>12}" for c in CHECKS) + f"{'points':>8}{'old':>7}{'end off':>10}")
+    for o in outcomes:
+        print(f"{o['name']:26}" + "".join(f"{mark(o, c):>12}" for c in CHECKS)
+              + f"{o['vectors'][0]:8}{o['vectors'][1]:7}{o['end']:10.6f}")
+    print()
+    for o in outcomes:
+        for check, wrong in o["wrong"].items():
+            key = (o["name"], check)
+            if wrong and key in known:
+                used.add(key)
+            elif wrong:
+                failures += 1
+                for sentence in wrong[:3]:
+                    print(f"{o['name']}: {check}: {sentence}")
+    present = {o["name"] for o in outcomes}
+    for key in sorted(set(known) - used):
+        if key[0] in present:
+            failures += 1
+            print(f"known.tsv: {key[0]} {key[1]} no longer differs; remove the line")
+    if show_rows:
+        print_rows(outcomes)
+    print_worst(outcomes)
+    return failures
+
+
+def print_rows(outcomes):
+    print(f"\n{'program':26} statement          role   points      inside     outside   chord inside  chord outside")
+    for o in outcomes:
+        for r in o["rows"]:
+            print(f"{o['name']:26} {r['isn']:5} {r['word']:9} {r['role']:>8} {r['points']:8} {r['low']:+11.7f} "
+                  f"{r['high']:+11.7f} {r['middle_low']:+14.7f} {r['middle_high']:+14.7f}")
+
+
+def print_worst(outcomes):
+    rows = [(o["name"], r) for o in outcomes for r in o["rows"]]
+    skipped = sum(len(o["skipped"]) for o in outcomes)
+    points = sum(r["points"] for _, r in rows)
+    print(f"\ntolerance bands: {len(rows)} paths along surfaces measured, {points} points; {skipped} not measured")
+    share = lambda r: max(-r["low"] - r["inner"], r["high"] - r["outer"])
+    for name, r in sorted(rows, key=lambda item: -share(item[1]))[:8]:
+        print(f"  {name:26} statement {r['isn']:3} {r['role']:5}: points {r['low']:+.7f} to {r['high']:+.7f}, chord "
+              f"middles {r['middle_low']:+.7f} to {r['middle_high']:+.7f}, band {-r['inner']:+.5f} to {r['outer']:+.5f}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--arelem", default=str(PROJECT / "build" / "arelem"))
+    parser.add_argument("--only", help="programs whose name contains this")
+    parser.add_argument("--table", action="store_true", help="every statement's deviations")
+    options = parser.parse_args()
+    start = time.time()
+    tasks = [(n, s, r, options.arelem) for n, s, r in programs() if not options.only or options.only in n]
+    if not tasks:
+        sys.exit("no programs found")
+    with multiprocessing.Pool() as pool:
+        outcomes = pool.map(compare, tasks, chunksize=1)
+    failures = report(outcomes, options.table)
+    good = sum(1 for o in outcomes if not any(o["wrong"].values()))
+    print(f"\n{len(outcomes)} programs, {good} without any difference, {failures} unexplained differences, "
+          f"{time.time() - start:.1f} s")
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
