@@ -2,12 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace arelem::app {
 
 ExitCode exitCodeFor(const DiagRow& row) {
   if (row.severity != Severity::error) {
     return ExitCode::ok;
+  }
+  // Rows whose hundreds tell something else.
+  constexpr std::array<std::pair<std::string_view, ExitCode>, 2> exceptions = {
+      {{"E0102", ExitCode::inputUnreadable},  // a control byte: not a text file
+       {"E0613", ExitCode::limitReached}}};   // records of a CL tape
+  for (const auto& [code, result] : exceptions) {
+    if (row.code == code) {
+      return result;
+    }
+  }
+  if (row.code.starts_with("E061")) {  // damaged CL tapes
+    return ExitCode::inputUnreadable;
   }
   const std::string_view room = row.code.substr(0, 3);
   if (room == "E03" || room == "E05") {

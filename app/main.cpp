@@ -7,6 +7,7 @@
 
 #include "app/command.h"
 #include "app/messages.h"
+#include "app/temporary_files.h"
 #include "app/version.h"
 
 namespace arelem::app {
@@ -65,6 +66,7 @@ void reportOutOfMemory() {
 
 int guarded(int argc, char** argv) {
   InterruptWatch interrupt;
+  interrupt.setLastWill(removeTemporaries);
   ExitCode code = ExitCode::ok;
   try {
     code = static_cast<ExitCode>(run({argv + 1, argv + argc}, interrupt));

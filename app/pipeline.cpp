@@ -39,21 +39,24 @@ frontend::Options frontendOptions(const Settings& settings, const InterruptFlag&
 }  // namespace
 
 bool load(Compilation& job, const std::string& path, const InterruptFlag& interrupted) {
-  const Stopwatch watch(job.seconds.parse);
   Result<std::string> bytes = readBytes(path, job.settings.limits);
   if (!bytes) {
     job.log.accept(bytes.takeFailure());
     return false;
   }
-  Result<SourceText> source = decodeSource(displayName(path), *std::move(bytes));
-  if (!source) {
-    job.log.accept(source.takeFailure());
+  return load(job, path, *std::move(bytes), interrupted);
+}
+
+bool load(Compilation& job,
+          const std::string& path,
+          std::string text,
+          const InterruptFlag& interrupted) {
+  const Stopwatch watch(job.seconds.parse);
+  if (std::optional<Failure> objection = objectionToText(path, text)) {
+    job.log.accept(*std::move(objection));
     return false;
   }
-  for (Failure& warning : source->warnings) {
-    job.log.accept(std::move(warning));
-  }
-  job.main = job.sources.add(displayName(path), std::move(source->text));
+  job.main = job.sources.add(displayName(path), std::move(text));
   job.program =
       frontend::compile(job.sources, job.main, frontendOptions(job.settings, interrupted), job.log);
   return !interrupted;

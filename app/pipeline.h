@@ -31,6 +31,11 @@ struct Compilation {
 [[nodiscard]] bool load(Compilation& job,
                         const std::string& path,
                         const InterruptFlag& interrupted);
+/// The same for a text that was read already; `path` is used in messages.
+[[nodiscard]] bool load(Compilation& job,
+                        const std::string& path,
+                        std::string text,
+                        const InterruptFlag& interrupted);
 
 /// Section 1. False when the program has errors and must not be executed.
 [[nodiscard]] bool evaluate(Compilation& job, const InterruptFlag& interrupted);

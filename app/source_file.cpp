@@ -9,8 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "ir/diag/display_text.h"
-
 namespace arelem::app {
 
 namespace {
@@ -47,71 +45,6 @@ std::optional<std::string> objection(int fd, bool standardInput) {
   return std::nullopt;
 }
 
-// The 32 bytes 0x80 to 0x9F of Windows-1252; 0 where undefined.
-constexpr std::array<char32_t, 32> windows1252 = {
-    0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
-    0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
-    0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
-
-char32_t fromWindows1252(unsigned char byte) {
-  return byte >= 0x80 && byte < 0xA0 ? windows1252.at(byte - 0x80U) : byte;
-}
-
-void appendUtf8(std::string& out, char32_t c) {
-  if (c < 0x80) {
-    out += static_cast<char>(c);
-  } else if (c < 0x800) {
-    out += static_cast<char>(0xC0U | (c >> 6U));
-    out += static_cast<char>(0x80U | (c & 0x3FU));
-  } else {
-    out += static_cast<char>(0xE0U | (c >> 12U));
-    out += static_cast<char>(0x80U | ((c >> 6U) & 0x3FU));
-    out += static_cast<char>(0x80U | (c & 0x3FU));
-  }
-}
-
-std::string transcoded(const std::string& bytes) {
-  std::string out;
-  out.reserve(bytes.size() + bytes.size() / 8);
-  for (const char byte : bytes) {
-    appendUtf8(out, fromWindows1252(static_cast<unsigned char>(byte)));
-  }
-  return out;
-}
-
-/// Control characters that no editor and no card punch leaves in a program. Form feed and Ctrl-Z
-/// occur in old decks.
-bool binaryByte(unsigned char byte) {
-  const bool control =
-      byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r' && byte != '\f' && byte != 0x1A;
-  return control || byte == 0x7F || (byte >= 0x80 && fromWindows1252(byte) == 0);
-}
-
-struct Survey {
-  std::optional<std::size_t> firstBinary;  ///< a byte that is text in no encoding known here
-  std::optional<std::size_t> firstNotUtf8;
-};
-
-Survey survey(const std::string& bytes) {
-  Survey found;
-  for (std::size_t at = 0; at < bytes.size();) {
-    const auto byte = static_cast<unsigned char>(bytes[at]);
-    const CodePoint c = byte < 0x80 ? CodePoint{byte, 1} : decodeUtf8(bytes, at);
-    if (c.length == 0 && !found.firstNotUtf8) {
-      found.firstNotUtf8 = at;
-    }
-    if (c.length <= 1 && binaryByte(byte)) {
-      found.firstBinary = at;
-      return found;
-    }
-    at += c.length == 0 ? 1 : c.length;
-  }
-  return found;
-}
-
-std::string describeByte(unsigned char byte) {
-  return byte == 0 ? "a NUL byte" : fmt::format("the byte {:#04x}", static_cast<unsigned>(byte));
-}
 }  // namespace
 
 std::string displayName(const std::string& path) {
@@ -149,30 +82,19 @@ Result<std::string> readBytes(const std::string& path, const Limits& limits) {
   }
 }
 
-Result<SourceText> decodeSource(const std::string& name, std::string bytes) {
-  SourceText source;
-  if (bytes.starts_with("\xEF\xBB\xBF")) {
-    bytes.erase(0, 3);
+std::optional<Failure> objectionToText(const std::string& path, std::string_view bytes) {
+  const std::string name = displayName(path);
+  for (const std::string_view mark : {"\xFF\xFE", "\xFE\xFF"}) {
+    if (bytes.starts_with(mark)) {
+      return fail(diag::InputNotText, name, "a UTF-16 byte order mark", std::uint64_t{0})
+          .withHelp("save it as UTF-8");
+    }
   }
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
-    return fail(diag::InputNotText, name, "a UTF-16 byte order mark", std::uint64_t{0})
-        .withHelp("save it as UTF-8");
+  const std::size_t nul = bytes.find('\0');
+  if (nul != std::string_view::npos) {
+    return fail(diag::InputNotText, name, "a NUL byte", static_cast<std::uint64_t>(nul));
   }
-  const Survey found = survey(bytes);
-  if (found.firstBinary) {
-    const auto byte = static_cast<unsigned char>(bytes[*found.firstBinary]);
-    return fail(diag::InputNotText, name, describeByte(byte),
-                static_cast<std::uint64_t>(*found.firstBinary));
-  }
-  if (found.firstNotUtf8) {
-    const auto byte = static_cast<unsigned char>(bytes[*found.firstNotUtf8]);
-    source.warnings.push_back(fail(diag::InputNotUtf8, name,
-                                   static_cast<std::uint64_t>(*found.firstNotUtf8),
-                                   static_cast<unsigned>(byte)));
-    bytes = transcoded(bytes);
-  }
-  source.text = std::move(bytes);
-  return source;
+  return std::nullopt;
 }
 
 }  // namespace arelem::app

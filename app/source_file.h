@@ -1,6 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "ir/diag/result.h"
 #include "ir/limits.h"
@@ -11,15 +12,10 @@ namespace arelem::app {
 /// sizes bounded by `limits.bytes`.
 [[nodiscard]] Result<std::string> readBytes(const std::string& path, const Limits& limits);
 
-/// A part program made ready for the front end: valid UTF-8 without byte order mark.
-struct SourceText {
-  std::string text;
-  std::vector<Failure> warnings;
-};
-
-/// Checks the encoding of `bytes`. Anything that is neither UTF-8 nor Windows-1252 text is refused
-/// with the first bad byte. `name` is used in messages only.
-[[nodiscard]] Result<SourceText> decodeSource(const std::string& name, std::string bytes);
+/// Why these bytes are no text at all, or nothing. What is wrong with single characters of a text
+/// is left to the front end, which knows where they stand.
+[[nodiscard]] std::optional<Failure> objectionToText(const std::string& path,
+                                                     std::string_view bytes);
 
 /// How an input is called in messages.
 [[nodiscard]] std::string displayName(const std::string& path);

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "app/command.h"
+#include "app/options.h"
+#include "app/output_plan.h"
+#include "app/output_set.h"
+#include "app/pipeline.h"
+
+namespace arelem::app {
+
+namespace {
+struct CompileOptions {
+  Settings settings;
+  std::vector<std::string> inputs;
+  OutputChoice outputs;
+  bool keepGoing = false;
+  int decimals = -1;
+};
+
+void addOptions(CLI::App& app, CompileOptions& options) {
+  app.add_option("FILE", options.inputs, "part programs; - is standard input")->required();
+  app.add_option("-o,--output", options.outputs.files,
+                 "output file, - is standard output; repeat it for several formats")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_option("--to", options.outputs.formats,
+                 "output format (see arelem targets); default from the suffix, else cl")
+      ->type_name("FORMAT")
+      ->allow_extra_args(false);
+  app.add_option("--out-dir", options.outputs.folder,
+                 "folder for the outputs, made if missing; names follow the inputs")
+      ->type_name("DIR");
+  app.add_option("--decimals", options.decimals,
+                 "decimals of lengths in text formats; default: exact")
+      ->check(CLI::Range(1, 15))
+      ->type_name("N");
+  app.add_flag("--keep-going", options.keepGoing,
+               "after motion errors write what there is to FILE.partial");
+  app.add_flag("--force", options.outputs.force, "binary formats may go to a terminal");
+  addSourceOptions(app, options.settings);
+  addMessageOptions(app, options.settings);
+}
+
+double pathLength(const runtime::MotionOutcome& motion) {
+  double length = 0.0;
+  for (const runtime::MotionFact& fact : motion.facts) {
+    length += fact.length;
+  }
+  return length;
+}
+
+std::size_t statementCount(const ir::Program& program) {
+  std::size_t count = 0;
+  for (const ir::Block& block : program.blocks) {
+    count += block.statements.size();
+  }
+  return count;
+}
+
+void printSummary(const PlannedJob& plan, const Compilation& job, const OutputSet& outputs) {
+  const double seconds = job.seconds.parse + job.seconds.evaluate + job.seconds.execute;
+  std::cerr
+      << fmt::format(
+             "{}: {} statements, {} executed, {} motions, {} cut vectors, path length {:.6g}\n",
+             plan.input == "-" ? "<stdin>" : plan.input, statementCount(job.program),
+             job.evaluation.steps, job.motion.facts.size(), job.motion.cutVectors,
+             pathLength(job.motion))
+      << fmt::format("   {:.1f} ms: parse {:.1f}, geometry {:.1f}, motion and output {:.1f}\n",
+                     seconds * 1e3, job.seconds.parse * 1e3, job.seconds.evaluate * 1e3,
+                     job.seconds.execute * 1e3);
+  for (const OutputSet::Written& file : outputs.written()) {
+    std::cerr << fmt::format("   {} ({} bytes)\n", file.path == "-" ? "standard output" : file.path,
+                             file.bytes);
+  }
+}
+
+bool needsMotion(const PlannedJob& plan) {
+  return std::any_of(plan.outputs.begin(), plan.outputs.end(),
+                     [](const PlannedOutput& output) { return output.target->needsMotion; });
+}
+
+/// From evaluated program to files. Nothing gets a final name unless all went well.
+void produce(Compilation& job,
+             OutputSet& outputs,
+             const PlannedJob& plan,
+             const CompileOptions& options,
+             const InterruptFlag& interrupted) {
+  backend::Context context = backendContext(job);
+  context.decimals = options.decimals;
+  if (!outputs.open(plan.outputs, context)) {
+    return;
+  }
+  const bool whole = !needsMotion(plan) || execute(job, outputs, interrupted);
+  if (whole || (options.keepGoing && !interrupted)) {
+    static_cast<void>(outputs.close(!whole));
+  }
+}
+
+ExitCode compileOne(const PlannedJob& plan,
+                    const CompileOptions& options,
+                    const InterruptFlag& interrupted) {
+  Compilation job(options.settings);
+  OutputSet outputs(job.log);
+  if (load(job, plan.input, interrupted) && evaluate(job, interrupted)) {
+    produce(job, outputs, plan, options, interrupted);
+  }
+  job.log.print(job.sources, job.main, options.settings);
+  if (options.settings.verbose && !options.settings.quiet) {
+    printSummary(plan, job, outputs);
+  }
+  return job.log.exitCode();
+}
+
+/// Makes --out-dir. An error is told and ends the command.
+bool makeFolder(const std::string& folder) {
+  std::error_code error;
+  if (!folder.empty()) {
+    std::filesystem::create_directories(folder, error);
+  }
+  if (error) {
+    printUsageError("compile", "cannot make the folder `" + folder + "`: " + error.message());
+  }
+  return !error;
+}
+}  // namespace
+
+int runCompile(const Invocation& invocation) {
+  CLI::App app(
+      "Compiles part programs. Without -o and --out-dir the result, CL text, goes to standard "
+      "output.\n"
+      "Outputs are complete or absent: an error leaves older files as they were.",
+      "compile");
+  CompileOptions options;
+  addOptions(app, options);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  std::vector<PlannedJob> jobs;
+  if (const auto refusal = planOutputs(options.inputs, options.outputs, jobs)) {
+    printUsageError("compile", refusal->text);
+    return static_cast<int>(refusal->code);
+  }
+  if (!makeFolder(options.outputs.folder)) {
+    return static_cast<int>(ExitCode::outputNotWritten);
+  }
+  const InterruptFlag& interrupted = invocation.interrupt.flag();
+  ExitCode result = ExitCode::ok;
+  for (const PlannedJob& job : jobs) {
+    if (!interrupted) {
+      result = worse(result, compileOne(job, options, interrupted));
+    }
+  }
+  return static_cast<int>(result);
+}
+
+}  // namespace arelem::app
