@@ -21,6 +21,8 @@ inline constexpr double singular = 1e-9;
 inline constexpr double perpendicular = 1e-6;
 /// Scales of a matrix in different directions that differ by at most this, relative, are the same. Dimensionless.
 inline constexpr double similarity = 1e-9;
+/// Largest jump of curvature left by a curvature-continuous fit, relative to one over the shortest chord. Dimensionless.
+inline constexpr double curvatureJump = 1e-9;
 /// A whole number (a count, an index) may be off by this after arithmetic. Dimensionless.
 inline constexpr double wholeNumber = 1e-6;
 

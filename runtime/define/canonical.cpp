@@ -7,6 +7,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"
+#include "runtime/geometry/tabulated_cylinder.h"
 
 namespace arelem::define {
 
@@ -58,6 +59,33 @@ Result<bool> checkCircle(EntityType type, const Canon& canon) {
   return axis ? require(type, canon, 6, canon[6] > 0.0, "greater than 0") : std::move(axis);
 }
 
+/// n, k and the counts of a TABCYL agree, its frame is orthonormal, its chords have the given lengths.
+Result<bool> checkTabulated(const Canon& canon) {
+  constexpr EntityType type = EntityType::tabulatedCylinder;
+  const double n = canon[0];
+  Result<bool> good = require(type, canon, 0, n >= 2.0 && n == std::floor(n) && n <= static_cast<double>(canon.size()), "a whole number from 2");
+  if (!good) {
+    return good;
+  }
+  const std::size_t count = geometry::tabulatedCylinderCount(static_cast<std::size_t>(n));
+  if (canon.size() != count) {
+    return fail(diag::WrongCanonicalCount, spell(type), canon.size(),
+                fmt::format("{} for n = {}", count, n));
+  }
+  const geometry::TabulatedCylinder surface = geometry::TabulatedCylinder::of(canon);
+  const Eigen::Matrix3d rest = surface.frame * surface.frame.transpose() - Eigen::Matrix3d::Identity();
+  good = require(type, canon, 2, rest.cwiseAbs().maxCoeff() <= tolerance::perpendicular,
+                 "the first number of three perpendicular unit vectors");
+  for (std::size_t i = 0; good && i < surface.intervals.size(); ++i) {
+    const geometry::Vec2 next = i + 1 < surface.intervals.size() ? surface.intervals[i + 1].start : surface.end;
+    const double length = (next - surface.intervals[i].start).norm();
+    good = require(type, canon, 15 + 7 * i,
+                   length > 0.0 && std::abs(canon[15 + 7 * i] - length) <= tolerance::coincidence,
+                   "the distance to the next point");
+  }
+  return good;
+}
+
 Result<bool> check(EntityType type, Canon& canon) {
   Result<bool> good = true;
   switch (type) {
@@ -81,6 +109,8 @@ Result<bool> check(EntityType type, Canon& canon) {
       good = require(type, canon, 6, canon[6] > 0.0, "greater than 0");
       good = good ? require(type, canon, 7, canon[7] > 0.0, "greater than 0") : std::move(good);
       return good ? normalize(type, canon, 3, 3) : std::move(good);
+    case EntityType::tabulatedCylinder:
+      return checkTabulated(canon);
     default:
       return good;
   }
@@ -95,6 +125,10 @@ Result<Canon> checkedCanon(EntityType type, Canon canon) {
   }
   if (type == EntityType::pattern && (canon.empty() || canon.size() % 3 != 0)) {
     return fail(diag::WrongCanonicalCount, spell(type), canon.size(), "three for each point");
+  }
+  if (type == EntityType::tabulatedCylinder && canon.size() < geometry::tabulatedCylinderCount(2)) {
+    return fail(diag::WrongCanonicalCount, spell(type), canon.size(),
+                fmt::format("at least {}", geometry::tabulatedCylinderCount(2)));
   }
   Result<bool> good = check(type, canon);
   if (!good) {
