@@ -44,6 +44,7 @@ struct Evaluation {
   std::vector<Action> actions;
   std::vector<Printed> printed;
   std::vector<Defined> defined;
+  std::string deck;         ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::uint64_t steps = 0;
   bool complete = true;     ///< false after an interrupt or a limit
 };

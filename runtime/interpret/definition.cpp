@@ -1,0 +1,171 @@
+#include "runtime/interpret/definition.h"
+
+#include "runtime/interpret/expression.h"
+#include "runtime/interpret/item.h"
+#include "runtime/interpret/printing.h"
+
+namespace arelem::runtime::interpret {
+
+namespace {
+
+/// TYPE/CANON,... and TYPE/entity,CANON,... replace what the name held (spec CN-01 to CN-03).
+bool isCanonical(const Items& items) {
+  return (!items.empty() && items[0].is(Word::CANON)) ||
+         (items.size() > 1 && items[0].entity() != nullptr && items[1].is(Word::CANON));
+}
+
+bool needsName(EntityType type) {
+  return type == EntityType::pattern || type == EntityType::tabulatedCylinder ||
+         type == EntityType::polyconic || type == EntityType::ruledSurface;
+}
+
+/// Whether the place may take an entity of this type now; reports why not.
+bool mayStore(State& state, const Place& place, const ir::Definition& definition, bool canonical) {
+  const Span& span = definition.target.span;
+  if (!state.store.isEntity(place)) {
+    state.report(diagnose(span, diag::ArrayClass, state.spellPlace(place), "a scalar",
+                          spell(definition.type)));
+    return false;
+  }
+  if (state.store.entityStatus(place) != Status::defined) {
+    return true;
+  }
+  const Entity& old = *state.store.entity(place);
+  if (old.type != definition.type) {
+    state.report(diagnose(span, diag::RedefinedType, state.spellPlace(place), spell(old.type),
+                          spell(definition.type))
+                     .label(old.definition, fmt::format("`{}` defined here", nameOf(old))));
+    return false;
+  }
+  if (!canonical && !state.redefinable) {
+    state.report(diagnose(span, diag::Redefined, state.spellPlace(place), spell(old.type))
+                     .label(old.definition, fmt::format("`{}` defined here", nameOf(old))));
+    return false;
+  }
+  return true;
+}
+
+std::optional<std::vector<define::Parameter>> parameters(State& state, const Items& items) {
+  std::vector<define::Parameter> result;
+  result.reserve(items.size());
+  for (const Item& item : items) {
+    if (const std::string* text = std::get_if<std::string>(&item.value)) {
+      state.report(diagnose(item.span, diag::UndefinedSymbol, *text));
+      return std::nullopt;
+    }
+    std::visit(
+        [&result](const auto& value) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
+            result.emplace_back(value);
+          }
+        },
+        item.value);
+  }
+  return result;
+}
+
+std::shared_ptr<Entity> compute(State& state, const ir::Definition& definition, const Items& items) {
+  const auto given = parameters(state, items);
+  if (!given) {
+    return nullptr;
+  }
+  Result<Entity> result = define::define(definition.type, *given, state.zsurf);
+  if (!result) {
+    Diagnostic d = at(definition.span, result.takeFailure());
+    labelOperands(d, items);
+    state.report(std::move(d));
+    return nullptr;
+  }
+  auto entity = std::make_shared<Entity>(*std::move(result));
+  entity->definition = definition.span;
+  entity->referenceSystem = definition.type == EntityType::matrix ? "" : state.systems.current();
+  return entity;
+}
+
+}  // namespace
+
+EntityPtr evaluateDefinition(State& state, ir::DefinitionId id) {
+  const ir::Definition& definition = state.program[id];
+  const bool named = definition.target.symbol.valid();
+  std::optional<Place> place;
+  if (named) {
+    place = state.place(definition.target);
+    if (!place) {
+      return nullptr;
+    }
+  }
+  const std::optional<Items> items = evaluate(state, definition.arguments, Use::definition);
+  std::shared_ptr<Entity> entity;
+  if (!named && needsName(definition.type)) {
+    state.report(diagnose(definition.span, diag::UnnamedPattern, spell(definition.type)));
+  } else if (items) {
+    if (place && !mayStore(state, *place, definition, isCanonical(*items))) {
+      return nullptr;
+    }
+    entity = compute(state, definition, *items);
+  }
+  if (!entity) {
+    if (place) {
+      state.store.poison(*place);
+    }
+    return nullptr;
+  }
+  if (place) {
+    entity->name = state.program[place->symbol].name;
+    entity->subscript = static_cast<int>(place->element);
+    state.store.setEntity(*place, entity);
+  } else {
+    state.store.setUnnamed(id, entity);
+  }
+  listDefinition(state, entity);
+  return entity;
+}
+
+void execute(State& state, const ir::Assign& assignment) {
+  assign(state, assignment.target, scalar(state, assignment.value));
+}
+
+void execute(State& state, const ir::Define& define) {
+  evaluateDefinition(state, define.definition);
+}
+
+void execute(State& state, const ir::Obtain& obtain) {
+  EntityPtr source;
+  if (const auto* target = std::get_if<ir::Target>(&obtain.source.value)) {
+    source = entityOf(state, *target);
+  } else if (const auto* nested = std::get_if<ir::DefinitionId>(&obtain.source.value)) {
+    source = evaluateDefinition(state, *nested);
+  } else if (const auto item = evaluate(state, obtain.source, Use::definition)) {
+    state.report(diagnose(obtain.source.span, diag::ObtainSource, describe(*item)));
+  }
+  const std::string_view type = spell(obtain.type);
+  if (source && source->type != obtain.type) {
+    Item item{source, obtain.source.span};
+    Diagnostic d = diagnose(obtain.source.span, diag::ObtainType, type, describe(item),
+                            spell(source->type));
+    labelOperands(d, {item});
+    state.report(std::move(d));
+    source = nullptr;
+  } else if (source && canonicalCount(source->type) == 0) {
+    state.report(diagnose(obtain.source.span, diag::ObtainVariable, type));
+    source = nullptr;
+  } else if (source && obtain.targets.size() > source->canon.size()) {
+    state.report(diagnose(state.statement->span, diag::ObtainCount, obtain.targets.size(), type,
+                          source->canon.size()));
+  }
+  for (std::size_t i = 0; i < obtain.targets.size(); ++i) {
+    if (!obtain.targets[i]) {
+      continue;
+    }
+    const ir::Target& target = *obtain.targets[i];
+    const ir::Symbol& symbol = state.program[target.symbol];
+    if (symbol.kind == ir::Symbol::Kind::entity) {
+      state.report(diagnose(target.span, diag::ObtainTarget, symbol.name, spell(symbol.type)));
+      continue;
+    }
+    const bool has = source && i < source->canon.size();
+    assign(state, target, has ? std::optional<double>(source->canon[i]) : std::nullopt);
+  }
+}
+
+}  // namespace arelem::runtime::interpret

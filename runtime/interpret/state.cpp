@@ -1,0 +1,148 @@
+#include "runtime/interpret/state.h"
+
+#include <cmath>
+
+#include "runtime/interpret/expression.h"
+
+namespace arelem::runtime::interpret {
+
+State::State(const ir::Program& p, const Options& o, DiagnosticSink& sink, Evaluation& evaluation)
+    : program(p), options(o), out(evaluation), store(p, o.limits), sink_(sink) {
+  for (const ir::Symbol& symbol : program.symbols) {
+    if (symbol.arraySize > options.limits.array) {
+      report(diagnose(symbol.definition, diag::LimitArray, symbol.name, symbol.arraySize,
+                      options.limits.array));
+    }
+  }
+}
+
+void State::report(Diagnostic diagnostic) {
+  if (!reported_.emplace(diagnostic.row, diagnostic.at).second) {
+    return;
+  }
+  for (const CallChain* call = calls.get(); call != nullptr; call = call->outer.get()) {
+    diagnostic.calledFrom.push_back(call->call);
+  }
+  sink_.accept(std::move(diagnostic));
+}
+
+std::optional<Place> State::place(const ir::Target& target) {
+  const std::uint32_t size = store.arraySize(target.symbol);
+  if (!target.subscript.valid()) {
+    if (size == 0) {
+      return store.place(target.symbol, 0);
+    }
+    report(diagnose(target.span, diag::SubscriptMissing, program[target.symbol].name, size));
+    return std::nullopt;
+  }
+  if (size == 0) {
+    report(diagnose(target.span, diag::NotReserved, program[target.symbol].name));
+    return std::nullopt;
+  }
+  const std::optional<double> value = scalar(*this, target.subscript);
+  if (!value) {
+    return std::nullopt;
+  }
+  const double element = std::trunc(*value);
+  if (element < 1.0 || element > size) {
+    report(diagnose(target.span, diag::SubscriptRange, program[target.symbol].name, *value, size));
+    return std::nullopt;
+  }
+  return store.place(target.symbol, static_cast<std::uint32_t>(element));
+}
+
+std::string State::spellPlace(const Place& place) const {
+  const std::string& name = program[place.symbol].name;
+  return place.element == 0 ? name : fmt::format("{}({})", name, place.element);
+}
+
+bool State::assignedSomewhere(ir::SymbolId symbol) {
+  if (assigned_.empty()) {
+    assigned_.resize(program.symbols.size());
+    const auto mark = [this](const ir::Target& target) {
+      if (target.symbol.valid()) {
+        assigned_[target.symbol.index] = true;
+      }
+    };
+    for (const ir::Definition& definition : program.definitions) {
+      mark(definition.target);
+    }
+    for (const ir::Expr& expr : program.exprs) {
+      if (expr.kind == ir::Expr::Kind::assign) {
+        mark(expr.target);
+      }
+    }
+    for (const ir::Block& block : program.blocks) {
+      for (const ir::Statement& s : block.statements) {
+        if (const auto* assign = std::get_if<ir::Assign>(&s.body)) {
+          mark(assign->target);
+        } else if (const auto* obtain = std::get_if<ir::Obtain>(&s.body)) {
+          for (const std::optional<ir::Target>& target : obtain->targets) {
+            if (target) {
+              mark(*target);
+            }
+          }
+        }
+      }
+    }
+  }
+  return assigned_[symbol.index];
+}
+
+void State::reportEmpty(const Place& place, const Span& span) {
+  // A name that no statement assigns lost its definition to an error of the frontend.
+  if (assignedSomewhere(place.symbol)) {
+    report(diagnose(span, diag::NoValue, spellPlace(place)));
+  }
+  store.poison(place);
+}
+
+void State::ignore(std::string what, std::string why) {
+  for (Ignored& known : ignored_) {
+    if (known.what == what) {
+      ++known.times;
+      return;
+    }
+  }
+  ignored_.push_back({std::move(what), std::move(why), statement->span, 1});
+}
+
+void State::reportIgnored() {
+  for (const Ignored& known : ignored_) {
+    sink_.accept(diagnose(known.first, diag::NoEffect, known.what, known.why, known.times));
+  }
+}
+
+void State::meetImplied(std::string_view next, bool axial, bool positioning) {
+  if (implied_ == nullptr) {
+    return;
+  }
+  if (axial || positioning) {
+    Diagnostic d = axial ? diagnose(implied_->span, diag::ImpliedBeforeAxial, next)
+                         : diagnose(implied_->span, diag::ImpliedBeforePositioning, next);
+    report(std::move(d).label(statement->span, "the next motion"));
+  }
+  implied_ = nullptr;
+}
+
+void State::endImplied() {
+  if (implied_ != nullptr) {
+    report(diagnose(implied_->span, diag::ImpliedAtEnd));
+    implied_ = nullptr;
+  }
+}
+
+void State::warnOfSystem() {
+  if (!systems.atBase() && warnedSystems_.insert(systems.current()).second) {
+    report(diagnose(statement->span, diag::MotionInSystem, systems.current()));
+  }
+}
+
+void State::tooManyActions() {
+  if (!stopped) {
+    report(diagnose(statement->span, diag::LimitRecords, options.limits.records));
+    stopped = true;
+  }
+}
+
+}  // namespace arelem::runtime::interpret

@@ -1,0 +1,79 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "ir/limits.h"
+#include "ir/program/program.h"
+#include "runtime/run.h"
+
+namespace arelem::runtime::interpret {
+
+/// Where a name or an array element is kept. `element` is 0 for a plain name.
+struct Place {
+  ir::SymbolId symbol;
+  std::uint32_t element = 0;
+  std::uint32_t slot = 0;
+};
+
+/// `poisoned`: its definition failed and was reported, so that uses stay silent; `lost`: the same after it
+/// once had a value.
+enum class Status : std::uint8_t { empty, poisoned, lost, defined };
+
+/// The values of all names, flat by kind, in order of first definition.
+class Store {
+ public:
+  Store(const ir::Program& program, const Limits& limits);
+
+  [[nodiscard]] bool isEntity(const Place& place) const {
+    return program_[place.symbol].kind == ir::Symbol::Kind::entity;
+  }
+  /// `element` is 0 for a plain name and 1 to the size for an array; the caller has checked it.
+  [[nodiscard]] Place place(ir::SymbolId symbol, std::uint32_t element) const {
+    return {symbol, element, base_[symbol.index] + (element == 0 ? 0U : element - 1U)};
+  }
+  [[nodiscard]] std::uint32_t arraySize(ir::SymbolId symbol) const { return size_[symbol.index]; }
+
+  [[nodiscard]] Status scalarStatus(const Place& place) const { return scalarStatus_[place.slot]; }
+  [[nodiscard]] double scalar(const Place& place) const { return scalars_[place.slot]; }
+  void setScalar(const Place& place, double value, const Span& definition) {
+    scalars_[place.slot] = value;
+    Status& status = scalarStatus_[place.slot];
+    if (status < Status::lost) {
+      remember(place, definition);
+    }
+    status = Status::defined;
+  }
+
+  [[nodiscard]] Status entityStatus(const Place& place) const { return entityStatus_[place.slot]; }
+  [[nodiscard]] const EntityPtr& entity(const Place& place) const { return entities_[place.slot]; }
+  void setEntity(const Place& place, EntityPtr entity);
+
+  /// A nested definition without a name; executed again it replaces its earlier result.
+  void setUnnamed(ir::DefinitionId definition, EntityPtr entity);
+  void poison(const Place& place);
+
+  /// Everything defined, in order of first definition.
+  [[nodiscard]] std::vector<Defined> defined() const;
+
+ private:
+  struct Entry {
+    Place place;
+    ir::DefinitionId unnamed;
+    Span definition;
+  };
+  void remember(const Place& place, const Span& definition) {
+    order_.push_back({place, {}, definition});
+  }
+
+  const ir::Program& program_;
+  std::vector<std::uint32_t> base_;  // first slot, by symbol
+  std::vector<std::uint32_t> size_;  // 0 unless an array, by symbol
+  std::vector<double> scalars_;
+  std::vector<Status> scalarStatus_;
+  std::vector<EntityPtr> entities_;
+  std::vector<Status> entityStatus_;
+  std::vector<EntityPtr> unnamed_;  // by definition
+  std::vector<Entry> order_;
+};
+
+}  // namespace arelem::runtime::interpret

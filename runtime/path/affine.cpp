@@ -1,0 +1,70 @@
+#include "runtime/path/affine.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "ir/space/degrees.h"
+
+namespace arelem::path {
+
+namespace {
+
+void moveMotion(cl::Motion& motion, const Affine& by) {
+  const std::size_t stride = motion.stride();
+  for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
+    Eigen::Map<Vec3> point(&motion.coordinates[i]);
+    point = by.point(point);
+    if (motion.withAxis) {
+      Eigen::Map<Vec3> axis(&motion.coordinates[i + 3]);
+      axis = by.direction(axis);
+    }
+  }
+}
+
+void moveCircle(cl::Surface& circle, const Affine& by) {
+  std::vector<double>& c = circle.surface.canon;
+  const bool round = circle.surface.type == EntityType::circle ||
+                     circle.surface.type == EntityType::cylinder;
+  if (!round || c.size() != 7) {
+    return;
+  }
+  Eigen::Map<Vec3> center(c.data());
+  center = by.point(center);
+  Eigen::Map<Vec3> axis(&c[3]);
+  axis = by.direction(axis);
+  c[6] *= std::cbrt(std::abs(by.linear.determinant()));
+}
+
+}  // namespace
+
+Affine Affine::fromRows(std::span<const double> m) {
+  Affine a;
+  a.linear << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
+  a.shift = {m[3], m[7], m[11]};
+  return a;
+}
+
+Affine Affine::translation(const Vec3& by) { return {Eigen::Matrix3d::Identity(), by}; }
+
+Affine Affine::rotation(double degrees) {
+  const auto [s, c] = sineCosine(degrees);
+  Affine a;
+  a.linear << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
+  return a;
+}
+
+Vec3 Affine::direction(const Vec3& v) const {
+  const Vec3 moved = linear * v;
+  const double length = moved.norm();
+  return length > 0.0 ? Vec3(moved / length) : v;
+}
+
+void move(cl::Record& record, const Affine& by) {
+  if (auto* motion = std::get_if<cl::Motion>(&record.body)) {
+    moveMotion(*motion, by);
+  } else if (auto* surface = std::get_if<cl::Surface>(&record.body)) {
+    moveCircle(*surface, by);
+  }
+}
+
+}  // namespace arelem::path
