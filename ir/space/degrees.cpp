@@ -14,8 +14,12 @@ SineCosine ofSmallAngle(double angle) {
 }
 }  // namespace
 
-double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
-double degrees(double radians) { return radians * (180.0 / std::numbers::pi); }
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180.0);
+}
+double degrees(double radians) {
+  return radians * (180.0 / std::numbers::pi);
+}
 
 SineCosine sineCosine(double degrees) {
   // degrees = 90 n + rest with |rest| <= 45; remquo gives the low bits of n exactly.

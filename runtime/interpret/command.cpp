@@ -32,8 +32,8 @@ void canon(State& state, const ir::Command& command) {
 void units(State& state, const ir::Command& command) {
   if (command.arguments.size() == 1) {
     if (const Word* unit = std::get_if<Word>(&command.arguments[0].value);
-        unit != nullptr && (*unit == Word::MM || *unit == Word::CM || *unit == Word::INCHES ||
-                            *unit == Word::FEET)) {
+        unit != nullptr &&
+        (*unit == Word::MM || *unit == Word::CM || *unit == Word::INCHES || *unit == Word::FEET)) {
       state.emit(Pass{cl::Units{*unit}});
       return;
     }
@@ -188,9 +188,8 @@ void referenceSystem(State& state, const ir::Command& command) {
 void runControl(State& state, const ir::Command& command) {
   const std::string name(spell(command.word));
   if (command.word == Word::CLPRNT && command.slash) {
-    const Word* word = command.arguments.size() == 1
-                           ? std::get_if<Word>(&command.arguments[0].value)
-                           : nullptr;
+    const Word* word =
+        command.arguments.size() == 1 ? std::get_if<Word>(&command.arguments[0].value) : nullptr;
     if (word != nullptr && *word == Word::OPTION) {
       state.ignore("CLPRNT/OPTION", "the listing always shows the final records");
     } else if (const std::optional<bool> on = onOff(state, command)) {

@@ -64,7 +64,9 @@ std::optional<std::vector<define::Parameter>> parameters(State& state, const Ite
   return result;
 }
 
-std::shared_ptr<Entity> compute(State& state, const ir::Definition& definition, const Items& items) {
+std::shared_ptr<Entity> compute(State& state,
+                                const ir::Definition& definition,
+                                const Items& items) {
   const auto given = parameters(state, items);
   if (!given) {
     return nullptr;
@@ -141,8 +143,8 @@ void execute(State& state, const ir::Obtain& obtain) {
   const std::string_view type = spell(obtain.type);
   if (source && source->type != obtain.type) {
     Item item{source, obtain.source.span};
-    Diagnostic d = diagnose(obtain.source.span, diag::ObtainType, type, describe(item),
-                            spell(source->type));
+    Diagnostic d =
+        diagnose(obtain.source.span, diag::ObtainType, type, describe(item), spell(source->type));
     labelOperands(d, {item});
     state.report(std::move(d));
     source = nullptr;

@@ -3,8 +3,8 @@
 
 namespace arelem::runtime::interpret {
 
-/// Evaluates TYPE/ parameters, stores the entity under its name if it has one, and returns it in the
-/// system in force. Null when it failed, which is then reported.
+/// Evaluates TYPE/ parameters, stores the entity under its name if it has one, and returns it in
+/// the system in force. Null when it failed, which is then reported.
 EntityPtr evaluateDefinition(State& state, ir::DefinitionId definition);
 
 void execute(State& state, const ir::Assign& assign);

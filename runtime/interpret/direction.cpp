@@ -13,7 +13,8 @@ constexpr std::string_view axisForms =
     "TLAXIS/ATANGL,{1|2},alpha[,vector|,CUTANG,beta]";
 constexpr double largestAxisAngle = 90.0;
 
-/// Three numbers written in the current system as a vector in the base system; none if they are not.
+/// Three numbers written in the current system as a vector in the base system; none if they are
+/// not.
 std::optional<Vec3> threeNumbers(const State& state, const Items& items, bool asPoint) {
   if (items.size() != 3) {
     return std::nullopt;
@@ -37,8 +38,8 @@ int axisSurface(State& state, const Items& items) {
     return 0;
   }
   if (*number != 1.0 && *number != 2.0) {
-    state.report(diagnose(items[1].span, diag::AxisItem, spell(std::get<Word>(items[0].value)),
-                          *number));
+    state.report(
+        diagnose(items[1].span, diag::AxisItem, spell(std::get<Word>(items[0].value)), *number));
     return 0;
   }
   return static_cast<int>(*number);
@@ -54,8 +55,7 @@ std::optional<ToolAxis> axisAtAngle(State& state, const Items& items) {
   const double* alpha = items.size() > 2 ? items[2].number() : nullptr;
   const bool alone = items.size() == 3;
   const EntityPtr* vector = items.size() == 4 ? items[3].entity(EntityType::vector) : nullptr;
-  const double* beta =
-      items.size() == 5 && items[3].is(Word::CUTANG) ? items[4].number() : nullptr;
+  const double* beta = items.size() == 5 && items[3].is(Word::CUTANG) ? items[4].number() : nullptr;
   if (alpha == nullptr || (!alone && vector == nullptr && beta == nullptr)) {
     state.report(diagnose(state.statement->span, diag::AxisCount, describe(items), axisForms));
     return std::nullopt;
@@ -137,9 +137,13 @@ bool checkDirection(State& state, Word word, const Vec3& value, const Span& span
 
 }  // namespace
 
-Vec3 tripleOf(const Entity& e) { return {e.canon[0], e.canon[1], e.canon[2]}; }
+Vec3 tripleOf(const Entity& e) {
+  return {e.canon[0], e.canon[1], e.canon[2]};
+}
 
-bool isNull(const Vec3& v) { return v.lpNorm<Eigen::Infinity>() <= tolerance::nullDirection; }
+bool isNull(const Vec3& v) {
+  return v.lpNorm<Eigen::Infinity>() <= tolerance::nullDirection;
+}
 
 void toolAxis(State& state, const ir::Command& command) {
   const auto items = evaluate(state, command.arguments, Use::motion);

@@ -94,7 +94,8 @@ class Calculator {
     }
   }
 
-  /// A chain a + b - c ... leans left and may be as long as a statement: it is walked, not recursed into.
+  /// A chain a + b - c ... leans left and may be as long as a statement: it is walked, not recursed
+  /// into.
   std::optional<double> chain(const Expr& top) {
     const std::size_t bottom = chain_.size();
     const Expr* expr = &top;

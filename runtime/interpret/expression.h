@@ -12,7 +12,8 @@ namespace arelem::runtime::interpret {
 /// Stores a value under a scalar name; none where the name cannot take it.
 bool assign(State& state, const ir::Target& target, std::optional<double> value);
 
-/// base ** exponent (spec 2.1): a whole exponent (within tolerance::wholeExponent) by multiplication.
+/// base ** exponent (spec 2.1): a whole exponent (within tolerance::wholeExponent) by
+/// multiplication.
 [[nodiscard]] Result<double> power(double base, double exponent);
 
 }  // namespace arelem::runtime::interpret

@@ -49,7 +49,10 @@ bool feedOf(State& state, ir::ExprId expr, std::optional<double>& feed) {
   return feed.has_value();
 }
 
-bool checkUse(State& state, const ir::CheckUse& check, ir::BlockId block, std::string_view word,
+bool checkUse(State& state,
+              const ir::CheckUse& check,
+              ir::BlockId block,
+              std::string_view word,
               CheckUse& out) {
   out.use.condition = check.use.condition;
   out.use.surface = surfaceArgument(state, check.use.surface, word);
@@ -127,8 +130,8 @@ void execute(State& state, const ir::Startup& startup) {
   bool good = feedOf(state, startup.feed, action.feed);
   for (std::size_t i = 0; i < startup.surfaces.size(); ++i) {
     const ir::SurfaceUse& use = startup.surfaces[i];
-    const bool tangent = use.condition == ir::Condition::tanto ||
-                         use.condition == ir::Condition::pstan;
+    const bool tangent =
+        use.condition == ir::Condition::tanto || use.condition == ir::Condition::pstan;
     if (tangent && (i < 2 || use.condition == ir::Condition::pstan)) {
       state.report(diagnose(use.conditionSpan, diag::MotionWord, word,
                             use.condition == ir::Condition::tanto ? "TANTO" : "PSTAN",

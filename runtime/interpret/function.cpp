@@ -44,14 +44,16 @@ const FunctionRow* find(Word word) {
   return nullptr;
 }
 
-std::optional<double> callOfNumbers(State& state, const ir::Expr& call, const FunctionRow& row,
+std::optional<double> callOfNumbers(State& state,
+                                    const ir::Expr& call,
+                                    const FunctionRow& row,
                                     const std::vector<Item>& items) {
   std::vector<double> x;
   for (const Item& item : items) {
     const double* number = item.number();
     if (number == nullptr) {
-      state.report(diagnose(item.span, diag::FunctionOperand, spell(row.word), describe(item),
-                            row.form));
+      state.report(
+          diagnose(item.span, diag::FunctionOperand, spell(row.word), describe(item), row.form));
       return std::nullopt;
     }
     x.push_back(*number);
@@ -67,14 +69,16 @@ std::optional<double> callOfNumbers(State& state, const ir::Expr& call, const Fu
   return *value;
 }
 
-std::optional<double> callOfEntities(State& state, const ir::Expr& call, const FunctionRow& row,
+std::optional<double> callOfEntities(State& state,
+                                     const ir::Expr& call,
+                                     const FunctionRow& row,
                                      const std::vector<Item>& items) {
   std::vector<EntityPtr> entities;
   for (const Item& item : items) {
     const EntityPtr* entity = item.entity();
     if (entity == nullptr) {
-      state.report(diagnose(item.span, diag::FunctionOperand, spell(row.word), describe(item),
-                            row.form));
+      state.report(
+          diagnose(item.span, diag::FunctionOperand, spell(row.word), describe(item), row.form));
       return std::nullopt;
     }
     entities.push_back(*entity);
@@ -124,7 +128,9 @@ Result<double> angleOf(double sine, double cosine) {
   return degrees(std::atan2(sine + 0.0, cosine + 0.0));
 }
 
-Vec3 triple(const Entity& entity) { return {entity.canon[0], entity.canon[1], entity.canon[2]}; }
+Vec3 triple(const Entity& entity) {
+  return {entity.canon[0], entity.canon[1], entity.canon[2]};
+}
 
 bool isTriple(const Entity& e) {
   return e.type == EntityType::point || e.type == EntityType::vector;
@@ -167,8 +173,8 @@ Result<double> distance(const Entity& a, const Entity& b) {
   const double sense = n.dot(m) < 0.0 ? -1.0 : 1.0;
   const double gap = (n - sense * m).lpNorm<Eigen::Infinity>();
   if (gap > tolerance::parallel) {
-    return noValue(Word::DISTF, fmt::format("the normals differ by {}: the {}s are not parallel", gap,
-                                            spell(a.type)));
+    return noValue(Word::DISTF, fmt::format("the normals differ by {}: the {}s are not parallel",
+                                            gap, spell(a.type)));
   }
   return std::abs(a.canon[3] - sense * b.canon[3]);
 }

@@ -22,7 +22,9 @@ template <class... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;
 }  // namespace
 
-Interpreter::Interpreter(const ir::Program& program, const Options& options, DiagnosticSink& sink,
+Interpreter::Interpreter(const ir::Program& program,
+                         const Options& options,
+                         DiagnosticSink& sink,
                          Evaluation& out)
     : state_(program, options, sink, out) {
   findTargets();
@@ -55,9 +57,8 @@ void Interpreter::run() {
   if (state_.program.blocks.empty()) {
     return;
   }
-  state_.out.actions.reserve(
-      std::min<std::uint64_t>(state_.program.blocks[0].statements.size() + 1,
-                              state_.options.limits.records));
+  state_.out.actions.reserve(std::min<std::uint64_t>(state_.program.blocks[0].statements.size() + 1,
+                                                     state_.options.limits.records));
   frames_.push_back({ir::BlockId{0}, 0, nullptr});
   while (!frames_.empty() && !finished_) {
     Frame& frame = frames_.back();
@@ -103,8 +104,7 @@ bool Interpreter::mayGoOn() {
 }
 
 void Interpreter::reportSteps() {
-  Diagnostic d =
-      diagnose(state_.statement->span, diag::LimitSteps, state_.options.limits.steps);
+  Diagnostic d = diagnose(state_.statement->span, diag::LimitSteps, state_.options.limits.steps);
   // The loop is the label that was jumped back to most often.
   const ir::Statement* loop = nullptr;
   std::uint64_t turns = 0;
@@ -117,30 +117,30 @@ void Interpreter::reportSteps() {
     }
   }
   if (loop != nullptr) {
-    d.labels.push_back({loop->span, fmt::format("the loop from `{}` went round {} times",
-                                                loop->label, turns)});
+    d.labels.push_back(
+        {loop->span, fmt::format("the loop from `{}` went round {} times", loop->label, turns)});
   }
   state_.report(std::move(d));
 }
 
 void Interpreter::step(Frame& frame, const ir::Statement& statement) {
-  std::visit(Overloaded{
-                 [&](const ir::Branch& b) { branch(frame, b); },
-                 [&](const ir::Jump& j) { jump(frame, j.label); },
-                 [&](const ir::Call& c) { call(c); },
-                 [&](const ir::Transfer& t) {
-                   state_.emit(Transfer{std::uint64_t{frame.block.index} << 32U |
-                                        t.label.statement});
-                 },
-                 [&](const ir::Follow& f) { execute(state_, f, frame.block); },
-                 [&](const ir::Fini&) {
-                   state_.endImplied();
-                   state_.emit(Fini{});
-                   finished_ = true;
-                 },
-                 [&](const auto& other) { execute(state_, other); },
-             },
-             statement.body);
+  std::visit(
+      Overloaded{
+          [&](const ir::Branch& b) { branch(frame, b); },
+          [&](const ir::Jump& j) { jump(frame, j.label); },
+          [&](const ir::Call& c) { call(c); },
+          [&](const ir::Transfer& t) {
+            state_.emit(Transfer{std::uint64_t{frame.block.index} << 32U | t.label.statement});
+          },
+          [&](const ir::Follow& f) { execute(state_, f, frame.block); },
+          [&](const ir::Fini&) {
+            state_.endImplied();
+            state_.emit(Fini{});
+            finished_ = true;
+          },
+          [&](const auto& other) { execute(state_, other); },
+      },
+      statement.body);
 }
 
 void Interpreter::branch(Frame& frame, const ir::Branch& b) {

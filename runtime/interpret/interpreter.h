@@ -8,7 +8,9 @@ namespace arelem::runtime::interpret {
 /// Executes the blocks of a program statement by statement, with its own stack of active CALLs.
 class Interpreter {
  public:
-  Interpreter(const ir::Program& program, const Options& options, DiagnosticSink& sink,
+  Interpreter(const ir::Program& program,
+              const Options& options,
+              DiagnosticSink& sink,
               Evaluation& out);
   void run();
 
@@ -30,8 +32,8 @@ class Interpreter {
 
   State state_;
   std::vector<Frame> frames_;
-  std::vector<std::vector<bool>> isTarget_;              // of TRANTO or a check, by block and statement
-  std::vector<std::vector<std::uint64_t>> jumpsBack_;    // backward jumps to a statement, by block
+  std::vector<std::vector<bool>> isTarget_;  // of TRANTO or a check, by block and statement
+  std::vector<std::vector<std::uint64_t>> jumpsBack_;  // backward jumps to a statement, by block
   std::uint64_t steps_ = 0;
   bool finished_ = false;
 };

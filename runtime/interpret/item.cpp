@@ -122,7 +122,8 @@ std::optional<std::vector<std::uint32_t>> elements(State& state, const ir::Eleme
     state.report(diagnose(range.span, diag::RangeStep, name, *written));
     return std::nullopt;
   }
-  // The low and high limits bound the list whatever its direction; out of order, only the first counts.
+  // The low and high limits bound the list whatever its direction; out of order, only the first
+  // counts.
   const double first = step > 0.0 ? *low : *high;
   const double last = *low > *high ? first : (step > 0.0 ? *high : *low);
   for (const double limit : {first, last}) {

@@ -28,13 +28,14 @@ struct Item {
 };
 using Items = std::vector<Item>;
 
-/// What arguments are for: definitions see entities in the system in force and may hold lists of array
-/// elements; statements of motion and posts see entities in the base system.
+/// What arguments are for: definitions see entities in the system in force and may hold lists of
+/// array elements; statements of motion and posts see entities in the base system.
 enum class Use : std::uint8_t { definition, motion };
 
-/// Evaluates arguments and expands lists. None when one has no value; all of them are looked at first,
-/// so that every error of a statement shows.
-[[nodiscard]] std::optional<Items> evaluate(State& state, const std::vector<ir::Argument>& arguments,
+/// Evaluates arguments and expands lists. None when one has no value; all of them are looked at
+/// first, so that every error of a statement shows.
+[[nodiscard]] std::optional<Items> evaluate(State& state,
+                                            const std::vector<ir::Argument>& arguments,
                                             Use use);
 [[nodiscard]] std::optional<Item> evaluate(State& state, const ir::Argument& argument, Use use);
 

@@ -120,7 +120,9 @@ class Reader {
     return count;
   }
   [[nodiscard]] double number(std::size_t i) const { return *items_[i].number(); }
-  [[nodiscard]] Vec3 triple(std::size_t i) const { return {number(i), number(i + 1), number(i + 2)}; }
+  [[nodiscard]] Vec3 triple(std::size_t i) const {
+    return {number(i), number(i + 1), number(i + 2)};
+  }
 
   State& state_;
   Word word_;

@@ -8,7 +8,9 @@ namespace arelem::runtime::interpret {
 namespace {
 
 /// The numbers of a statement that takes nothing else; none with a report.
-std::optional<std::vector<double>> numbers(State& state, std::string_view word, const Items& items,
+std::optional<std::vector<double>> numbers(State& state,
+                                           std::string_view word,
+                                           const Items& items,
                                            std::string_view forms) {
   std::vector<double> result;
   for (const Item& item : items) {
@@ -102,8 +104,8 @@ std::optional<bool> switched(State& state, const ir::Command& command) {
   if (!items) {
     return std::nullopt;
   }
-  const bool mayTurnOff = command.word == Word::MULTAX || command.word == Word::GOUGCK ||
-                          command.word == Word::GOUGE;
+  const bool mayTurnOff =
+      command.word == Word::MULTAX || command.word == Word::GOUGCK || command.word == Word::GOUGE;
   if (mayTurnOff && items->size() == 1 &&
       (items->front().is(Word::ON) || items->front().is(Word::OFF))) {
     return items->front().is(Word::ON);
@@ -113,9 +115,9 @@ std::optional<bool> switched(State& state, const ir::Command& command) {
     return true;
   }
   const std::string_view name = spell(command.word);
-  state.report(diagnose(state.statement->span, diag::MotionCount, name, describe(*items),
-                        mayTurnOff ? fmt::format("{0}, {0}/ON and {0}/OFF", name)
-                                   : fmt::format("{} alone", name)));
+  state.report(diagnose(
+      state.statement->span, diag::MotionCount, name, describe(*items),
+      mayTurnOff ? fmt::format("{0}, {0}/ON and {0}/OFF", name) : fmt::format("{} alone", name)));
   return std::nullopt;
 }
 
@@ -182,9 +184,9 @@ void pocket(State& state, const ir::Command& command) {
       const double* number = i + k < items->size() ? (*items)[i + k].number() : nullptr;
       if (number == nullptr) {
         const Item& seen = (*items)[std::min(i + k, items->size() - 1)];
-        state.report(diagnose(seen.span, diag::PocketPoints,
-                              fmt::format("{} is not a point: write point names or x,y,z",
-                                          describe(seen))));
+        state.report(
+            diagnose(seen.span, diag::PocketPoints,
+                     fmt::format("{} is not a point: write point names or x,y,z", describe(seen))));
         return;
       }
       xyz[k] = *number;

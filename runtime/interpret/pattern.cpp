@@ -8,8 +8,8 @@ namespace arelem::runtime::interpret {
 
 namespace {
 
-/// GOTO/pattern, modifiers (spec 4.3). Point numbers count from 1 in the order of the output, or in the
-/// order of the definition under CONST; inside this class both count from 0.
+/// GOTO/pattern, modifiers (spec 4.3). Point numbers count from 1 in the order of the output, or in
+/// the order of the definition under CONST; inside this class both count from 0.
 class PatternMotion {
  public:
   PatternMotion(State& state, const Items& items)
@@ -62,7 +62,8 @@ class PatternMotion {
     for (std::size_t n = 0; n < count_; ++n) {
       visit_[n] = n;
       if (zigzag_) {
-        // A PARLEL grid is defined column after column, every second one backwards; here row after row.
+        // A PARLEL grid is defined column after column, every second one backwards; here row after
+        // row.
         const std::size_t row = n / columns;
         const std::size_t column = row % 2 == 0 ? n % columns : columns - 1 - n % columns;
         visit_[n] = column * rows + (column % 2 == 0 ? row : rows - 1 - row);
@@ -169,7 +170,7 @@ class PatternMotion {
     std::sort(positions.begin(), positions.end());
     if (last && positions.front() <= *last) {
       return error(diagnose(items_[at].span, diag::PatternOrder, *items_[at].number(),
-                                "listed after one that the output reaches later"));
+                            "listed after one that the output reaches later"));
     }
     last = positions.back();
     for (const std::size_t p : positions) {
@@ -205,8 +206,7 @@ class PatternMotion {
     for (const auto& [position, avoid] : avoided_) {
       if (!visits(position)) {
         return error(diagnose(items_[avoid.item].span, diag::PatternOrder,
-                                          *items_[avoid.item].number(),
-                                          "avoided but not visited"));
+                              *items_[avoid.item].number(), "avoided but not visited"));
       }
     }
     return true;
@@ -274,6 +274,8 @@ class PatternMotion {
 
 }  // namespace
 
-void gotoPattern(State& state, const Items& items) { PatternMotion(state, items).run(); }
+void gotoPattern(State& state, const Items& items) {
+  PatternMotion(state, items).run();
+}
 
 }  // namespace arelem::runtime::interpret

@@ -53,11 +53,15 @@ bool isSurfaceType(EntityType type) {
          type != EntityType::pattern;
 }
 
-cl::SurfaceValue surfaceValue(const Entity& e) { return {e.type, e.name, e.subscript, e.canon}; }
+cl::SurfaceValue surfaceValue(const Entity& e) {
+  return {e.type, e.name, e.subscript, e.canon};
+}
 
 /// The parameters as a CL record holds them; none when one is not allowed.
-std::optional<std::vector<cl::Value>> values(State& state, std::string_view name,
-                                             const std::optional<Word>& word, const Items& items) {
+std::optional<std::vector<cl::Value>> values(State& state,
+                                             std::string_view name,
+                                             const std::optional<Word>& word,
+                                             const Items& items) {
   std::vector<cl::Value> result;
   bool good = true;
   for (const Item& item : items) {
@@ -132,8 +136,8 @@ bool checkTransformation(State& state, Word word, const Items& items) {
     return false;
   }
   if (word == Word::INDEX && !isIndex(items)) {
-    state.report(diagnose(span, diag::CopyForm, "INDEX", describe(items),
-                          "INDEX/i and INDEX/i,NOMORE"));
+    state.report(
+        diagnose(span, diag::CopyForm, "INDEX", describe(items), "INDEX/i and INDEX/i,NOMORE"));
     return false;
   }
   if (word == Word::COPY && !isCopy(items)) {

@@ -10,7 +10,9 @@ constexpr std::string_view printForms =
     "PRINT/ON, PRINT/OFF, PRINT/0 and PRINT/mode,{names|ALL} with mode 1 to 4";
 constexpr std::string_view punchForms = "PUNCH/{1|2|3},{names|ALL}";
 
-bool isLarge(EntityType type) { return canonicalCount(type) == 0; }
+bool isLarge(EntityType type) {
+  return canonicalCount(type) == 0;
+}
 
 /// Collects what a list of names asks for, in its order.
 class Selection {
@@ -103,11 +105,14 @@ class Selection {
 };
 
 /// The number after PRINT/ or PUNCH/, or none with a report.
-std::optional<int> mode(State& state, const ir::Command& command, std::string_view word, int low,
-                        int high, std::string_view forms) {
-  const auto* expr = command.arguments.empty()
-                         ? nullptr
-                         : std::get_if<ir::ExprId>(&command.arguments[0].value);
+std::optional<int> mode(State& state,
+                        const ir::Command& command,
+                        std::string_view word,
+                        int low,
+                        int high,
+                        std::string_view forms) {
+  const auto* expr =
+      command.arguments.empty() ? nullptr : std::get_if<ir::ExprId>(&command.arguments[0].value);
   if (expr == nullptr) {
     state.report(diagnose(state.statement->span, diag::PrintForm, word, "no mode number", forms));
     return std::nullopt;
@@ -145,8 +150,8 @@ void punchLine(State& state, const Printed& p) {
 void punchAll(State& state, const std::vector<Printed>& list, int mode) {
   for (const Printed& p : list) {
     if (p.name.empty()) {
-      state.report(diagnose(state.statement->span, diag::PrintForm, "PUNCH", "an unnamed item",
-                            punchForms));
+      state.report(
+          diagnose(state.statement->span, diag::PrintForm, "PUNCH", "an unnamed item", punchForms));
     } else if (mode == 1 || (mode == 3) == (p.entity != nullptr)) {
       punchLine(state, p);
     }

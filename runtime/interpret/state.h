@@ -30,12 +30,14 @@ class State {
 
   const ir::Statement* statement = nullptr;  ///< the one being executed
   std::shared_ptr<const CallChain> calls;
-  bool stopped = false;                      ///< a limit or an interrupt ended the run
+  bool stopped = false;  ///< a limit or an interrupt ended the run
 
-  /// Reports with the active CALLs. The same kind at the same place is reported once, so that a loop
-  /// does not repeat it for every turn.
+  /// Reports with the active CALLs. The same kind at the same place is reported once, so that a
+  /// loop does not repeat it for every turn.
   void report(Diagnostic diagnostic);
-  void reportFailure(const Span& at, Failure failure) { report(arelem::at(at, std::move(failure))); }
+  void reportFailure(const Span& at, Failure failure) {
+    report(arelem::at(at, std::move(failure)));
+  }
 
   template <class Body>
   void emit(Body body) {

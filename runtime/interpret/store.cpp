@@ -9,8 +9,8 @@ Store::Store(const ir::Program& program, const Limits& limits)
   std::uint32_t scalars = 0;
   std::uint32_t entities = 0;
   for (const ir::Symbol& symbol : program.symbols) {
-    const auto size = static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(symbol.arraySize, limits.array));
+    const auto size =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(symbol.arraySize, limits.array));
     std::uint32_t& next = symbol.kind == ir::Symbol::Kind::entity ? entities : scalars;
     base_.push_back(next);
     size_.push_back(size);

@@ -15,8 +15,8 @@ struct Place {
   std::uint32_t slot = 0;
 };
 
-/// `poisoned`: its definition failed and was reported, so that uses stay silent; `lost`: the same after it
-/// once had a value.
+/// `poisoned`: its definition failed and was reported, so that uses stay silent; `lost`: the same
+/// after it once had a value.
 enum class Status : std::uint8_t { empty, poisoned, lost, defined };
 
 /// The values of all names, flat by kind, in order of first definition.

@@ -10,8 +10,8 @@
 namespace arelem::runtime::interpret {
 
 /// Local reference systems (REFSYS). A system is the name of its matrix; the base system is "".
-/// An entity keeps the coordinates of the system it was defined in and is moved when it is used in another:
-/// local to base by the system's matrix, base to local by the inverse.
+/// An entity keeps the coordinates of the system it was defined in and is moved when it is used in
+/// another: local to base by the system's matrix, base to local by the inverse.
 class Systems {
  public:
   [[nodiscard]] const std::string& current() const { return current_; }
@@ -21,7 +21,8 @@ class Systems {
   void leave() { current_.clear(); }
 
   /// The entity as the named system sees it; the same pointer when nothing changes.
-  [[nodiscard]] Result<EntityPtr> seenFrom(const EntityPtr& entity, const std::string& system) const;
+  [[nodiscard]] Result<EntityPtr> seenFrom(const EntityPtr& entity,
+                                           const std::string& system) const;
   /// Coordinates and components written as numbers in the current system, in the base system.
   [[nodiscard]] Vec3 pointToBase(const Vec3& point) const;
   [[nodiscard]] Vec3 vectorToBase(const Vec3& vector) const;

@@ -1,7 +1,8 @@
 #include "runtime/path/affine.h"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include <Eigen/LU>
 
 #include "ir/space/degrees.h"
 
@@ -23,8 +24,8 @@ void moveMotion(cl::Motion& motion, const Affine& by) {
 
 void moveCircle(cl::Surface& circle, const Affine& by) {
   std::vector<double>& c = circle.surface.canon;
-  const bool round = circle.surface.type == EntityType::circle ||
-                     circle.surface.type == EntityType::cylinder;
+  const bool round =
+      circle.surface.type == EntityType::circle || circle.surface.type == EntityType::cylinder;
   if (!round || c.size() != 7) {
     return;
   }
@@ -44,7 +45,9 @@ Affine Affine::fromRows(std::span<const double> m) {
   return a;
 }
 
-Affine Affine::translation(const Vec3& by) { return {Eigen::Matrix3d::Identity(), by}; }
+Affine Affine::translation(const Vec3& by) {
+  return {Eigen::Matrix3d::Identity(), by};
+}
 
 Affine Affine::rotation(double degrees) {
   const auto [s, c] = sineCosine(degrees);

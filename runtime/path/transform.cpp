@@ -26,7 +26,8 @@ struct CopyPlan {
   double angle = 0.0;
   Affine matrix;
 
-  /// The matrix of the k-th copy. Shifts and angles are multiplied, not added up, so that no error grows.
+  /// The matrix of the k-th copy. Shifts and angles are multiplied, not added up, so that no error
+  /// grows.
   [[nodiscard]] Affine step(std::uint64_t k, const Affine& previous) const {
     switch (mode) {
       case Word::TRANSL:
@@ -73,8 +74,8 @@ class CopyReader {
         plan.angle = number(2) != nullptr ? *number(2) : 0.0;
         return counted(plan, 3, "COPY/i,XYROT,degrees,n");
       case Word::MODIFY:
-        if (const auto* matrix = values_.size() > 2 ? std::get_if<cl::SurfaceValue>(&values_[2])
-                                                    : nullptr;
+        if (const auto* matrix =
+                values_.size() > 2 ? std::get_if<cl::SurfaceValue>(&values_[2]) : nullptr;
             matrix != nullptr && matrix->canon.size() == 12) {
           plan.matrix = Affine::fromRows(matrix->canon);
           return counted(plan, 3, "COPY/i,MODIFY,matrix,n");
@@ -90,7 +91,8 @@ class CopyReader {
     return i < values_.size() ? std::get_if<double>(&values_[i]) : nullptr;
   }
 
-  /// The number of copies stands last, at `at`; everything before it but mode and matrix is a number.
+  /// The number of copies stands last, at `at`; everything before it but mode and matrix is a
+  /// number.
   Result<CopyPlan> counted(CopyPlan plan, std::size_t at, std::string_view form) const {
     bool good = values_.size() == at + 1 && number(at) != nullptr;
     for (std::size_t i = 2; i < at && plan.mode != Word::MODIFY; ++i) {
@@ -157,11 +159,9 @@ class Chain : public Transformer {
 
  private:
   void tracut(const cl::Record& record, const cl::Post& post) {
-    const auto* matrix = post.arguments.size() == 1
-                             ? std::get_if<cl::SurfaceValue>(&post.arguments[0])
-                             : nullptr;
-    const Word* word =
-        post.arguments.size() == 1 ? std::get_if<Word>(&post.arguments[0]) : nullptr;
+    const auto* matrix =
+        post.arguments.size() == 1 ? std::get_if<cl::SurfaceValue>(&post.arguments[0]) : nullptr;
+    const Word* word = post.arguments.size() == 1 ? std::get_if<Word>(&post.arguments[0]) : nullptr;
     if (matrix != nullptr && matrix->canon.size() == 12) {
       tracut_ = Affine::fromRows(matrix->canon);
       warned_ = false;
@@ -239,7 +239,9 @@ class Chain : public Transformer {
   }
 
   /// Moves the innermost range to the closed ones, if it is the wanted one.
-  bool close(const cl::Record& record, double number, std::string_view word,
+  bool close(const cl::Record& record,
+             double number,
+             std::string_view word,
              const cl::Record* last) {
     if (open_.empty() || open_.back().index != number) {
       report(record, known(number) && closed_.count(number) == 0
@@ -344,7 +346,8 @@ class Chain : public Transformer {
 
 }  // namespace
 
-std::unique_ptr<Transformer> makeTransformer(cl::RecordSink& next, DiagnosticSink& sink,
+std::unique_ptr<Transformer> makeTransformer(cl::RecordSink& next,
+                                             DiagnosticSink& sink,
                                              const Limits& limits,
                                              const InterruptFlag* interrupted) {
   return std::make_unique<Chain>(next, sink, limits, interrupted);
