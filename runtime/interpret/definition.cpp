@@ -143,8 +143,8 @@ void execute(State& state, const ir::Obtain& obtain) {
   const std::string_view type = spell(obtain.type);
   if (source && source->type != obtain.type) {
     Item item{source, obtain.source.span};
-    Diagnostic d =
-        diagnose(obtain.source.span, diag::ObtainType, type, describe(item), spell(source->type));
+    Diagnostic d = diagnose(obtain.source.span, diag::ObtainOtherType, type, describe(item),
+                            spell(source->type));
     labelOperands(d, {item});
     state.report(std::move(d));
     source = nullptr;
@@ -152,7 +152,7 @@ void execute(State& state, const ir::Obtain& obtain) {
     state.report(diagnose(obtain.source.span, diag::ObtainVariable, type));
     source = nullptr;
   } else if (source && obtain.targets.size() > source->canon.size()) {
-    state.report(diagnose(state.statement->span, diag::ObtainCount, obtain.targets.size(), type,
+    state.report(diagnose(state.statement->span, diag::ObtainItems, obtain.targets.size(), type,
                           source->canon.size()));
   }
   for (std::size_t i = 0; i < obtain.targets.size(); ++i) {
@@ -162,7 +162,7 @@ void execute(State& state, const ir::Obtain& obtain) {
     const ir::Target& target = *obtain.targets[i];
     const ir::Symbol& symbol = state.program[target.symbol];
     if (symbol.kind == ir::Symbol::Kind::entity) {
-      state.report(diagnose(target.span, diag::ObtainTarget, symbol.name, spell(symbol.type)));
+      state.report(diagnose(target.span, diag::ObtainNotScalar, symbol.name, spell(symbol.type)));
       continue;
     }
     const bool has = source && i < source->canon.size();

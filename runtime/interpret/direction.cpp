@@ -130,7 +130,7 @@ bool checkDirection(State& state, Word word, const Vec3& value, const Span& span
   if (word == Word::INDIRP || !isNull(value)) {
     return true;  // a point is judged against the tool end, which motion knows
   }
-  state.report(word == Word::INDIRV ? diagnose(span, diag::NullDirection)
+  state.report(word == Word::INDIRV ? diagnose(span, diag::NullSense)
                                     : diagnose(span, diag::NullSide));
   return false;
 }
@@ -189,7 +189,7 @@ void direction(State& state, const ir::Command& command) {
     any = true;
   }
   if (!any || items->size() > 3) {
-    state.report(diagnose(state.statement->span, diag::MotionCount, spell(command.word),
+    state.report(diagnose(state.statement->span, diag::MotionArguments, spell(command.word),
                           describe(*items), directionForms(command.word)));
     return;
   }
@@ -202,7 +202,7 @@ void partSurface(State& state, const ir::Command& command) {
     return;
   }
   if (items->size() != 1) {
-    state.report(diagnose(state.statement->span, diag::MotionCount, "PSIS", describe(*items),
+    state.report(diagnose(state.statement->span, diag::MotionArguments, "PSIS", describe(*items),
                           "PSIS/surface"));
     return;
   }

@@ -140,7 +140,7 @@ class Calculator {
     if (std::isfinite(result)) {
       return result;
     }
-    state_.report(diagnose(expr.span, diag::NotFinite, "the result"));
+    state_.report(diagnose(expr.span, diag::NumberOverflow, "the result"));
     return std::nullopt;
   }
 
@@ -184,7 +184,7 @@ Result<double> power(double base, double exponent) {
     result = whole < 0.0 ? 1.0 / result : result;
   }
   if (!std::isfinite(result)) {
-    return fail(diag::NotFinite, fmt::format("{} ** {}", base, exponent));
+    return fail(diag::NumberOverflow, fmt::format("{} ** {}", base, exponent));
   }
   return result;
 }

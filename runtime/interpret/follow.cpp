@@ -78,7 +78,7 @@ bool countsFit(State& state, const ir::Follow& follow, std::string_view word) {
   const Span& span = state.statement->span;
   const bool axial = follow.heading == ir::Heading::up || follow.heading == ir::Heading::down;
   if (axial && follow.checks.empty()) {
-    state.report(diagnose(span, diag::MotionCount, word, "no check surface",
+    state.report(diagnose(span, diag::MotionArguments, word, "no check surface",
                           fmt::format("{}/ds,[{{TO|ON|PAST}},]cs[,feed]", word)));
     return false;
   }
@@ -106,7 +106,7 @@ EntityPtr surfaceOf(State& state, const Item& item, std::string_view statement) 
   }
   if (!isSurface((*entity)->type)) {
     Diagnostic d =
-        diagnose(item.span, diag::NotASurface, arelem::spell((*entity)->type), statement);
+        diagnose(item.span, diag::NoSurfaceType, arelem::spell((*entity)->type), statement);
     labelOperands(d, {item});
     state.report(std::move(d));
     return nullptr;
@@ -120,7 +120,7 @@ void execute(State& state, const ir::Startup& startup) {
   state.warnOfSystem();
   const std::size_t most = startup.offset ? 2 : 3;
   if (startup.surfaces.empty() || startup.surfaces.size() > most) {
-    state.report(diagnose(state.statement->span, diag::MotionCount, word,
+    state.report(diagnose(state.statement->span, diag::MotionArguments, word,
                           fmt::format("{} surfaces", startup.surfaces.size()),
                           startup.offset ? "OFFSET/[m,]ds[,[m,]ps]" : startupForms));
     return;

@@ -101,7 +101,7 @@ Result<double> finite(Word function, double x, double value) {
   if (std::isfinite(value)) {
     return value;
   }
-  return fail(diag::NotFinite, fmt::format("{}({})", spell(function), x));
+  return fail(diag::NumberOverflow, fmt::format("{}({})", spell(function), x));
 }
 
 Result<double> tangent(double x) {

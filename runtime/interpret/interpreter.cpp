@@ -95,7 +95,7 @@ bool Interpreter::mayGoOn() {
   }
   const InterruptFlag* flag = state_.options.interrupted;
   if ((steps_ & pollMask) == 0 && flag != nullptr && flag->load(std::memory_order_relaxed)) {
-    state_.report(diagnose(state_.statement->span, diag::Interrupted, steps_));
+    state_.report(diagnose(state_.statement->span, diag::EvaluationInterrupted, steps_));
     state_.stopped = true;
     return false;
   }

@@ -40,7 +40,7 @@ class Expansion {
   }
   bool operator()(const ir::ElementRange& range) {
     if (use_ != Use::definition) {
-      state_.report(diagnose(range.span, diag::RangeMisplaced, state_.program[range.symbol].name));
+      state_.report(diagnose(range.span, diag::ListMisplaced, state_.program[range.symbol].name));
       return false;
     }
     const std::optional<std::vector<std::uint32_t>> list = elements(state_, range);
@@ -108,7 +108,7 @@ std::optional<std::vector<std::uint32_t>> elements(State& state, const ir::Eleme
   const std::string& name = state.program[range.symbol].name;
   const std::uint32_t size = state.store.arraySize(range.symbol);
   if (size == 0) {
-    state.report(diagnose(range.span, diag::NotReserved, name));
+    state.report(diagnose(range.span, diag::ArrayNotReserved, name));
     return std::nullopt;
   }
   const std::optional<double> low = bound(state, range.low, 1.0);
@@ -128,7 +128,7 @@ std::optional<std::vector<std::uint32_t>> elements(State& state, const ir::Eleme
   const double last = *low > *high ? first : (step > 0.0 ? *high : *low);
   for (const double limit : {first, last}) {
     if (limit < 1.0 || limit > size) {
-      state.report(diagnose(range.span, diag::SubscriptRange, name, limit, size));
+      state.report(diagnose(range.span, diag::SubscriptOutside, name, limit, size));
       return std::nullopt;
     }
   }

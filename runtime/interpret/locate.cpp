@@ -105,7 +105,7 @@ class Reader {
         return std::nullopt;
       }
     }
-    Diagnostic d = diagnose(state_.statement->span, diag::MotionCount, spell(word_),
+    Diagnostic d = diagnose(state_.statement->span, diag::MotionArguments, spell(word_),
                             describe(items_), formsOf(word_));
     labelOperands(d, items_);
     state_.report(std::move(d));
@@ -133,8 +133,8 @@ void locateItems(State& state, Word word, const Items& items) {
   state.meetImplied(spell(word), false, true);
   state.warnOfSystem();
   if (items.empty()) {
-    state.report(diagnose(state.statement->span, diag::MotionCount, spell(word), "no parameters",
-                          formsOf(word)));
+    state.report(diagnose(state.statement->span, diag::MotionArguments, spell(word),
+                          "no parameters", formsOf(word)));
     return;
   }
   if (word == Word::GOTO && items[0].entity(EntityType::pattern) != nullptr) {

@@ -77,7 +77,7 @@ void cutterOption(State& state, const Items& items) {
   const Span& span = state.statement->span;
   const double* surface = items.size() > 1 ? items[1].number() : nullptr;
   if (surface == nullptr || (*surface != 1.0 && *surface != 2.0)) {
-    state.report(diagnose(span, diag::MotionCount, "CUTTER/OPTION", describe(items), forms));
+    state.report(diagnose(span, diag::MotionArguments, "CUTTER/OPTION", describe(items), forms));
     return;
   }
   CutterOption option{static_cast<int>(*surface), std::nullopt};
@@ -88,7 +88,7 @@ void cutterOption(State& state, const Items& items) {
   const double* radius = items.size() == 4 ? items[2].number() : nullptr;
   const double* height = items.size() == 4 ? items[3].number() : nullptr;
   if (radius == nullptr || height == nullptr) {
-    state.report(diagnose(span, diag::MotionCount, "CUTTER/OPTION", describe(items), forms));
+    state.report(diagnose(span, diag::MotionArguments, "CUTTER/OPTION", describe(items), forms));
     return;
   }
   option.ring = std::array{*radius, *height};
@@ -116,7 +116,7 @@ std::optional<bool> switched(State& state, const ir::Command& command) {
   }
   const std::string_view name = spell(command.word);
   state.report(diagnose(
-      state.statement->span, diag::MotionCount, name, describe(*items),
+      state.statement->span, diag::MotionArguments, name, describe(*items),
       mayTurnOff ? fmt::format("{0}, {0}/ON and {0}/OFF", name) : fmt::format("{} alone", name)));
   return std::nullopt;
 }
@@ -139,7 +139,8 @@ void motionParameter(State& state, const ir::Command& command) {
     return;
   }
   if (!countFits(command.word, given->size())) {
-    state.report(diagnose(state.statement->span, diag::MotionCount, name, describe(*items), forms));
+    state.report(
+        diagnose(state.statement->span, diag::MotionArguments, name, describe(*items), forms));
     return;
   }
   for (std::size_t i = 0; i < given->size(); ++i) {

@@ -32,11 +32,11 @@ std::optional<Place> State::place(const ir::Target& target) {
     if (size == 0) {
       return store.place(target.symbol, 0);
     }
-    report(diagnose(target.span, diag::SubscriptMissing, program[target.symbol].name, size));
+    report(diagnose(target.span, diag::ElementMissing, program[target.symbol].name, size));
     return std::nullopt;
   }
   if (size == 0) {
-    report(diagnose(target.span, diag::NotReserved, program[target.symbol].name));
+    report(diagnose(target.span, diag::ArrayNotReserved, program[target.symbol].name));
     return std::nullopt;
   }
   const std::optional<double> value = scalar(*this, target.subscript);
@@ -45,7 +45,8 @@ std::optional<Place> State::place(const ir::Target& target) {
   }
   const double element = std::trunc(*value);
   if (element < 1.0 || element > size) {
-    report(diagnose(target.span, diag::SubscriptRange, program[target.symbol].name, *value, size));
+    report(
+        diagnose(target.span, diag::SubscriptOutside, program[target.symbol].name, *value, size));
     return std::nullopt;
   }
   return store.place(target.symbol, static_cast<std::uint32_t>(element));
