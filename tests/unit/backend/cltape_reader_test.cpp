@@ -104,7 +104,7 @@ TEST(TapeReader, WrongSequenceNumbersAreWarnings) {
   bytes[32] = 7;  // the number of the second record
   const auto reading = read(bytes);
   EXPECT_TRUE(reading->summary.complete);
-  EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("W0614"));
+  EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("W0723"));
   EXPECT_EQ(reading->sink.all()[0].message,
             "record 7 at byte 32 follows record 1: record numbers count 1, 2, 3");
 }
@@ -123,19 +123,19 @@ TEST(TapeReader, CountsAreNotTrusted) {
   std::string huge = written("cltape", {record(1, cl::Card{})});
   huge[4] = huge[5] = '\xFF';
   huge[6] = '\x0F';  // 0x0FFFFF words, and there are two
-  EXPECT_THAT(codes(read(huge)->sink), ::testing::ElementsAre("E0611"));
+  EXPECT_THAT(codes(read(huge)->sink), ::testing::ElementsAre("E0721"));
   huge[7] = '\x7F';  // two thousand million words
-  EXPECT_THAT(codes(read(huge)->sink), ::testing::ElementsAre("E0610"));
+  EXPECT_THAT(codes(read(huge)->sink), ::testing::ElementsAre("E0720"));
   huge[7] = '\xFF';  // a negative count
-  EXPECT_THAT(codes(read(huge)->sink), ::testing::ElementsAre("E0610"));
+  EXPECT_THAT(codes(read(huge)->sink), ::testing::ElementsAre("E0720"));
   EXPECT_THAT(codes(read("PARTNO / no tape at all, but text\nFINI\n")->sink),
-              ::testing::ElementsAre("E0610"));
+              ::testing::ElementsAre("E0720"));
 }
 
 TEST(TapeReader, UnknownClassesAreKeptAndTold) {
   const cl::Raw raw{15000, 3, {1, 2, 0xFFFFFFFFFFFFFFFF}};
   const auto reading = read(written("cltape", {record(1, raw), record(2, cl::Fini{})}));
-  EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("W0616"));
+  EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("W0725"));
   ASSERT_EQ(reading->records.size(), 2U);
   EXPECT_EQ(std::get<cl::Raw>(reading->records[0].body).words, raw.words);
 }
@@ -159,7 +159,7 @@ TEST(TapeReader, KnownClassesWithWrongWordsAreKeptAndTold) {
   for (const cl::Raw& raw : wrong) {
     const std::string bytes = written("cltape", {record(1, raw), record(2, cl::Fini{})});
     const auto reading = read(bytes);
-    EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("W0615"))
+    EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("W0724"))
         << raw.type << "/" << raw.sub;
     EXPECT_EQ(written("cltape", reading->records), bytes);
   }
@@ -191,7 +191,7 @@ TEST(TapeReader, RepeatedFaultsAreCountedNotListed) {
   records.push_back(record(2, cl::Fini{}));
   const auto reading = read(written("cltape", records));
   EXPECT_EQ(reading->sink.all().size(), 21U);
-  EXPECT_EQ(reading->sink.all().back().message, "80 more diagnostics W0616 are not shown");
+  EXPECT_EQ(reading->sink.all().back().message, "80 more diagnostics W0725 are not shown");
 }
 
 TEST(TapeReader, TheLimitOfRecordsHolds) {
@@ -200,7 +200,7 @@ TEST(TapeReader, TheLimitOfRecordsHolds) {
   limits.records = 10;
   const auto reading = read(written("cltape", records), limits);
   EXPECT_EQ(reading->summary.records, 10U);
-  EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("E0613"));
+  EXPECT_THAT(codes(reading->sink), ::testing::ElementsAre("E0891"));
 }
 
 TEST(Dump, OneLineARecord) {
