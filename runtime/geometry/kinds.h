@@ -1,0 +1,28 @@
+#pragma once
+#include <string_view>
+#include <variant>
+
+#include "ir/diag/result.h"
+#include "ir/geometry/entity.h"
+#include "runtime/geometry/kinds/cone.h"
+#include "runtime/geometry/kinds/cylinder.h"
+#include "runtime/geometry/kinds/plane.h"
+#include "runtime/geometry/kinds/quadric.h"
+#include "runtime/geometry/kinds/sphere.h"
+#include "runtime/geometry/kinds/tabulated.h"
+#include "runtime/geometry/kinds/torus.h"
+
+namespace arelem::surface {
+
+/// THE list of surface kinds. A new kind is one file and one word here.
+template <Surface... Kinds>
+using VariantOf = std::variant<Kinds...>;
+using AnySurface = VariantOf<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder>;
+
+/// The surface of an entity's canonical form; fails for what is no surface (POINT, VECTOR, ...).
+[[nodiscard]] Result<AnySurface> surfaceOf(const Entity& entity);
+
+/// The direction along which the surface does not change (cylinders of any cross-section, planes: zero).
+[[nodiscard]] Vec3 generatrix(const AnySurface& surface);
+
+}  // namespace arelem::surface

@@ -1,0 +1,47 @@
+#pragma once
+#include <cmath>
+
+#include "runtime/geometry/surface.h"
+
+namespace arelem::surface {
+
+/// One nappe of a circular cone: vertex, unit axis pointing into the nappe, half angle. Positive outside;
+/// behind the vertex the nearest point is the vertex itself.
+struct Cone {
+  using Hint = NoHint;
+  Vec3 vertex = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double cosHalf = 1.0;
+  double sinHalf = 0.0;
+
+  [[nodiscard]] Foot foot(const Vec3& p, Hint&) const {
+    const Vec3 w = p - vertex;
+    const double along = w.dot(axis);
+    const Vec3 radial = w - along * axis;
+    const double rho = radial.norm();
+    const Vec3 out = rho > 0.0 ? Vec3(radial / rho) : Vec3(axis.unitOrthogonal());
+    if (along * cosHalf + rho * sinHalf < 0.0) {
+      const double length = w.norm();
+      return {length, w / length};
+    }
+    return {rho * cosHalf - along * sinHalf, cosHalf * out - sinHalf * axis};
+  }
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
+    const Vec3 w = p - vertex;
+    const double along = w.dot(axis);
+    const double n = foot.normal.dot(t);
+    const double rho = (w - along * axis).norm();
+    if (along * cosHalf + rho * sinHalf < 0.0) {
+      return (t.squaredNorm() - n * n) / foot.distance;
+    }
+    if (rho <= 0.0) {
+      return 0.0;
+    }
+    // Only turning about the axis changes the normal: H = cos(half)/rho * (e_phi e_phi^T).
+    const Vec3 around = axis.cross(w) / rho;
+    const double c = around.dot(t);
+    return cosHalf / rho * c * c;
+  }
+};
+
+}  // namespace arelem::surface

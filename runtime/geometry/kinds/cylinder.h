@@ -1,0 +1,26 @@
+#pragma once
+#include "runtime/geometry/surface.h"
+
+namespace arelem::surface {
+
+/// Infinite circular cylinder; CIRCLE is the vertical one. Positive outside.
+struct Cylinder {
+  using Hint = NoHint;
+  Vec3 point = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double radius = 1.0;
+
+  [[nodiscard]] Foot foot(const Vec3& p, Hint&) const {
+    const Vec3 w = p - point;
+    const Vec3 radial = w - w.dot(axis) * axis;
+    const double length = radial.norm();
+    return {length - radius, length > 0.0 ? Vec3(radial / length) : Vec3(axis.unitOrthogonal())};
+  }
+  [[nodiscard]] double bend(const Vec3&, const Foot& foot, const Vec3& t, Hint&) const {
+    const double along = foot.normal.dot(t);
+    const double axial = axis.dot(t);
+    return (t.squaredNorm() - along * along - axial * axial) / (foot.distance + radius);
+  }
+};
+
+}  // namespace arelem::surface

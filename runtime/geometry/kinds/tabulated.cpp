@@ -1,0 +1,152 @@
+#include "runtime/geometry/kinds/tabulated.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace arelem::surface {
+
+namespace {
+using Piece = TabulatedCylinder::Piece;
+
+constexpr int newtonLimit = 40;
+
+double height(const Piece& p, double x) { return ((p.a * x + p.b) * x + p.c) * x; }
+double slope(const Piece& p, double x) { return (3.0 * p.a * x + 2.0 * p.b) * x + p.c; }
+double second(const Piece& p, double x) { return 6.0 * p.a * x + 2.0 * p.b; }
+
+struct Local {
+  double x, y;
+};
+
+Local toLocal(const Piece& p, double u, double v) {
+  const double du = u - p.u;
+  const double dv = v - p.v;
+  return {du * p.dirU + dv * p.dirV, dv * p.dirU - du * p.dirV};
+}
+
+struct Nearest {
+  double x = 0.0;
+  double squared = std::numeric_limits<double>::infinity();
+};
+
+double low(const Piece& p) { return p.openStart ? -std::numeric_limits<double>::infinity() : 0.0; }
+double high(const Piece& p) { return p.openEnd ? std::numeric_limits<double>::infinity() : p.length; }
+
+double squaredTo(const Piece& p, const Local& q, double x) {
+  const double dx = x - q.x;
+  const double dy = height(p, x) - q.y;
+  return dx * dx + dy * dy;
+}
+
+/// Safeguarded Newton on half the derivative of the squared distance, from x, kept in the piece.
+Nearest descend(const Piece& p, const Local& q, double x) {
+  const double lo = low(p);
+  const double hi = high(p);
+  x = std::clamp(x, lo, hi);
+  for (int i = 0; i < newtonLimit; ++i) {
+    const double y = height(p, x) - q.y;
+    const double s = slope(p, x);
+    const double gradient = x - q.x + y * s;
+    const double curvature = 1.0 + s * s + y * second(p, x);
+    // Where the squared distance is not convex, fall back to the Gauss-Newton step.
+    const double step = gradient / (curvature > 0.1 * (1.0 + s * s) ? curvature : 1.0 + s * s);
+    const double next = std::clamp(x - step, lo, hi);
+    const double moved = std::abs(next - x);
+    x = next;
+    if (moved <= 1e-16 * (std::abs(x) + p.length)) {
+      break;
+    }
+  }
+  return {x, squaredTo(p, q, x)};
+}
+
+/// Lower bound of the squared distance to a piece, from its bounding box in the local frame.
+double boxBound(const Piece& p, const Local& q) {
+  const double dx = std::max({low(p) - q.x, 0.0, q.x - high(p)});
+  const double dy = std::max({p.lowY - q.y, 0.0, q.y - p.highY});
+  return dx * dx + dy * dy;
+}
+
+Nearest nearestOf(const Piece& p, const Local& q) {
+  if (p.a == 0.0 && p.b == 0.0) {
+    const double x = std::clamp(q.x, low(p), high(p));
+    return {x, squaredTo(p, q, x)};
+  }
+  // A cubic over a chord has at most three minima; these seeds find them for the gentle pieces that
+  // definitions produce.
+  Nearest best;
+  for (const double seed : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const Nearest found = descend(p, q, seed * p.length);
+    if (found.squared < best.squared) {
+      best = found;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
+  const Curve& curve = *curve_;
+  const double u = curve.u.dot(point);
+  const double v = curve.v.dot(point);
+  Nearest best;
+  int bestPiece = -1;
+  const int count = static_cast<int>(curve.pieces.size());
+  if (hint.piece >= 0) {
+    const Piece& p = curve.pieces[static_cast<std::size_t>(hint.piece)];
+    best = descend(p, toLocal(p, u, v), hint.x);
+    bestPiece = hint.piece;
+  }
+  for (int i = 0; i < count; ++i) {
+    if (i == hint.piece) {
+      continue;
+    }
+    const Piece& p = curve.pieces[static_cast<std::size_t>(i)];
+    const Local q = toLocal(p, u, v);
+    if (boxBound(p, q) >= best.squared) {
+      continue;
+    }
+    const Nearest found = nearestOf(p, q);
+    if (found.squared < best.squared) {
+      best = found;
+      bestPiece = i;
+    }
+  }
+  hint = {bestPiece, best.x};
+  const Piece& p = curve.pieces[static_cast<std::size_t>(bestPiece)];
+  const Local q = toLocal(p, u, v);
+  const double s = slope(p, best.x);
+  const double norm = std::sqrt(1.0 + s * s);
+  // Left normal of the curve direction (1, s) in the local frame.
+  const double nx = -s / norm;
+  const double ny = 1.0 / norm;
+  const double dx = q.x - best.x;
+  const double dy = q.y - height(p, best.x);
+  const double sign = dx * nx + dy * ny < 0.0 ? -1.0 : 1.0;
+  const double distance = std::sqrt(best.squared);
+  const bool atFoot = distance > 1e-9 * (1.0 + p.length);
+  // Away from the curve the exact gradient is the direction from the foot; on it, the curve's normal.
+  const double gx = atFoot ? sign * dx / distance : nx;
+  const double gy = atFoot ? sign * dy / distance : ny;
+  const double gu = gx * p.dirU - gy * p.dirV;
+  const double gv = gx * p.dirV + gy * p.dirU;
+  return {sign * distance, gu * curve.u + gv * curve.v};
+}
+
+double TabulatedCylinder::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
+  if (hint.piece < 0) {
+    return 0.0;
+  }
+  const Piece& p = curve_->pieces[static_cast<std::size_t>(hint.piece)];
+  const double s = slope(p, hint.x);
+  const double squared = 1.0 + s * s;
+  // Curvature of the curve, positive where it turns left, that is towards the positive side.
+  const double k = second(p, hint.x) / (squared * std::sqrt(squared));
+  const double parallel = -k / std::max(1.0 - k * foot.distance, 1e-12);
+  const double along = curve_->w.cross(foot.normal).dot(t);
+  return parallel * along * along;
+}
+
+}  // namespace arelem::surface

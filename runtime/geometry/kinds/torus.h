@@ -1,0 +1,42 @@
+#pragma once
+#include <cmath>
+
+#include "runtime/geometry/surface.h"
+
+namespace arelem::surface {
+
+/// Center, unit axis, radius of the axis circle and of the tube. Positive outside the tube.
+struct Torus {
+  using Hint = NoHint;
+  Vec3 center = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double major = 2.0;
+  double minor = 1.0;
+
+  [[nodiscard]] Foot foot(const Vec3& p, Hint&) const {
+    const Vec3 w = p - center;
+    const double along = w.dot(axis);
+    const Vec3 radial = w - along * axis;
+    const double rho = radial.norm();
+    const Vec3 out = rho > 0.0 ? Vec3(radial / rho) : Vec3(axis.unitOrthogonal());
+    const double length = std::hypot(rho - major, along);
+    const Vec3 normal = length > 0.0 ? Vec3(((rho - major) * out + along * axis) / length) : out;
+    return {length - minor, normal};
+  }
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
+    const Vec3 w = p - center;
+    const double along = w.dot(axis);
+    const Vec3 radial = w - along * axis;
+    const double rho = radial.norm();
+    if (rho <= 0.0) {
+      return 0.0;
+    }
+    const Vec3 around = axis.cross(radial) / rho;
+    const double c = around.dot(t);
+    const double n = foot.normal.dot(t);
+    const double meridian = t.squaredNorm() - n * n - c * c;
+    return meridian / (foot.distance + minor) + foot.normal.dot(radial) / (rho * rho) * c * c;
+  }
+};
+
+}  // namespace arelem::surface

@@ -1,0 +1,40 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "runtime/geometry/kinds.h"
+#include "runtime/tool/contact.h"
+
+namespace arelem::motion {
+
+/// The gap between the tool and one side of one surface as a function of where the tool is: 1-Lipschitz in
+/// the tool end, with the contact normal as gradient. Remembers the last contact to start the next search,
+/// so one Field belongs to one motion of one thread.
+class Field {
+ public:
+  virtual ~Field() = default;
+  /// `axis` is the unit tool axis.
+  virtual tool::Contact at(const Vec3& toolEnd, const Vec3& axis) = 0;
+  /// True where the gap is a linear function of the tool end (planes).
+  [[nodiscard]] bool flat() const { return flat_; }
+
+ protected:
+  explicit Field(bool flat) : flat_(flat) {}
+
+ private:
+  bool flat_;
+};
+
+/// Which part of the tool meets the surface.
+struct Tool {
+  const tool::Profile* cutter = nullptr;  ///< null: the tool end alone (relation ON)
+  double thick = 0.0;                     ///< stock left between cutter and surface, ignored for ON
+};
+
+/// `side` is +1 or -1: the side of the surface, by its own normal, on which the tool stands.
+[[nodiscard]] std::unique_ptr<Field> makeField(const surface::AnySurface& surface, double side, Tool tool);
+
+/// Signed distance of a point to a surface, by the surface's own normal.
+[[nodiscard]] surface::Foot footOn(const surface::AnySurface& surface, const Vec3& point);
+
+}  // namespace arelem::motion

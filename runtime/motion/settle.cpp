@@ -1,0 +1,90 @@
+#include "runtime/motion/settle.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace arelem::motion {
+
+namespace {
+constexpr int iterationLimit = 60;
+/// Residuals below this share of the coordinates' size are rounding.
+constexpr double relativeRest = 4e-16;
+constexpr double absoluteRest = 2e-15;
+
+/// Shortest solution of rows * step = rhs for one, two or three rows; falls back to least squares where
+/// the rows are nearly dependent.
+Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, std::size_t count) {
+  if (count == 3) {
+    const Vec3 c = rows[1].cross(rows[2]);
+    const double det = rows[0].dot(c);
+    if (std::abs(det) > 1e-7) {
+      return (rhs[0] * c + rhs[1] * rows[2].cross(rows[0]) + rhs[2] * rows[0].cross(rows[1])) / det;
+    }
+  }
+  if (count == 1) {
+    return rhs[0] / rows[0].squaredNorm() * rows[0];
+  }
+  Eigen::MatrixXd m(static_cast<Eigen::Index>(count), 3);
+  Eigen::VectorXd b(static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    m.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
+    b[static_cast<Eigen::Index>(i)] = rhs[i];
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> cod(m);
+  cod.setThreshold(1e-10);
+  return cod.solve(b);
+}
+}  // namespace
+
+Settled settle(const Vec3& start, const AxisRule& axis, std::span<const Wanted> wanted,
+               std::span<const Constraint> constraints, double longestStep) {
+  Settled out;
+  out.toolEnd = start;
+  std::array<Vec3, 3> rows;
+  std::array<double, 3> rhs{};
+  double previous = 1e300;
+  for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
+    const Vec3 a = axis.at(out.toolEnd);
+    std::size_t count = 0;
+    out.worst = 0.0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const tool::Contact c = wanted[i].field->at(out.toolEnd, a);
+      rows[count] = c.normal;
+      rhs[count] = wanted[i].target - c.gap;
+      if (std::abs(rhs[count]) >= out.worst) {
+        out.worst = std::abs(rhs[count]);
+        out.worstAt = i;
+      }
+      ++count;
+    }
+    double most = out.worst;
+    for (const Constraint& c : constraints) {
+      rows[count] = c.normal;
+      rhs[count] = -c.normal.dot(out.toolEnd - c.through);
+      most = std::max(most, std::abs(rhs[count]));
+      ++count;
+    }
+    const double rest = absoluteRest + relativeRest * out.toolEnd.cwiseAbs().maxCoeff();
+    // Done at rounding level, or when Newton has stopped gaining there.
+    if (most <= rest || (most <= 1e4 * rest && most >= 0.5 * previous)) {
+      out.ok = true;
+      return out;
+    }
+    previous = most;
+    Vec3 step = solve(rows, rhs, count);
+    if (!step.allFinite()) {
+      return out;
+    }
+    const double length = step.norm();
+    if (longestStep > 0.0 && length > longestStep) {
+      step *= longestStep / length;
+    }
+    out.toolEnd += step;
+  }
+  out.ok = out.worst <= 1e-9 * (1.0 + out.toolEnd.cwiseAbs().maxCoeff());
+  return out;
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,34 @@
+#pragma once
+#include <span>
+
+#include "runtime/motion/axis.h"
+
+/// Positioning: the tool end that satisfies up to three conditions (CENTR and CENTR2 of the old system).
+namespace arelem::motion {
+
+/// field(tool end) = target.
+struct Wanted {
+  Field* field = nullptr;
+  double target = 0.0;
+};
+
+/// normal . (tool end - through) = 0: a pseudo surface, met exactly.
+struct Constraint {
+  Vec3 normal = Vec3::Zero();
+  Vec3 through = Vec3::Zero();
+};
+
+struct Settled {
+  bool ok = false;
+  Vec3 toolEnd = Vec3::Zero();
+  int iterations = 0;
+  double worst = 0.0;      ///< largest remaining residual, part unit
+  std::size_t worstAt = 0;  ///< index into the wanted fields
+};
+
+/// Newton from `start`. Where fewer than three equations are given each step is the shortest one, so that the
+/// tool moves in the span of the contact normals. `longestStep` bounds a step (0: no bound).
+[[nodiscard]] Settled settle(const Vec3& start, const AxisRule& axis, std::span<const Wanted> wanted,
+                             std::span<const Constraint> constraints, double longestStep = 0.0);
+
+}  // namespace arelem::motion

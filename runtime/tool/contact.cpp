@@ -1,0 +1,86 @@
+#include "runtime/tool/contact.h"
+
+#include "runtime/tool/contact_search.h"
+
+namespace arelem::tool {
+
+namespace {
+/// |sine| of the angle between generatrix and axis below which the surface is a wall along the axis.
+constexpr double alongAxis = 1e-12;
+
+bool isWall(const Vec3& generatrix, const Vec3& axis) {
+  return generatrix.squaredNorm() > 0.5 && generatrix.cross(axis).norm() <= alongAxis;
+}
+
+/// A wall along the tool axis: the cutter is a disc of its largest radius.
+template <surface::Surface S>
+Contact wallContact(const S& s, double side, const Profile& cutter, const Vec3& te, Search<S>& search) {
+  const surface::Foot foot = s.foot(te, search.hint);
+  const Vec3 normal = side * foot.normal;
+  const double radius = cutter.maxRadius();
+  return {side * foot.distance - radius, normal, te - radius * normal};
+}
+
+template <surface::Surface S>
+Contact searchContact(const S& s, double side, const Profile& cutter, const Vec3& te, const Vec3& axis,
+                      Search<S>& search) {
+  return ContactSearch<S>(s, side, cutter, te, axis, search).run();
+}
+}  // namespace
+
+Contact contact(const surface::Plane& s, double side, const Profile& cutter, const Vec3& te,
+                const Vec3& axis, Search<surface::Plane>&) {
+  const Vec3 normal = side * s.normal;
+  const double far = reach(cutter, normal.dot(axis));
+  return {side * (s.normal.dot(te) - s.offset) - far, normal, te - far * normal};
+}
+
+Contact contact(const surface::Sphere& s, double side, const Profile& cutter, const Vec3& te,
+                const Vec3& axis, Search<surface::Sphere>& search) {
+  const Vec3 w = s.center - te;
+  const double z = w.dot(axis);
+  const Vec3 across = w - z * axis;
+  const double rho = across.norm();
+  const Vec3 out = rho > 0.0 ? Vec3(across / rho) : Vec3(axis.unitOrthogonal());
+  ProfilePoint q;
+  if (side > 0.0) {
+    const double distance = distanceTo(cutter, {rho, z}, q);
+    const Vec3 point = te + q.rho * out + q.z * axis;
+    const Vec3 normal = (point - s.center) / (distance != 0.0 ? distance : 1.0);
+    return {distance - s.radius, normal, point};
+  }
+  const double distance = farthestFrom(cutter, {rho, z}, q);
+  const Vec3 point = te - q.rho * out + q.z * axis;
+  (void)search;
+  return {s.radius - distance, (s.center - point) / distance, point};
+}
+
+Contact contact(const surface::Cylinder& s, double side, const Profile& cutter, const Vec3& te,
+                const Vec3& axis, Search<surface::Cylinder>& search) {
+  return isWall(s.axis, axis) ? wallContact(s, side, cutter, te, search)
+                              : searchContact(s, side, cutter, te, axis, search);
+}
+
+Contact contact(const surface::Cone& s, double side, const Profile& cutter, const Vec3& te,
+                const Vec3& axis, Search<surface::Cone>& search) {
+  return searchContact(s, side, cutter, te, axis, search);
+}
+
+Contact contact(const surface::Torus& s, double side, const Profile& cutter, const Vec3& te,
+                const Vec3& axis, Search<surface::Torus>& search) {
+  return searchContact(s, side, cutter, te, axis, search);
+}
+
+Contact contact(const surface::Quadric& s, double side, const Profile& cutter, const Vec3& te,
+                const Vec3& axis, Search<surface::Quadric>& search) {
+  return isWall(s.wall, axis) ? wallContact(s, side, cutter, te, search)
+                              : searchContact(s, side, cutter, te, axis, search);
+}
+
+Contact contact(const surface::TabulatedCylinder& s, double side, const Profile& cutter, const Vec3& te,
+                const Vec3& axis, Search<surface::TabulatedCylinder>& search) {
+  return isWall(s.generatrix(), axis) ? wallContact(s, side, cutter, te, search)
+                                      : searchContact(s, side, cutter, te, axis, search);
+}
+
+}  // namespace arelem::tool

@@ -1,0 +1,174 @@
+#include "runtime/tool/profile.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "ir/space/tolerance.h"
+
+namespace arelem::tool {
+
+namespace {
+constexpr double degree = std::numbers::pi / 180.0;
+/// The old system's least height of a cutter given by one or two values. Part unit.
+constexpr double defaultHeight = 5.0;
+
+void complete(Profile& p) {
+  p.sinAlpha = std::sin(p.alpha);
+  p.cosAlpha = std::cos(p.alpha);
+  p.sinBeta = std::sin(p.beta);
+  p.cosBeta = std::cos(p.beta);
+  p.bottomEnd = {p.e + p.r * p.sinAlpha, p.f - p.r * p.cosAlpha};
+  p.sideStart = {p.e + p.r * p.cosBeta, p.f - p.r * p.sinBeta};
+  p.sideEnd = {p.d / 2 + std::tan(p.beta) * (p.h - p.d / 2 * std::tan(p.alpha)), p.h};
+}
+
+double apart(ProfilePoint a, ProfilePoint b) { return std::hypot(a.rho - b.rho, a.z - b.z); }
+
+/// True where the direction (dx, dz) from the corner center points out of the arc, not of a line.
+bool insideArc(const Profile& p, double dx, double dz, double length) {
+  return dx >= p.sinAlpha * length && -dz >= p.sinBeta * length && -dz <= p.cosAlpha * length;
+}
+
+/// Keeps the nearest candidate.
+struct Nearest {
+  ProfilePoint from;
+  double distance;
+  ProfilePoint point;
+
+  void consider(ProfilePoint q) {
+    const double d = apart(from, q);
+    if (d < distance) {
+      distance = d;
+      point = q;
+    }
+  }
+  void considerLine(ProfilePoint a, ProfilePoint b) {
+    consider(a);
+    consider(b);
+    const double span = apart(a, b);
+    if (span <= 0.0) {
+      return;
+    }
+    const double s =
+        ((from.rho - a.rho) * (b.rho - a.rho) + (from.z - a.z) * (b.z - a.z)) / (span * span);
+    if (s > 0.0 && s < 1.0) {
+      consider({a.rho + s * (b.rho - a.rho), a.z + s * (b.z - a.z)});
+    }
+  }
+};
+}  // namespace
+
+Result<Profile> makeProfile(std::span<const double> values) {
+  if (values.size() != 1 && values.size() != 2 && values.size() != 7) {
+    return fail(diag::CutterImpossible, fmt::format("{} values, 1, 2 or 7 are needed", values.size()));
+  }
+  Profile p;
+  p.d = values[0];
+  p.r = values.size() > 1 ? values[1] : 0.0;
+  if (values.size() == 7) {
+    p.e = values[2];
+    p.f = values[3];
+    p.alpha = values[4] * degree;
+    p.beta = values[5] * degree;
+    p.h = values[6];
+    p.explicitHeight = p.h > 0.0;
+  }
+  if (std::min({p.d, p.r, p.e, p.f, p.h, p.alpha, p.beta}) < 0.0) {
+    return fail(diag::CutterImpossible, std::string("no value may be negative"));
+  }
+  if (p.alpha + p.beta >= std::numbers::pi / 2) {
+    return fail(diag::CutterImpossible, fmt::format("alpha + beta is {} degrees, less than 90 is needed",
+                                                    (p.alpha + p.beta) / degree));
+  }
+  const bool noCorner = p.e == 0.0 && p.f == 0.0 && p.alpha == 0.0 && p.beta == 0.0;
+  if (values.size() < 7 || (noCorner && p.r > 0.0)) {
+    p.e = p.d / 2 - p.r;
+    p.f = p.r;
+  }
+  if (p.e < -tolerance::coincidence) {
+    return fail(diag::CutterImpossible,
+                fmt::format("corner radius {} is larger than the radius {}", p.r, p.d / 2));
+  }
+  p.e = std::max(p.e, 0.0);
+  if (p.h == 0.0) {
+    p.h = std::max(defaultHeight, p.r);
+  }
+  p.h = std::max(p.h, p.f);
+  complete(p);
+  return p;
+}
+
+Profile makeRing(double radius, double height) {
+  Profile p;
+  p.d = 2 * radius;
+  p.e = radius;
+  p.f = height;
+  p.h = height;
+  p.ring = true;
+  complete(p);
+  p.sideEnd = p.sideStart;
+  return p;
+}
+
+double reach(const Profile& p, double nz) {
+  const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
+  const auto toward = [&](ProfilePoint q) { return q.rho * across - q.z * nz; };
+  if (p.ring) {
+    return toward({p.e, p.f});
+  }
+  const bool onArc = nz <= p.cosAlpha && nz >= p.sinBeta;
+  const double corner = onArc ? toward({p.e, p.f}) + p.r : std::max(toward(p.bottomEnd), toward(p.sideStart));
+  return std::max({0.0, corner, toward(p.sideEnd)});
+}
+
+double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
+  if (p.ring) {
+    nearest = {p.e, p.f};
+    return apart(c, nearest);
+  }
+  Nearest best{c, apart(c, {0.0, 0.0}), {0.0, 0.0}};
+  best.considerLine({0.0, 0.0}, p.bottomEnd);
+  best.considerLine(p.sideStart, p.sideEnd);
+  const double dx = c.rho - p.e;
+  const double dz = c.z - p.f;
+  const double length = std::hypot(dx, dz);
+  const bool towardArc = insideArc(p, dx, dz, length);
+  if (p.r > 0.0 && length > 0.0 && towardArc) {
+    best.consider({p.e + p.r * dx / length, p.f + p.r * dz / length});
+  }
+  nearest = best.point;
+  const bool aboveBottom = c.z * p.cosAlpha - c.rho * p.sinAlpha > 0.0;
+  const bool withinSide = (c.rho - p.sideStart.rho) * p.cosBeta - (c.z - p.sideStart.z) * p.sinBeta < 0.0;
+  const bool withinArc = !towardArc || length < p.r;
+  return aboveBottom && withinSide && withinArc && c.z < p.h ? -best.distance : best.distance;
+}
+
+double farthestFrom(const Profile& p, ProfilePoint c, ProfilePoint& farthest) {
+  double best = -1.0;
+  const auto consider = [&](ProfilePoint q) {
+    const double distance = std::hypot(q.rho + c.rho, q.z - c.z);
+    if (distance > best) {
+      best = distance;
+      farthest = q;
+    }
+  };
+  if (p.ring) {
+    consider({p.e, p.f});
+    return best;
+  }
+  consider({0.0, 0.0});
+  consider(p.bottomEnd);
+  consider(p.sideStart);
+  if (p.explicitHeight) {
+    consider(p.sideEnd);
+  }
+  const double dx = p.e + c.rho;
+  const double dz = p.f - c.z;
+  const double length = std::hypot(dx, dz);
+  if (p.r > 0.0 && length > 0.0 && insideArc(p, dx, dz, length)) {
+    consider({p.e + p.r * dx / length, p.f + p.r * dz / length});
+  }
+  return best;
+}
+
+}  // namespace arelem::tool
