@@ -39,18 +39,18 @@ Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, st
 }  // namespace
 
 Settled settle(const Vec3& start, const AxisRule& axis, std::span<const Wanted> wanted,
-               std::span<const Constraint> constraints, double longestStep) {
+               std::span<const Constraint> constraints, double accept) {
   Settled out;
   out.toolEnd = start;
   std::array<Vec3, 3> rows;
   std::array<double, 3> rhs{};
   double previous = 1e300;
   for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
-    const Vec3 a = axis.at(out.toolEnd);
+    out.axis = axis.at(out.toolEnd);
     std::size_t count = 0;
     out.worst = 0.0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const tool::Contact c = wanted[i].field->at(out.toolEnd, a);
+      const tool::Contact& c = out.contacts[i] = wanted[i].field->at(out.toolEnd, out.axis);
       rows[count] = c.normal;
       rhs[count] = wanted[i].target - c.gap;
       if (std::abs(rhs[count]) >= out.worst) {
@@ -68,18 +68,14 @@ Settled settle(const Vec3& start, const AxisRule& axis, std::span<const Wanted> 
     }
     const double rest = absoluteRest + relativeRest * out.toolEnd.cwiseAbs().maxCoeff();
     // Done at rounding level, or when Newton has stopped gaining there.
-    if (most <= rest || (most <= 1e4 * rest && most >= 0.5 * previous)) {
+    if (most <= std::max(rest, accept) || (most <= 1e4 * rest && most >= 0.5 * previous)) {
       out.ok = true;
       return out;
     }
     previous = most;
-    Vec3 step = solve(rows, rhs, count);
+    const Vec3 step = solve(rows, rhs, count);
     if (!step.allFinite()) {
       return out;
-    }
-    const double length = step.norm();
-    if (longestStep > 0.0 && length > longestStep) {
-      step *= longestStep / length;
     }
     out.toolEnd += step;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 
 #include "runtime/motion/axis.h"
@@ -24,11 +25,13 @@ struct Settled {
   int iterations = 0;
   double worst = 0.0;      ///< largest remaining residual, part unit
   std::size_t worstAt = 0;  ///< index into the wanted fields
+  Vec3 axis = Vec3::UnitZ();               ///< tool axis at toolEnd
+  std::array<tool::Contact, 3> contacts;   ///< of the wanted fields at toolEnd
 };
 
 /// Newton from `start`. Where fewer than three equations are given each step is the shortest one, so that the
-/// tool moves in the span of the contact normals. `longestStep` bounds a step (0: no bound).
+/// tool moves in the span of the contact normals. Ends when no residual is above `accept` (0: rounding).
 [[nodiscard]] Settled settle(const Vec3& start, const AxisRule& axis, std::span<const Wanted> wanted,
-                             std::span<const Constraint> constraints, double longestStep = 0.0);
+                             std::span<const Constraint> constraints, double accept = 0.0);
 
 }  // namespace arelem::motion

@@ -1,0 +1,73 @@
+#include "runtime/motion/direction.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "ir/space/tolerance.h"
+
+namespace arelem::motion {
+
+namespace {
+/// Cosine of 88 degrees, as the old system has it: nearer to square than this a GO word does not decide.
+constexpr double leastCosine = 0.0349;
+}  // namespace
+
+std::string_view spell(ir::Heading heading) {
+  switch (heading) {
+    case ir::Heading::left:
+      return "GOLFT";
+    case ir::Heading::right:
+      return "GORGT";
+    case ir::Heading::forward:
+      return "GOFWD";
+    case ir::Heading::back:
+      return "GOBACK";
+    case ir::Heading::up:
+      return "GOUP";
+    case ir::Heading::down:
+      return "GODOWN";
+  }
+  return "";
+}
+
+Result<Vec3> wantedDirection(ir::Heading heading, const std::optional<Vec3>& forward, const Vec3& axis) {
+  if (heading == ir::Heading::up) {
+    return axis;
+  }
+  if (heading == ir::Heading::down) {
+    return Vec3(-axis);
+  }
+  if (!forward || forward->cross(axis).norm() <= tolerance::nullDirection * forward->norm()) {
+    return fail(diag::NoForwardDirection);
+  }
+  const Vec3 right = forward->cross(axis).normalized();
+  const Vec3 ahead = axis.cross(right).normalized();
+  switch (heading) {
+    case ir::Heading::left:
+      return Vec3(-right);
+    case ir::Heading::right:
+      return right;
+    case ir::Heading::back:
+      return Vec3(-ahead);
+    default:
+      return ahead;
+  }
+}
+
+Result<Vec3> startDirection(ir::Heading heading, const Vec3& wanted, const Vec3& partNormal,
+                            const Vec3& driveNormal) {
+  const Vec3 common = partNormal.cross(driveNormal);
+  if (common.norm() <= tolerance::nullDirection) {
+    return wanted;
+  }
+  const Vec3 tangent = common.normalized();
+  const double cosine = tangent.dot(wanted);
+  if (std::abs(cosine) <= leastCosine) {
+    const double degrees = std::acos(std::abs(cosine)) * 180.0 / std::numbers::pi;
+    return fail(diag::PerpendicularDirection, spell(heading), degrees);
+  }
+  return Vec3(cosine > 0.0 ? tangent : Vec3(-tangent));
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,90 @@
+#include "runtime/motion/route.h"
+
+#include <cmath>
+
+#include "ir/space/tolerance.h"
+
+namespace arelem::motion {
+
+namespace {
+/// Share of the band that stays between a stop and the band's edge (the old system's 10 %).
+constexpr double edgeShare = 0.1;
+
+bool isVertical(const Vec3& axis) { return std::abs(axis.z()) >= 1.0 - tolerance::rounding; }
+
+/// A vertical plane or a vertical circular cylinder.
+bool isUpright(const NamedSurface& s) {
+  if (const auto* plane = std::get_if<surface::Plane>(&s.surface)) {
+    return std::abs(plane->normal.z()) <= tolerance::nullDirection;
+  }
+  const auto* cylinder = std::get_if<surface::Cylinder>(&s.surface);
+  return cylinder != nullptr && isVertical(cylinder->axis);
+}
+}  // namespace
+
+bool isPlaneRoute(const State& state, const NamedSurface& drive, const NamedSurface& part,
+                  const NamedSurface* check) {
+  const auto* plane = std::get_if<surface::Plane>(&part.surface);
+  return !state.multax && !state.alwaysIterate && isVertical(state.axis) &&
+         (!state.cutter || state.cutter->beta == 0.0) && plane != nullptr &&
+         std::abs(plane->normal.z()) > tolerance::nullDirection && isUpright(drive) &&
+         (check == nullptr || isUpright(*check));
+}
+
+double curvatureAlong(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t, double step) {
+  const Vec3 ahead = toolEnd + step * t;
+  const Vec3 behind = toolEnd - step * t;
+  const Vec3 change = field.at(ahead, axis.at(ahead)).normal - field.at(behind, axis.at(behind)).normal;
+  return change.dot(t) / (2.0 * step);
+}
+
+double restGap(Field& field, const Vec3& toolEnd, const AxisRule& axis, double inner, double outer,
+               bool exact) {
+  if (exact || field.flat()) {
+    return 0.0;
+  }
+  const double band = inner + outer;
+  const double step = 0.01 * std::sqrt(band);
+  const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
+  const Vec3 t1 = normal.unitOrthogonal();
+  const Vec3 t2 = normal.cross(t1);
+  const double mean = curvatureAlong(field, toolEnd, axis, t1, step) +
+                      curvatureAlong(field, toolEnd, axis, t2, step);
+  return mean >= 0.0 ? outer - edgeShare * band : edgeShare * band - inner;
+}
+
+Result<NamedSurface> named(const EntityPtr& entity) {
+  auto surface = surface::surfaceOf(*entity);
+  if (!surface) {
+    return surface.takeFailure();
+  }
+  std::string name = entity->name.empty() ? fmt::format("({})", spell(entity->type)) : entity->name;
+  if (entity->subscript > 0) {
+    name += fmt::format("({})", entity->subscript);
+  }
+  return NamedSurface{entity, *std::move(surface), std::move(name)};
+}
+
+NamedSurface partSurface(const State& state) {
+  if (state.part) {
+    return *state.part;
+  }
+  NamedSurface xy;
+  xy.name = "(XY plane)";
+  xy.surface = surface::Plane{Vec3::UnitZ(), 0.0};
+  return xy;
+}
+
+const tool::Profile* cutterFor(const State& state, Role role) {
+  if (role <= driveRole && state.option[role]) {
+    return &*state.option[role];
+  }
+  return state.cutter ? &*state.cutter : nullptr;
+}
+
+Vec3 sidePoint(const State& state, const Vec3& toolEnd, const Vec3& axis) {
+  const double lift = state.cutter ? std::min(state.cutter->h, state.cutter->d) / 2 : 0.0;
+  return toolEnd + lift * axis;
+}
+
+}  // namespace arelem::motion

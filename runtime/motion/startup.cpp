@@ -1,0 +1,256 @@
+#include "runtime/motion/startup.h"
+
+#include <cmath>
+#include <vector>
+
+#include "ir/space/tolerance.h"
+#include "runtime/motion/route.h"
+#include "runtime/motion/settle.h"
+
+namespace arelem::motion {
+
+namespace {
+constexpr int pierceLimit = 500;
+/// Share of the way to the first surface that a directed startup goes before it iterates.
+constexpr double approachShare = 0.75;
+
+/// One surface of the startup: where it is, on which side the tool ends up, and the gap field there.
+struct Goal {
+  NamedSurface surface;
+  ir::Condition condition = ir::Condition::to;
+  Role role = driveRole;
+  double side = 1.0;
+  std::unique_ptr<Field> field;
+};
+
+class Starter {
+ public:
+  Starter(const State& state, const runtime::Startup& startup) : state_(state), startup_(startup) {}
+
+  Result<Vec3> run() {
+    if (auto bad = collect()) {
+      return *bad;
+    }
+    for (Goal& goal : goals_) {
+      if (auto bad = chooseSide(goal)) {
+        return *bad;
+      }
+    }
+    setAxis();
+    exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() && state_.thick[partRole] == 0.0 &&
+             !state_.direction[1] &&
+             isPlaneRoute(state_, goals_[0].surface, goals_[*partIndex_].surface, nullptr);
+    return startup_.offset ? runOffset() : runGo();
+  }
+
+ private:
+  static Role roleOf(std::size_t index) {
+    return index == 0 ? driveRole : index == 1 ? partRole : checkRole;
+  }
+  [[nodiscard]] bool hasSurfaceVectors() const {
+    return state_.surfaceVector[0] || state_.surfaceVector[1] || state_.surfaceVector[2];
+  }
+
+  std::optional<Failure> collect() {
+    const auto count = startup_.surfaces.size();
+    if (state_.ignorePart && count > 1) {
+      return fail(diag::StartupSurfaceCount, static_cast<int>(count));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      auto surface = named(startup_.surfaces[i].surface);
+      if (!surface) {
+        return surface.takeFailure();
+      }
+      Goal goal;
+      goal.surface = *std::move(surface);
+      goal.condition = startup_.surfaces[i].condition == ir::Condition::automatic
+                           ? ir::Condition::to
+                           : startup_.surfaces[i].condition;
+      goal.role = roleOf(i);
+      goals_.push_back(std::move(goal));
+    }
+    if (count == 1 && (!state_.ignorePart || state_.automaticPart)) {
+      Goal part;
+      part.surface = partSurface(state_);
+      part.role = partRole;
+      goals_.push_back(std::move(part));
+    }
+    if (goals_.size() > 1) {
+      partIndex_ = 1;
+    }
+    return std::nullopt;
+  }
+
+  /// The side on which the tool ends up: TO the present one, PAST the other one; SRFVCT points from the one
+  /// to the other.
+  std::optional<Failure> chooseSide(Goal& goal) {
+    const auto index = static_cast<std::size_t>(&goal - goals_.data());
+    const Vec3 from = sidePoint(state_, state_.toolEnd, state_.axis);
+    const surface::Foot foot = footOn(goal.surface.surface, from);
+    const bool on = goal.condition == ir::Condition::on;
+    double present = foot.distance < 0.0 ? -1.0 : 1.0;
+    if (state_.surfaceVector[index]) {
+      present = state_.surfaceVector[index]->dot(foot.normal) > 0.0 ? -1.0 : 1.0;
+    } else if (std::abs(foot.distance) <= tolerance::sameSide) {
+      if (!on && goal.role == driveRole && state_.cutter->maxRadius() > 0.0) {
+        return fail(diag::ToolOnSurface, goal.surface.name, foot.distance);
+      }
+      present = foot.normal.dot(state_.axis) < 0.0 ? -1.0 : 1.0;
+    }
+    goal.side = goal.condition == ir::Condition::past ? -present : present;
+    const tool::Profile* cutter = on ? nullptr : cutterFor(state_, goal.role);
+    goal.field = makeField(goal.surface.surface, goal.side, {cutter, on ? 0.0 : state_.thick[goal.role]});
+    return std::nullopt;
+  }
+
+  void setAxis() {
+    rule_.fixed = state_.axis;
+    const bool normalPart = state_.axisRule.kind == runtime::ToolAxis::Kind::normalPart;
+    const bool normalDrive = state_.axisRule.kind == runtime::ToolAxis::Kind::normalDrive;
+    const std::size_t index = normalDrive ? 0 : 1;
+    if ((normalPart || normalDrive) && index < goals_.size()) {
+      axisField_ = makeField(goals_[index].surface.surface, goals_[index].side, {});
+      rule_.normalTo = axisField_.get();
+    }
+  }
+
+  /// Distance along v from the side point to the surface, none where the ray misses.
+  [[nodiscard]] std::optional<double> pierce(const Goal& goal, const Vec3& from, const Vec3& v) const {
+    const auto field = makeField(goal.surface.surface, 1.0, {});
+    double s = 0.0;
+    for (int i = 0; i < pierceLimit; ++i) {
+      const tool::Contact c = field->at(from + s * v, state_.axis);
+      const double gap = std::abs(c.gap);
+      if (gap <= tolerance::coincidence) {
+        return s;
+      }
+      // On a plane the ray's own slope is known; elsewhere the distance is free of surface.
+      const double rate = field->flat() ? std::abs(c.normal.dot(v)) : 1.0;
+      const bool leaving = field->flat() && c.gap * c.normal.dot(v) >= 0.0;
+      if (leaving || gap / rate > tolerance::farAway) {
+        return std::nullopt;
+      }
+      s += gap / rate;
+    }
+    return std::nullopt;
+  }
+
+  /// Steps of a directed startup towards its surfaces, in the order drive, part, check.
+  [[nodiscard]] Vec3 approach() const {
+    Vec3 toolEnd = state_.toolEnd;
+    bool allPlanes = true;
+    double farthest = 0.0;
+    for (const Goal& goal : goals_) {
+      allPlanes = allPlanes && goal.surface.isPlane();
+      farthest = std::max(farthest, std::abs(footOn(goal.surface.surface, toolEnd).distance));
+    }
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+      if (!state_.direction[i]) {
+        continue;
+      }
+      const Vec3 v = state_.direction[i]->normalized();
+      const auto hit = pierce(goals_[i], sidePoint(state_, toolEnd, state_.axis), v);
+      const double radius = goals_[i].condition == ir::Condition::on ? 0.0 : state_.cutter->d / 2;
+      const double way = hit ? *hit - radius - state_.band(goals_[i].role) : farthest;
+      toolEnd += (hit && allPlanes ? approachShare : 1.0) * std::max(way, 0.0) * v;
+    }
+    return toolEnd;
+  }
+
+  std::vector<Wanted> wanted(bool atRest, const Vec3& near) {
+    std::vector<Wanted> list;
+    for (Goal& goal : goals_) {
+      const double target = atRest ? restGap(*goal.field, near, rule_, state_.inner[goal.role],
+                                             state_.outer[goal.role], exact_)
+                                   : 0.0;
+      list.push_back({goal.field.get(), target});
+    }
+    return list;
+  }
+
+  /// The pseudo surfaces that make the position unique where a direction is given.
+  std::vector<Constraint> constraints(const Vec3& from) {
+    std::vector<Constraint> list;
+    const auto& v = state_.direction[0];
+    if (exact_ && goals_.size() == 2) {
+      const Vec3 toward = v ? *v : goals_[0].field->at(from, state_.axis).normal;
+      list.push_back({state_.axis.cross(toward).normalized(), state_.toolEnd});
+    } else if (v && goals_.size() == 1) {
+      const Vec3 across = v->normalized().unitOrthogonal();
+      list.push_back({across, state_.toolEnd});
+      list.push_back({v->normalized().cross(across), state_.toolEnd});
+    } else if (goals_.size() == 2 && (v.has_value() != state_.direction[1].has_value())) {
+      const Vec3 given = v ? *v : *state_.direction[1];
+      const Vec3 edge = goals_[0].field->at(from, rule_.at(from)).normal.cross(
+          goals_[1].field->at(from, rule_.at(from)).normal);
+      const Vec3 normal = given.cross(edge);
+      if (normal.norm() > tolerance::nullDirection) {
+        list.push_back({normal.normalized(), state_.toolEnd});
+      }
+    }
+    return list;
+  }
+
+  Result<Vec3> runGo() {
+    const Vec3 from = approach();
+    const auto extra = constraints(from);
+    Settled found = settle(from, rule_, wanted(false, from), extra);
+    if (found.ok && !exact_) {
+      found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+    }
+    if (!found.ok) {
+      return fail(diag::StartupDiverges, found.worst, goals_[found.worstAt].surface.name, found.iterations);
+    }
+    return found.toolEnd;
+  }
+
+  /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to the part.
+  Result<Vec3> runOffset() {
+    if (!state_.direction[0] || state_.direction[1] || state_.direction[2]) {
+      return fail(diag::OffsetNeedsDirection);
+    }
+    const auto hit = pierce(goals_[0], sidePoint(state_, state_.toolEnd, state_.axis),
+                            state_.direction[0]->normalized());
+    if (!hit) {
+      return fail(diag::StartupDiverges, std::abs(footOn(goals_[0].surface.surface, state_.toolEnd).distance),
+                  goals_[0].surface.name, pierceLimit);
+    }
+    const Vec3 onDrive = state_.toolEnd + *hit * state_.direction[0]->normalized();
+    const std::array first{Wanted{goals_[0].field.get(), 0.0}};
+    const Vec3 normal = footOn(goals_[0].surface.surface, onDrive).normal;
+    const Vec3 across = normal.unitOrthogonal();
+    const std::array alongNormal{Constraint{across, onDrive}, Constraint{normal.cross(across), onDrive}};
+    Settled found = settle(onDrive, rule_, first, alongNormal);
+    if (found.ok && goals_.size() > 1) {
+      const Vec3 e1 = state_.axis.unitOrthogonal();
+      const std::array alongAxis{Constraint{e1, found.toolEnd},
+                                 Constraint{state_.axis.cross(e1), found.toolEnd}};
+      const std::array second{Wanted{goals_[1].field.get(), 0.0}};
+      found = settle(found.toolEnd, rule_, second, alongAxis);
+    }
+    const double drift = found.ok ? goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap : 0.0;
+    if (!found.ok || drift > state_.outer[driveRole] || drift < -state_.inner[driveRole]) {
+      return fail(diag::StartupDiverges, found.ok ? drift : found.worst, goals_[0].surface.name,
+                  found.iterations);
+    }
+    return found.toolEnd;
+  }
+
+  const State& state_;
+  const runtime::Startup& startup_;
+  std::vector<Goal> goals_;
+  std::optional<std::size_t> partIndex_;
+  AxisRule rule_;
+  std::unique_ptr<Field> axisField_;
+  bool exact_ = false;
+};
+}  // namespace
+
+Result<Vec3> startupPosition(const State& state, const runtime::Startup& startup) {
+  if (!state.cutter) {
+    return fail(diag::CutterUndefined);
+  }
+  return Starter(state, startup).run();
+}
+
+}  // namespace arelem::motion
