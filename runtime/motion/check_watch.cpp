@@ -16,6 +16,12 @@ constexpr double tangentShare = 0.05;
 constexpr double agreeing = 0.5;
 /// A changing tool axis adds to the change of a gap; the proof then keeps this share of the free path.
 constexpr double turningAxisShare = 0.5;
+/// What is left of a free margin at the end of a segment, as path in any direction: the rate found on the
+/// segment holds for its direction only.
+double freeBeyond(double margin, double rate, double rest, const AxisRule& axis) {
+  const double left = std::max(0.0, margin - rate * rest);
+  return axis.normalTo != nullptr ? turningAxisShare * left : left;
+}
 }  // namespace
 
 CheckWatch::CheckWatch(const NamedSurface& surface, ir::Condition condition, int nth, Tool tool, double band)
@@ -111,7 +117,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s, const 
     before = u;
     u += step;
     if (u >= s.length) {
-      now_.free = u - s.length;
+      now_.free = freeBeyond(margin, m.rate, s.length - before, axis);
       return std::nullopt;
     }
   }
@@ -160,7 +166,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, const A
     const double open = rate > 0.0 ? away / rate : tolerance::farAway;
     u += inside != nullptr ? finest : std::max(open, finest);
     if (u >= s.length) {
-      now_.free = u - s.length;
+      now_.free = inside != nullptr ? 0.0 : freeBeyond(away, rate, s.length - before, axis);
       return std::nullopt;
     }
   }

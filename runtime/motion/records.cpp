@@ -1,0 +1,74 @@
+#include "runtime/motion/records.h"
+
+namespace arelem::motion {
+
+namespace {
+/// A minus zero would print as one.
+double plain(double x) { return x == 0.0 ? 0.0 : x; }
+}  // namespace
+
+void RecordWriter::begin(const runtime::Action& action) {
+  record_.isn = action.isn;
+  record_.cardId = action.cardId;
+  record_.origin = action.origin;
+  written_ = false;
+}
+
+void RecordWriter::end() {
+  if (!written_ && record_.isn != lastIsn_) {
+    put(cl::Card{});
+  }
+}
+
+void RecordWriter::put(cl::Body body) {
+  record_.body = std::move(body);
+  sink_.accept(record_);
+  lastIsn_ = record_.isn;
+  written_ = true;
+  ++count_;
+}
+
+void RecordWriter::startPoints(cl::Motion::Kind kind, const std::string& name, int subscript, bool withAxis) {
+  points_.isn = record_.isn;
+  points_.cardId = record_.cardId;
+  points_.origin = record_.origin;
+  if (!std::holds_alternative<cl::Motion>(points_.body)) {
+    points_.body = cl::Motion{};
+  }
+  auto& motion = std::get<cl::Motion>(points_.body);
+  motion.kind = kind;
+  motion.name = name;
+  motion.subscript = subscript;
+  motion.withAxis = withAxis;
+  motion.coordinates.clear();
+}
+
+void RecordWriter::add(const Vec3& toolEnd, const Vec3& axis) {
+  auto& motion = std::get<cl::Motion>(points_.body);
+  if (motion.coordinates.size() + motion.stride() > numbersPerRecord) {
+    flush();
+  }
+  for (int i = 0; i < 3; ++i) {
+    motion.coordinates.push_back(plain(toolEnd[i]));
+  }
+  for (int i = 0; motion.withAxis && i < 3; ++i) {
+    motion.coordinates.push_back(plain(axis[i]));
+  }
+}
+
+void RecordWriter::flush() {
+  auto& motion = std::get<cl::Motion>(points_.body);
+  if (motion.coordinates.empty()) {
+    return;
+  }
+  sink_.accept(points_);
+  lastIsn_ = points_.isn;
+  written_ = true;
+  ++count_;
+  motion.coordinates.clear();
+  motion.kind = cl::Motion::Kind::continuation;
+}
+
+void RecordWriter::finishPoints() { flush(); }
+
+}  // namespace arelem::motion

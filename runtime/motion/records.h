@@ -1,0 +1,35 @@
+#pragma once
+#include "ir/cl/record.h"
+#include "runtime/interpret/action.h"
+
+namespace arelem::motion {
+
+/// Puts the records of one action after another into the stream, points in chunks of 240 numbers.
+class RecordWriter {
+ public:
+  explicit RecordWriter(cl::RecordSink& sink) : sink_(sink) {}
+
+  /// Everything until the next call belongs to this statement.
+  void begin(const runtime::Action& action);
+  /// Ends the statement: one that put out nothing still counts on the tape.
+  void end();
+  void put(cl::Body body);
+  /// Starts a run of locations; `add` them, then `finish`.
+  void startPoints(cl::Motion::Kind kind, const std::string& name, int subscript, bool withAxis);
+  void add(const Vec3& toolEnd, const Vec3& axis);
+  void finishPoints();
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+ private:
+  void flush();
+
+  static constexpr std::size_t numbersPerRecord = 240;
+  cl::RecordSink& sink_;
+  cl::Record record_;
+  cl::Record points_;
+  bool written_ = false;
+  int lastIsn_ = -1;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace arelem::motion
