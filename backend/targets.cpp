@@ -6,25 +6,29 @@
 #include "backend/cltape/writer.h"
 #include "backend/cltext/writer.h"
 #include "backend/json/writer.h"
+#include "backend/listing/writer.h"
 
 namespace arelem::backend {
 
 namespace {
 const std::array table = {
-    Target{"cl",
-           "ASCII CL statements, as postprocessors read them",
-           {".cls", ".cl", ".aptcl"},
-           false,
-           true,
-           makeTextWriter},
-    Target{"cltape",
-           "binary CL tape (class 1000 to 14000 records)",
-           {".cltape", ".clt"},
-           true,
-           true,
-           makeTapeWriter},
-    Target{
-        "json", "CL records as JSON, one a line", {".jsonl", ".json"}, false, true, makeJsonWriter},
+    Target{.name = "cl",
+           .summary = "ASCII CL statements, as postprocessors read them",
+           .suffixes = {".cls", ".cl", ".aptcl"},
+           .make = makeTextWriter},
+    Target{.name = "cltape",
+           .summary = "binary CL tape, record classes 1000 to 14000",
+           .suffixes = {".cltape", ".clt"},
+           .binary = true,
+           .make = makeTapeWriter},
+    Target{.name = "json",
+           .summary = "CL records as JSON, one a line",
+           .suffixes = {".jsonl", ".json"},
+           .make = makeJsonWriter},
+    Target{.name = "listing",
+           .summary = "program, printed values and CL records to read",
+           .suffixes = {".lst"},
+           .make = makeListingWriter},
 };
 
 bool endsWithIgnoringCase(std::string_view path, std::string_view suffix) {
