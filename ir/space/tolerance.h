@@ -21,6 +21,15 @@ inline constexpr double singular = 1e-9;
 inline constexpr double perpendicular = 1e-6;
 /// Scales of a matrix in different directions that differ by at most this, relative, are the same. Dimensionless.
 inline constexpr double similarity = 1e-9;
+/// A coefficient of s^2 at most this, for surfaces of size one, makes a directed distance linear; a direction that
+/// meets a plane at a sine of at most this does not meet it. Dimensionless.
+inline constexpr double grazing = 1e-7;
+/// A discriminant of at most this times a^2 is a double root of a directed distance. Square of the part unit.
+inline constexpr double doubleRoot = 1e-13;
+/// A directed distance of at most this is 0. Part unit.
+inline constexpr double zeroDistance = 1e-7;
+/// End points of a curve of a ruled surface are more than this apart. Part unit.
+inline constexpr double ruledChord = 0.032;
 /// Largest jump of curvature left by a curvature-continuous fit, relative to one over the shortest chord. Dimensionless.
 inline constexpr double curvatureJump = 1e-9;
 /// A whole number (a count, an index) may be off by this after arithmetic. Dimensionless.

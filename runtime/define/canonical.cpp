@@ -7,6 +7,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"
+#include "runtime/geometry/ruled_surface.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 
 namespace arelem::define {
@@ -86,6 +87,38 @@ Result<bool> checkTabulated(const Canon& canon) {
   return good;
 }
 
+/// The sub-forms are those of one or two curves (the second may be a point), each good by itself.
+Result<bool> checkRuled(const Canon& canon) {
+  constexpr EntityType type = EntityType::ruledSurface;
+  std::vector<EntityType> types;
+  std::size_t next = 0;
+  while (next < canon.size()) {
+    const std::size_t begin = next;
+    std::optional<geometry::SubForm> form = geometry::readSubForm(canon, next);
+    if (!form || form->type == type) {
+      return fail(diag::BadCanonicalValue, spell(type), begin + 1, canon[begin],
+                  "the type code of a sub-form, followed by its number of values and the values");
+    }
+    Result<Canon> good = checkedCanon(form->type, std::move(form->canon));
+    if (!good) {
+      return good.takeFailure();
+    }
+    types.push_back(form->type);
+  }
+  using T = EntityType;
+  const auto isCurve = [&](std::size_t i) {
+    return i + 3 < types.size() && types[i] != T::point && types[i + 1] == T::point && types[i + 2] == T::point &&
+           types[i + 3] == T::vector;
+  };
+  const bool two = types.size() == 8 && isCurve(0) && isCurve(4);
+  const bool one = types.size() == 5 && isCurve(0) && types[4] == T::point;
+  if (!two && !one) {
+    return fail(diag::WrongCanonicalCount, spell(type), types.size(),
+                "the sub-forms surface, point, point, vector and the same again or a point");
+  }
+  return true;
+}
+
 Result<bool> check(EntityType type, Canon& canon) {
   Result<bool> good = true;
   switch (type) {
@@ -111,6 +144,8 @@ Result<bool> check(EntityType type, Canon& canon) {
       return good ? normalize(type, canon, 3, 3) : std::move(good);
     case EntityType::tabulatedCylinder:
       return checkTabulated(canon);
+    case EntityType::ruledSurface:
+      return checkRuled(canon);
     default:
       return good;
   }
