@@ -40,4 +40,7 @@ inline constexpr double sameSide = 1e-9;
 /// A ray or path that went this far without meeting a surface never meets it. Part unit.
 inline constexpr double farAway = 1e7;
 
+/// A DO loop runs once more when its counter passes the last value by at most this part of a step.
+inline constexpr double loopCount = 1e-9;
+
 }  // namespace arelem::tolerance

@@ -1,0 +1,27 @@
+#pragma once
+#include "frontend/check/names.h"
+#include "frontend/check/reporter.h"
+#include "frontend/compile.h"
+#include "frontend/lex/vocabulary.h"
+
+namespace arelem::frontend {
+
+/// What all checkers of one compilation share.
+struct Context {
+  Context(SourceMap& sources_, const Options& options_, Reporter& reporter_)
+      : sources(sources_), options(options_), reporter(reporter_), vocabulary(options_.dialect) {}
+
+  SourceMap& sources;
+  const Options& options;
+  Reporter& reporter;
+  Vocabulary vocabulary;
+  Names names;
+  ir::Program program;
+  /// In loops, macros and DO blocks a name may be used above its definition; the interpreter checks.
+  bool lenient = false;
+
+  [[nodiscard]] bool strict() const { return options.dialect == Dialect::apt360; }
+  void report(Diagnostic diagnostic) { reporter.report(std::move(diagnostic)); }
+};
+
+}  // namespace arelem::frontend

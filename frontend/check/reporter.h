@@ -1,0 +1,43 @@
+#pragma once
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "ir/diag/diagnostic.h"
+#include "ir/limits.h"
+
+namespace arelem::frontend {
+
+/// Between the rooms of the frontend and the sink: adds the CALL chain, drops what was said already at the
+/// same place (a macro body is checked once for every instance), and counts beyond the limit of errors.
+class Reporter {
+ public:
+  Reporter(DiagnosticSink& sink, const Limits& limits) : sink_(sink), limits_(limits) {}
+
+  void report(Diagnostic diagnostic);
+  /// A named limit of `--limits` was reached.
+  void limit(Span at, std::string_view name, std::uint64_t value, std::string_view what);
+  /// Ends the report: tells how many errors were counted but not shown.
+  void finish(Span end);
+
+  void enterCall(Span call) { calls_.push_back(call); }
+  void leaveCall() { calls_.pop_back(); }
+  [[nodiscard]] std::size_t callDepth() const { return calls_.size(); }
+  [[nodiscard]] std::uint64_t errors() const { return errors_; }
+
+ private:
+  DiagnosticSink& sink_;
+  const Limits& limits_;
+  std::vector<Span> calls_;
+  std::set<std::tuple<std::uint16_t, Span, std::string>> said_;
+  std::uint64_t errors_ = 0;
+};
+
+/// Swallows everything: for the first look over a program, whose findings the second one reports.
+class SilentSink : public DiagnosticSink {
+ public:
+  void accept(Diagnostic /*diagnostic*/) override {}
+};
+
+}  // namespace arelem::frontend

@@ -1,0 +1,240 @@
+#include "frontend/read/card_reader.h"
+
+#include <array>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "ir/diag/diagnostic.h"
+#include "frontend/read/characters.h"
+#include "frontend/read/columns.h"
+#include "frontend/read/encoding.h"
+#include "frontend/read/fast_lane.h"
+
+namespace arelem::frontend {
+
+namespace {
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t wordLength = 6;  // of every fixed-field word
+constexpr std::size_t rightShift = 66;  // print positions of TITLES RIGHT
+
+std::optional<Word> fixedWord(std::string_view six) {
+  std::array<char, wordLength> name{};
+  for (std::size_t i = 0; i < wordLength; ++i) {
+    name[i] = upper(six[i]);
+  }
+  const std::string_view text(name.data(), name.size());
+  if (text == "PARTNO") return Word::PARTNO;
+  if (text == "PPRINT") return Word::PPRINT;
+  if (text == "INSERT") return Word::INSERT;
+  if (text == "REMARK") return Word::REMARK;
+  if (text == "TITLES") return Word::TITLES;
+  return std::nullopt;
+}
+
+std::string_view withoutTrailingBlanks(std::string_view text) {
+  while (!text.empty() && (isBlank(text.back()) || text.back() == '\x1A' || text.back() == '\f')) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+}  // namespace
+
+CardReader::CardReader(const SourceMap& sources, BufferId buffer, const Options& options,
+                       Reporter& reporter, std::uint32_t& isn)
+    : text_(sources.text(buffer)), buffer_(buffer), options_(options), reporter_(reporter), isn_(isn) {
+  if (text_.starts_with(byteOrderMark)) {
+    position_ = byteOrderMark.size();
+  }
+}
+
+bool CardReader::readLine(Line& line) {
+  while (true) {
+    if (position_ >= text_.size()) {
+      return false;
+    }
+    const char* const begin = text_.data() + position_;
+    std::size_t length = text_.size() - position_;
+    if (const void* feed = std::memchr(begin, '\n', length)) {
+      length = static_cast<std::size_t>(static_cast<const char*>(feed) - begin);
+    }
+    std::size_t taken = length + 1;
+    if (const void* back = std::memchr(begin, '\r', length)) {
+      const auto at = static_cast<std::size_t>(static_cast<const char*>(back) - begin);
+      taken = at + 1 == length && position_ + length < text_.size() ? length + 1 : at + 1;
+      length = at;
+    }
+    line = {text_.substr(position_, length), position_};
+    position_ += std::min(taken, text_.size() - position_);
+    if (length <= options_.limits.line) {
+      return true;
+    }
+    const Span at{buffer_, static_cast<std::uint32_t>(line.offset), 0};
+    reporter_.limit(at, "line", options_.limits.line, "bytes of one line");
+    ++isn_;
+  }
+}
+
+bool CardReader::nextLine(std::string_view& line) {
+  Line l;
+  if (!readLine(l)) {
+    return false;
+  }
+  line = l.text;
+  return true;
+}
+
+void CardReader::next(StatementText& statement, bool fastLane) {
+  Line line;
+  if (!readLine(line)) {
+    statement.kind = StatementText::Kind::end;
+    statement.span = {buffer_, static_cast<std::uint32_t>(text_.size()), 0};
+    return;
+  }
+  statement.isn = isn_++;
+  statement.cardId = {};
+  const auto offset = static_cast<std::uint32_t>(line.offset);
+  if (fastLane && (line.text.size() <= 72 || options_.dialect == Dialect::cl)) {
+    FastLine fast;
+    if (readFastLine(line.text, fast)) {
+      statement.kind = StatementText::Kind::numbers;
+      statement.numbers = fast.numbers;
+      statement.span = {buffer_, offset + static_cast<std::uint32_t>(fast.begin),
+                        static_cast<std::uint32_t>(fast.end - fast.begin)};
+      return;
+    }
+  }
+  statement.text.clear();
+  statement.offsets.clear();
+  statement.pieces.clear();
+  reportedOther_ = false;
+  if (readFixed(line, statement)) {
+    return;
+  }
+  while (appendCard(line, statement) == CardEnd::continued) {
+    if (!readLine(line)) {
+      reporter_.report(diagnose({buffer_, static_cast<std::uint32_t>(text_.size()), 0}, diag::NothingToContinue));
+      break;
+    }
+  }
+  statement.kind = statement.text.empty() ? StatementText::Kind::empty : StatementText::Kind::tokens;
+  statement.span = statement.text.empty() ? Span{buffer_, offset, 0}
+                                          : statement.spanOf(0, statement.text.size());
+}
+
+bool CardReader::readFixed(const Line& line, StatementText& statement) {
+  std::size_t begin = 0;
+  while (begin < line.text.size() && isBlank(line.text[begin])) {
+    ++begin;
+  }
+  if (line.text.size() < begin + wordLength) {
+    return false;
+  }
+  const auto word = fixedWord(line.text.substr(begin, wordLength));
+  if (!word) {
+    return false;
+  }
+  if (begin != 0 && options_.dialect != Dialect::cl) {
+    const std::size_t after = line.text.find_first_not_of(" \t", begin + wordLength);
+    if (after != std::string_view::npos && line.text[after] == '=') {
+      return false;  // left to the statement checker
+    }
+    reporter_.report(diagnose({buffer_, static_cast<std::uint32_t>(line.offset + begin), wordLength},
+                              diag::FixedFieldPlace, spell(*word)));
+  }
+  keepFixed(line, begin, *word, statement);
+  return true;
+}
+
+void CardReader::keepFixed(const Line& line, std::size_t wordBegin, Word word, StatementText& statement) {
+  const CardFields fields = splitCard(line.text, options_.dialect);
+  std::string_view text = line.text.substr(0, fields.fieldEnd).substr(wordBegin + wordLength);
+  const std::string_view kept = withoutTrailingBlanks(text);
+  statement.kind = StatementText::Kind::fixed;
+  statement.cardId = fields.cardId;
+  statement.fixedWord = word;
+  statement.span = {buffer_, static_cast<std::uint32_t>(line.offset + wordBegin),
+                    static_cast<std::uint32_t>(wordLength + kept.size())};
+  statement.fixedText = cleanText(kept);
+  const bool fold = options_.dialect == Dialect::automatic || options_.dialect == Dialect::apt360;
+  if (fold) {
+    for (char& c : statement.fixedText) {
+      c = upper(c);
+    }
+  }
+  std::string right = statement.fixedText.substr(0, wordLength);
+  for (char& c : right) {
+    c = upper(c);
+  }
+  if (word == Word::TITLES && right == " RIGHT") {
+    statement.fixedText = std::string(rightShift, ' ') + statement.fixedText.substr(wordLength);
+  }
+}
+
+void CardReader::append(StatementText& statement, char c, std::size_t offset) {
+  statement.text.push_back(c);
+  statement.offsets.push_back(static_cast<std::uint32_t>(offset));
+}
+
+std::size_t CardReader::appendQuoted(std::string_view field, std::size_t i, std::size_t base,
+                                     StatementText& statement) {
+  const std::size_t close = field.find('\'', i + 1);
+  if (close == std::string_view::npos) {
+    reporter_.report(diagnose({buffer_, static_cast<std::uint32_t>(base + i), 1}, diag::UnclosedString));
+    return field.size();
+  }
+  for (; i <= close; ++i) {
+    append(statement, field[i], base + i);
+  }
+  return close + 1;
+}
+
+void CardReader::reportOther(const Line& line, std::size_t i, StatementText& statement) {
+  if (std::exchange(reportedOther_, true)) {
+    return;
+  }
+  const std::size_t length = std::max<std::size_t>(1, utf8Length(line.text, i));
+  const auto byte = static_cast<unsigned char>(line.text[i]);
+  const bool printable = byte >= 0x20U && byte != 0x7FU && utf8Length(line.text, i) > 0;
+  const std::string shown = printable ? std::string(line.text.substr(i, length)) : fmt::format("0x{:02X}", byte);
+  reporter_.report(diagnose({statement.span.buffer, static_cast<std::uint32_t>(line.offset + i),
+                             static_cast<std::uint32_t>(length)},
+                            diag::IllegalCharacter, shown, line.offset + i));
+}
+
+CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& statement) {
+  const CardFields fields = splitCard(line.text, options_.dialect);
+  if (statement.cardId.empty()) {
+    statement.cardId = fields.cardId;
+  }
+  const std::string_view field = line.text.substr(0, fields.fieldEnd);
+  statement.span.buffer = buffer_;
+  CardEnd ending = CardEnd::done;
+  std::size_t i = 0;
+  while (i < field.size()) {
+    const CharRow& c = classify(field[i]);
+    if (c.kind == CharClass::letter || c.kind == CharClass::digit || c.kind == CharClass::punctuation) {
+      append(statement, c.upper, line.offset + i);
+    } else if (c.kind == CharClass::dollar) {
+      std::size_t second = i + 1;
+      while (second < field.size() && isBlank(field[second])) {
+        ++second;
+      }
+      const bool comment = second < field.size() && field[second] == '$';
+      ending = comment ? CardEnd::done : CardEnd::continued;
+      break;
+    } else if (c.kind == CharClass::quote && options_.dialect != Dialect::apt360) {
+      i = appendQuoted(field, i, line.offset, statement);
+      continue;
+    } else if (options_.dialect == Dialect::cl && c.kind != CharClass::blank) {
+      append(statement, field[i], line.offset + i);
+    } else if (c.kind != CharClass::blank && field[i] != '\x1A' && field[i] != '\f') {
+      reportOther(line, i, statement);
+    }
+    ++i;
+  }
+  statement.pieces.push_back({buffer_, static_cast<std::uint32_t>(line.offset), static_cast<std::uint32_t>(i)});
+  return ending;
+}
+
+}  // namespace arelem::frontend
