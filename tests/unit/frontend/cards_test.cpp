@@ -105,7 +105,7 @@ TEST(Cards, LineEndsOfEverySystem) {
 }
 
 TEST(Cards, BadBytesAreReportedWithTheirOffset) {
-  const auto nul = compileText(std::string("A=1\nB=\0002\nFINI\n", 15));
+  const auto nul = compileText(std::string("A=1\nB=\0002\nFINI\n", 14));
   EXPECT_EQ(nul->codes(), "E0102 E0101");
   EXPECT_EQ(nul->sink.all()[0].at.begin, 6U);
   const auto latin = compileText("PARTNO caf\xE9\nFINI\n");
