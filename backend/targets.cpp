@@ -7,6 +7,7 @@
 #include "backend/cltext/writer.h"
 #include "backend/json/writer.h"
 #include "backend/listing/writer.h"
+#include "backend/svg/writer.h"
 
 namespace arelem::backend {
 
@@ -29,6 +30,10 @@ const std::array table = {
            .summary = "program, printed values and CL records to read",
            .suffixes = {".lst"},
            .make = makeListingWriter},
+    Target{.name = "svg",
+           .summary = "picture of the tool path and its geometry",
+           .suffixes = {".svg"},
+           .make = makePictureWriter},
 };
 
 bool endsWithIgnoringCase(std::string_view path, std::string_view suffix) {

@@ -1,0 +1,246 @@
+#include "backend/svg/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "backend/svg/conic.h"
+#include "backend/text/clean.h"
+
+namespace arelem::backend::svg {
+
+namespace {
+constexpr std::string_view geometryClass = "class=\"geometry\"";
+/// A direction component smaller than this is seen as zero.
+constexpr double edgeOn = 1e-6;
+constexpr double crossArm = 3.5;  // pixels
+
+Vec3 vectorAt(const std::vector<double>& canon, std::size_t i) {
+  return {canon[i], canon[i + 1], canon[i + 2]};
+}
+
+std::string nameOf(const Entity& entity) {
+  const std::string name = printableAscii(entity.name);
+  return entity.subscript == 0 || name.empty() ? name
+                                               : fmt::format("{}({})", name, entity.subscript);
+}
+
+bool isComplete(const Entity& entity) {
+  const auto count = static_cast<std::size_t>(canonicalCount(entity.type));
+  return entity.canon.size() >= count && std::all_of(entity.canon.begin(), entity.canon.end(),
+                                                     [](double v) { return std::isfinite(v); });
+}
+}  // namespace
+
+void addExtent(const Entity& entity, Bounds& bounds) {
+  if (!isComplete(entity)) {
+    return;
+  }
+  const std::vector<double>& c = entity.canon;
+  switch (entity.type) {
+    case EntityType::point:
+      bounds.add(vectorAt(c, 0));
+      break;
+    case EntityType::circle:
+      bounds.add(vectorAt(c, 0) + Vec3(c[6], c[6], 0.0));
+      bounds.add(vectorAt(c, 0) - Vec3(c[6], c[6], 0.0));
+      break;
+    case EntityType::sphere:
+      bounds.add(vectorAt(c, 0) + Vec3::Constant(c[3]));
+      bounds.add(vectorAt(c, 0) - Vec3::Constant(c[3]));
+      break;
+    case EntityType::pattern:
+      for (std::size_t i = 0; i + 3 <= c.size(); i += 3) {
+        bounds.add(vectorAt(c, i));
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+bool hasPicture(EntityType type) {
+  switch (type) {
+    case EntityType::quadric:
+    case EntityType::polyconic:
+    case EntityType::mesh:
+    case EntityType::ruledSurface:
+      return false;
+    default:
+      return true;
+  }
+}
+
+void GeometryDrawer::draw(const Entity& entity) {
+  if (!isComplete(entity)) {
+    return;
+  }
+  switch (entity.type) {
+    case EntityType::point:
+      return point(entity);
+    case EntityType::line:
+    case EntityType::plane:
+      return plane(entity);
+    case EntityType::circle:
+    case EntityType::cylinder:
+      return cylinder(entity);
+    case EntityType::ellipse:
+    case EntityType::hyperbola:
+    case EntityType::gconic:
+    case EntityType::lconic:
+      return conic(entity);
+    case EntityType::cone:
+      return cone(entity);
+    case EntityType::sphere:
+      return sphere(entity);
+    case EntityType::torus:
+      return torus(entity);
+    case EntityType::pattern:
+      return pattern(entity);
+    case EntityType::tabulatedCylinder:
+      return tabulated(entity);
+    default:
+      return;  // no picture: see hasPicture
+  }
+}
+
+void GeometryDrawer::cross(const Vec3& place) {
+  const Pixel p = view_(place);
+  canvas_.line({p.x - crossArm, p.y}, {p.x + crossArm, p.y}, geometryClass);
+  canvas_.line({p.x, p.y - crossArm}, {p.x, p.y + crossArm}, geometryClass);
+}
+
+void GeometryDrawer::point(const Entity& entity) {
+  const Vec3 place = vectorAt(entity.canon, 0);
+  cross(place);
+  const Pixel p = view_(place);
+  labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}, {p.x - 20, p.y - 4}});
+}
+
+void GeometryDrawer::pattern(const Entity& entity) {
+  for (std::size_t i = 0; i + 3 <= entity.canon.size(); i += 3) {
+    cross(vectorAt(entity.canon, i));
+  }
+  if (entity.canon.size() >= 3) {
+    const Pixel p = view_(vectorAt(entity.canon, 0));
+    labels_.place(nameOf(entity), {{p.x + 6, p.y - 5}, {p.x + 6, p.y + 13}});
+  }
+}
+
+bool GeometryDrawer::edge(double a, double b, double d, const std::string& name) {
+  const auto ends = view_.clip(a, b, d);
+  if (!ends) {
+    return false;
+  }
+  const Pixel from = view_.place((*ends)[0].x(), (*ends)[0].y());
+  const Pixel to = view_.place((*ends)[1].x(), (*ends)[1].y());
+  canvas_.line(from, to, geometryClass);
+  std::vector<Pixel> candidates;
+  for (const double t : {0.93, 0.07, 0.85, 0.15, 0.75, 0.25, 0.5}) {
+    candidates.push_back({from.x + t * (to.x - from.x) + 4, from.y + t * (to.y - from.y) - 3});
+  }
+  labels_.place(name, candidates);
+  return true;
+}
+
+void GeometryDrawer::plane(const Entity& entity) {
+  const std::vector<double>& c = entity.canon;
+  const Vec3 normal = vectorAt(c, 0);
+  if (std::abs(normal[view_.depth]) <= edgeOn * normal.norm()) {
+    edge(normal[view_.across], normal[view_.up], c[3], nameOf(entity));
+  }
+}
+
+void GeometryDrawer::ring(const Vec3& center, double radius, const std::string& name) {
+  const Pixel p = view_(center);
+  const double r = std::abs(radius) * view_.scale;
+  canvas_.circle(p, r, geometryClass);
+  const double d = r * std::sqrt(0.5);
+  labels_.place(name, {{p.x + d + 3, p.y - d - 2},
+                       {p.x + d + 3, p.y + d + 10},
+                       {p.x - 6, p.y - r - 3},
+                       {p.x - 6, p.y - r + 13},
+                       {p.x - 6, p.y + 4}});
+}
+
+void GeometryDrawer::sphere(const Entity& entity) {
+  ring(vectorAt(entity.canon, 0), entity.canon[3], nameOf(entity));
+}
+
+void GeometryDrawer::cylinder(const Entity& entity) {
+  const Vec3 center = vectorAt(entity.canon, 0);
+  const Vec3 axis = vectorAt(entity.canon, 3);
+  const double radius = entity.canon[6];
+  const Eigen::Vector2d seen(axis[view_.across], axis[view_.up]);
+  if (seen.norm() <= edgeOn) {
+    ring(center, radius, nameOf(entity));
+    return;
+  }
+  if (std::abs(axis[view_.depth]) > edgeOn || entity.type == EntityType::circle) {
+    return;  // an ellipse in this view, or a contour in another one
+  }
+  const Eigen::Vector2d normal(-seen.y(), seen.x());
+  const double middle = normal.dot(Eigen::Vector2d(center[view_.across], center[view_.up]));
+  edge(normal.x(), normal.y(), middle + radius, nameOf(entity));
+  edge(normal.x(), normal.y(), middle - radius, "");
+}
+
+void GeometryDrawer::cone(const Entity& entity) {
+  const Vec3 vertex = vectorAt(entity.canon, 0);
+  const Vec3 axis = vectorAt(entity.canon, 3);
+  const Eigen::Vector2d seen(axis[view_.across], axis[view_.up]);
+  const double cosine = std::clamp(entity.canon[6], -1.0, 1.0);
+  if (std::abs(axis[view_.depth]) > edgeOn || seen.norm() <= edgeOn) {
+    return;
+  }
+  const double reach = (view_.box.width + view_.box.height) / view_.scale;
+  const Pixel tip = view_(vertex);
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::Vector2d along = Eigen::Rotation2Dd(side * std::acos(cosine)) * seen;
+    const Eigen::Vector2d end =
+        Eigen::Vector2d(vertex[view_.across], vertex[view_.up]) + reach * along;
+    canvas_.line(tip, view_.place(end.x(), end.y()), geometryClass);
+  }
+  labels_.place(nameOf(entity), {{tip.x + 5, tip.y - 4}});
+}
+
+void GeometryDrawer::torus(const Entity& entity) {
+  const Vec3 axis = vectorAt(entity.canon, 3);
+  if (Eigen::Vector2d(axis[view_.across], axis[view_.up]).norm() <= edgeOn) {
+    const Vec3 center = vectorAt(entity.canon, 0);
+    ring(center, entity.canon[6] + entity.canon[7], nameOf(entity));
+    ring(center, entity.canon[6] - entity.canon[7], "");
+  }
+}
+
+void GeometryDrawer::conic(const Entity& entity) {
+  if (view_.depth != 2) {
+    return;  // conics are cylinders along z
+  }
+  const std::vector<Segment> segments = conicInView(entity.canon, view_);
+  for (const Segment& s : segments) {
+    canvas_.line(s.from, s.to, geometryClass);
+  }
+  if (!segments.empty()) {
+    const Pixel p = segments[segments.size() / 3].from;
+    labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}});
+  }
+}
+
+void GeometryDrawer::tabulated(const Entity& entity) {
+  const std::vector<Vec3> curve = tabulatedCurve(entity.canon, view_.depth);
+  if (curve.empty()) {
+    return;
+  }
+  std::vector<Pixel> points;
+  points.reserve(curve.size());
+  for (const Vec3& p : curve) {
+    points.push_back(view_(p));
+  }
+  canvas_.polyline(points, geometryClass);
+  const Pixel p = points[points.size() / 4];
+  labels_.place(nameOf(entity), {{p.x + 5, p.y - 5}, {p.x + 5, p.y + 13}});
+}
+
+}  // namespace arelem::backend::svg

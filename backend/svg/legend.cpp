@@ -1,0 +1,117 @@
+#include "backend/svg/legend.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace arelem::backend::svg {
+
+namespace {
+constexpr double rowHeight = 18.0;
+constexpr double sampleWidth = 30.0;
+constexpr double columnWidth = 250.0;
+constexpr double longestBar = 140.0;
+
+/// Hands out places row by row, and column by column where the box is low.
+class Rows {
+ public:
+  explicit Rows(const Box& box) : box_(box) {}
+  Pixel next() {
+    const Pixel at{box_.left + columnWidth * column_, box_.top + rowHeight * (row_ + 1)};
+    if (++row_ >= rowsOfAColumn()) {
+      row_ = 0;
+      ++column_;
+    }
+    return at;
+  }
+
+ private:
+  int rowsOfAColumn() const { return box_.width >= 2 * columnWidth ? 4 : 100; }
+  Box box_;
+  int row_ = 0;
+  int column_ = 0;
+};
+
+/// The largest of 1, 2, 5 times a power of ten that is no longer than the bar may be.
+double barUnits(double scale) {
+  const double most = longestBar / scale;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * power <= most) {
+      return step * power;
+    }
+  }
+  return power;
+}
+
+void sample(Canvas& canvas, Pixel at, std::string_view lineClass, std::string_view words) {
+  canvas.line({at.x, at.y - 4}, {at.x + sampleWidth, at.y - 4}, lineClass);
+  canvas.text({at.x + sampleWidth + 8, at.y}, words, "");
+}
+
+void dot(
+    Canvas& canvas, Pixel at, double radius, std::string_view dotClass, std::string_view words) {
+  canvas.circle({at.x + sampleWidth / 2, at.y - 4}, radius, dotClass);
+  canvas.text({at.x + sampleWidth + 8, at.y}, words, "");
+}
+
+std::string_view unitWord(const std::string& unit, double count) {
+  if (!unit.empty()) {
+    return unit;
+  }
+  return count == 1.0 ? "unit" : "units";
+}
+
+void drawBar(Canvas& canvas, Pixel at, const Shown& shown) {
+  const double units = barUnits(shown.scale);
+  const double y = at.y - 4;
+  const double end = at.x + units * shown.scale;
+  canvas.line({at.x, y}, {end, y}, "class=\"scale\"");
+  canvas.line({at.x, y - 4}, {at.x, y + 4}, "class=\"scale\"");
+  canvas.line({end, y - 4}, {end, y + 4}, "class=\"scale\"");
+  canvas.text({end + 8, at.y},
+              fmt::format("{} {}", shortNumber(units), unitWord(shown.path.unit(), units)), "");
+}
+}  // namespace
+
+std::string shortNumber(double value) {
+  return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value);
+}
+
+void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {
+  Rows rows(box);
+  const PathCollector& path = shown.path;
+  drawBar(canvas, rows.next(), shown);
+  const auto kind = [&](MoveKind move, std::string_view lineClass, std::string_view words) {
+    if (path.length(move) > 0.0) {
+      sample(canvas, rows.next(), lineClass,
+             fmt::format("{}, {} long", words, shortNumber(path.length(move))));
+    }
+  };
+  kind(MoveKind::feed, "class=\"feed\"", "feed");
+  kind(MoveKind::arc, "class=\"arc\"", "along a circle");
+  kind(MoveKind::rapid, "class=\"rapid\"", "rapid");
+  if (path.locations() > 0) {
+    dot(canvas, rows.next(), 4.0, "class=\"begin\"", "start");
+    dot(canvas, rows.next(), 5.0, "class=\"finish\"", "end");
+  }
+  if (shown.toolOutlines > 0) {
+    dot(canvas, rows.next(), 6.5, "class=\"tool\"",
+        fmt::format("cutter {} at {} of {} stops", shortNumber(path.cutterDiameter()),
+                    shown.toolOutlines, path.stopCount()));
+  }
+  if (shown.geometry) {
+    sample(canvas, rows.next(), "class=\"geometry\"", "geometry");
+  }
+  if (!shown.notDrawn.empty()) {
+    canvas.text(rows.next(), "not drawn: " + shown.notDrawn, "class=\"soft\"");
+  }
+  if (shown.vertices < path.locations()) {
+    canvas.text(rows.next(), fmt::format("{} of {} locations,", shown.vertices, path.locations()),
+                "class=\"soft\"");
+    canvas.text(rows.next(), fmt::format("others within {}", shortNumber(path.deviation())),
+                "class=\"soft\"");
+  }
+}
+
+}  // namespace arelem::backend::svg

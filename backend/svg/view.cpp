@@ -1,0 +1,139 @@
+#include "backend/svg/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace arelem::backend::svg {
+
+namespace {
+constexpr double pageWidth = 800.0;
+constexpr double margin = 24.0;
+constexpr double titleHeight = 60.0;
+constexpr double gap = 40.0;  // between views; holds their captions
+constexpr double legendWidth = 210.0;
+constexpr double legendHeight = 190.0;    // in one column
+constexpr double lowLegendHeight = 92.0;  // in three columns of four rows
+constexpr double tallestDrawing = 900.0;
+constexpr double smallestCell = 60.0;
+/// A path thinner than this part of its size lies in a plane.
+constexpr double flatness = 1e-6;
+
+View xy() {
+  return {"XY", 0, 1, 2, {}, 1, 0, 0};
+}
+View xz() {
+  return {"XZ", 0, 2, 1, {}, 1, 0, 0};
+}
+View yz() {
+  return {"YZ", 1, 2, 0, {}, 1, 0, 0};
+}
+
+/// The only view of a flat path, or nothing.
+std::optional<View> planeOf(const Bounds& path) {
+  const Vec3 size = path.size();
+  const double thin = flatness * size.maxCoeff();
+  if (size.z() <= thin) {
+    return xy();
+  }
+  if (size.y() <= thin) {
+    return xz();
+  }
+  return size.x() <= thin ? std::optional(yz()) : std::nullopt;
+}
+
+/// Centers what is to be seen in the view's box.
+void center(View& view, const Bounds& bounds, double scale) {
+  view.scale = scale;
+  const double a = 0.5 * (bounds.low[view.across] + bounds.high[view.across]);
+  const double u = 0.5 * (bounds.low[view.up] + bounds.high[view.up]);
+  view.left = a - 0.5 * view.box.width / scale;
+  view.bottom = u - 0.5 * view.box.height / scale;
+}
+
+Layout single(View view, const Bounds& bounds) {
+  Layout page;
+  const Vec3 size = bounds.size();
+  const double width = pageWidth - 2 * margin;
+  const double tall = tallestDrawing - lowLegendHeight;
+  const double scale = std::min(width / size[view.across], tall / size[view.up]);
+  const double height = std::max(size[view.up] * scale, 2 * smallestCell);
+  view.box = {margin, titleHeight + margin, width, height};
+  center(view, bounds, scale);
+  page.legend = {margin, view.box.top + height + 0.4 * gap, width, lowLegendHeight};
+  page.height = page.legend.top + lowLegendHeight;
+  page.views = {view};
+  return page;
+}
+
+Layout three(const Bounds& bounds) {
+  Layout page;
+  const Vec3 size = bounds.size();
+  const double width = pageWidth - 2 * margin - gap;
+  // Both columns and both rows must fit; the upper right cell holds the legend.
+  double scale = std::min(width / (size.x() + size.y()), tallestDrawing / (size.y() + size.z()));
+  if (size.y() * scale < legendWidth) {
+    scale = std::min(scale, (width - legendWidth) / size.x());
+  }
+  const double left = std::min(std::max(size.x() * scale, smallestCell), width - legendWidth);
+  const double right = width - left;
+  const double upper = std::max(size.y() * scale, legendHeight);
+  const double lower = std::max(size.z() * scale, smallestCell);
+  const double top = titleHeight + margin;
+  page.views = {xy(), xz(), yz()};
+  page.views[0].box = {margin, top, left, upper};
+  page.views[1].box = {margin, top + upper + gap, left, lower};
+  page.views[2].box = {margin + left + gap, top + upper + gap, right, lower};
+  for (View& view : page.views) {
+    center(view, bounds, scale);
+  }
+  page.legend = {margin + left + gap, top, right, upper};
+  page.height = top + upper + gap + lower + margin;
+  return page;
+}
+}  // namespace
+
+std::optional<std::array<Eigen::Vector2d, 2>> View::clip(double a, double b, double d) const {
+  const double square = a * a + b * b;
+  if (!(square > 0.0) || !std::isfinite(square) || !std::isfinite(d)) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d foot(a * d / square, b * d / square);
+  const Eigen::Vector2d along(-b, a);
+  const Eigen::Vector2d low(left, bottom);
+  const Eigen::Vector2d high(right(), top());
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 2; ++i) {
+    if (along[i] == 0.0) {
+      if (foot[i] < low[i] || foot[i] > high[i]) {
+        return std::nullopt;
+      }
+      continue;
+    }
+    const double t1 = (low[i] - foot[i]) / along[i];
+    const double t2 = (high[i] - foot[i]) / along[i];
+    from = std::max(from, std::min(t1, t2));
+    to = std::min(to, std::max(t1, t2));
+  }
+  if (!(from < to)) {
+    return std::nullopt;
+  }
+  return std::array{Eigen::Vector2d(foot + from * along), Eigen::Vector2d(foot + to * along)};
+}
+
+Layout arrange(const Bounds& path, const Bounds& bounds) {
+  // A box without size still gets a picture: one unit wide.
+  Bounds seen = bounds;
+  const double least =
+      std::max(1e-3 * bounds.size().maxCoeff(), bounds.size().maxCoeff() > 0.0 ? 0.0 : 1.0);
+  for (int i = 0; i < 3; ++i) {
+    const double missing = 0.5 * std::max(0.0, least - (seen.high[i] - seen.low[i]));
+    seen.low[i] -= missing;
+    seen.high[i] += missing;
+  }
+  const auto plane = planeOf(path);
+  return plane ? single(*plane, seen) : three(seen);
+}
+
+}  // namespace arelem::backend::svg

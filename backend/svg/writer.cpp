@@ -1,0 +1,235 @@
+#include "backend/svg/writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "backend/svg/geometry.h"
+#include "backend/svg/legend.h"
+
+namespace arelem::backend {
+
+namespace {
+using namespace svg;
+
+constexpr std::size_t mostVertices = 20000;
+constexpr std::size_t fewVertices = 3000;  // are drawn as they are
+constexpr std::size_t mostEntities = 500;
+constexpr std::size_t mostOutlines = 24;
+constexpr std::size_t mostArrows = 12;
+constexpr double thinnedPixels = 0.05;
+constexpr double arrowSegment = 36.0;  // pixels a segment needs for an arrow
+constexpr double geometryReach = 0.2;  // of the path's size: how far geometry may widen the picture
+constexpr double border = 0.04;
+
+/// Where more pixels of path than this stand on a pixel of the view, lines are drawn thin.
+constexpr double dense = 0.08;
+constexpr std::string_view thinLines = " style=\"stroke-width:0.7\"";
+
+std::string_view classOf(MoveKind kind) {
+  if (kind == MoveKind::rapid) {
+    return "class=\"rapid\"";
+  }
+  return kind == MoveKind::arc ? "class=\"arc\"" : "class=\"feed\"";
+}
+
+class PictureWriter : public Writer {
+ public:
+  PictureWriter(std::ostream& out, const Context& context)
+      : out_(out), context_(context), path_(mostVertices) {}
+
+  void accept(const cl::Record& record) override { path_.accept(record); }
+
+  void finish() override {
+    path_.finish();
+    const Layout page = arrange(pathBounds(), seen());
+    const double scale = page.views.front().scale;
+    if (path_.vertices().size() > fewVertices) {
+      path_.thin(thinnedPixels / scale);
+    }
+    Canvas canvas(out_, page.width, page.height);
+    const std::string title = path_.partName().empty() ? "Tool path" : path_.partName();
+    canvas.begin(title, fmt::format("Tool path of {} locations", path_.locations()));
+    canvas.text({24, 30}, title, "class=\"title\"");
+    canvas.text({24, 49}, extents(), "class=\"soft\"");
+    int id = 0;
+    for (const View& view : page.views) {
+      drawView(canvas, view, id++);
+    }
+    drawLegend(
+        canvas, page.legend,
+        {path_, scale, path_.vertices().size(), outlines_, !context_.entities.empty(), notDrawn()});
+    canvas.end();
+    out_.flush();
+  }
+
+ private:
+  /// Of the path, or of the geometry where there is no path.
+  Bounds pathBounds() const {
+    if (!path_.bounds().empty) {
+      return path_.bounds();
+    }
+    Bounds bounds;
+    for (const EntityPtr& entity : context_.entities) {
+      addExtent(*entity, bounds);
+    }
+    return bounds;
+  }
+  /// The path with its cutter, widened a little for the geometry near it.
+  Bounds seen() const {
+    const Bounds path = pathBounds();
+    Bounds box = path;
+    const double radius = 0.5 * path_.cutterDiameter();
+    const Vec3 tool(radius, radius, 0.0);
+    const double reach = geometryReach * path.size().norm();
+    Bounds geometry;
+    for (const EntityPtr& entity : context_.entities) {
+      addExtent(*entity, geometry);
+    }
+    if (!geometry.empty) {
+      const Vec3 flat(reach, reach, 0.0);  // heights come from the path alone
+      box.add(geometry.low.cwiseMax(path.low - flat).cwiseMin(path.high + flat));
+      box.add(geometry.high.cwiseMin(path.high + flat).cwiseMax(path.low - flat));
+    }
+    box.add(path.low - tool);
+    box.add(path.high + tool);
+    const Vec3 frame = Vec3::Constant(border * box.size().maxCoeff());
+    const Bounds inner = box;
+    box.add(inner.low - frame);
+    box.add(inner.high + frame);
+    return box;
+  }
+  std::string extents() const {
+    const Bounds& b = path_.bounds();
+    if (b.empty) {
+      return "no motion";
+    }
+    return fmt::format("X {} to {},  Y {} to {},  Z {} to {}", shortNumber(b.low.x()),
+                       shortNumber(b.high.x()), shortNumber(b.low.y()), shortNumber(b.high.y()),
+                       shortNumber(b.low.z()), shortNumber(b.high.z()));
+  }
+  std::string notDrawn() const {
+    std::map<std::string_view, int> kinds;
+    for (const EntityPtr& entity : context_.entities) {
+      kinds[spell(entity->type)] += hasPicture(entity->type) ? 0 : 1;
+    }
+    std::string words;
+    for (const auto& [kind, count] : kinds) {
+      words += count > 0 ? fmt::format("{}{} {}", words.empty() ? "" : ", ", count, kind) : "";
+    }
+    return words;
+  }
+
+  void drawView(Canvas& canvas, const View& view, int id) {
+    canvas.text({view.box.left, view.box.top - 7}, view.name, "class=\"soft\"");
+    canvas.rectangle(view.box, "class=\"frame\"");
+    canvas.beginClip(view.box, id);
+    GeometryDrawer geometry(canvas, view);
+    for (std::size_t i = 0; i < std::min(context_.entities.size(), mostEntities); ++i) {
+      geometry.draw(*context_.entities[i]);
+    }
+    if (view.depth == 2) {
+      drawOutlines(canvas, view);
+    }
+    drawPath(canvas, view);
+    geometry.drawNames();
+    canvas.endGroup();
+    drawEnds(canvas, view);
+  }
+  void drawOutlines(Canvas& canvas, const View& view) {
+    const double radius = 0.5 * path_.cutterDiameter() * view.scale;
+    const std::vector<Vec3>& stops = path_.stops();
+    if (radius < 2.0 || stops.empty()) {
+      return;
+    }
+    const std::size_t count = std::min(stops.size(), mostOutlines);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t at = count == 1 ? 0 : i * (stops.size() - 1) / (count - 1);
+      canvas.circle(view(stops[at]), radius, "class=\"tool\"");
+    }
+    outlines_ = count;
+  }
+  bool isDense(const View& view) const {
+    double length = 0.0;
+    const std::vector<Vertex>& path = path_.vertices();
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Pixel a = view(path[i - 1].place);
+      const Pixel b = view(path[i].place);
+      length += path[i].kind == MoveKind::start ? 0.0 : std::hypot(b.x - a.x, b.y - a.y);
+    }
+    return length > dense * view.box.width * view.box.height;
+  }
+  void drawPath(Canvas& canvas, const View& view) {
+    const std::vector<Vertex>& path = path_.vertices();
+    const std::string_view width = isDense(view) ? thinLines : "";
+    for (const MoveKind kind : {MoveKind::rapid, MoveKind::feed, MoveKind::arc}) {
+      for (std::size_t i = 1; i < path.size();) {
+        if (path[i].kind != kind) {
+          ++i;
+          continue;
+        }
+        std::vector<Pixel> run = {view(path[i - 1].place)};
+        for (; i < path.size() && path[i].kind == kind; ++i) {
+          const Pixel p = view(path[i].place);
+          if (p.x != run.back().x || p.y != run.back().y) {
+            run.push_back(p);
+          }
+        }
+        if (run.size() > 1) {
+          canvas.polyline(run, fmt::format("{}{}", classOf(kind), width));
+        }
+      }
+    }
+    drawArrows(canvas, view);
+  }
+  /// On the longest feed moves, in their middle.
+  void drawArrows(Canvas& canvas, const View& view) const {
+    const std::vector<Vertex>& path = path_.vertices();
+    std::vector<std::pair<double, std::size_t>> longest;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Pixel a = view(path[i - 1].place);
+      const Pixel b = view(path[i].place);
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      if (path[i].kind == MoveKind::feed && length >= arrowSegment) {
+        longest.emplace_back(-length, i);
+      }
+    }
+    std::sort(longest.begin(), longest.end());
+    longest.resize(std::min(longest.size(), mostArrows));
+    for (const auto& [length, i] : longest) {
+      const Pixel a = view(path[i - 1].place);
+      const Pixel b = view(path[i].place);
+      const Eigen::Vector2d along = Eigen::Vector2d(b.x - a.x, b.y - a.y) / -length;
+      const Eigen::Vector2d side(-along.y(), along.x());
+      const Eigen::Vector2d middle(0.5 * (a.x + b.x), 0.5 * (a.y + b.y));
+      const Eigen::Vector2d tip = middle + 5.0 * along;
+      const Eigen::Vector2d left = middle - 4.0 * along + 3.5 * side;
+      const Eigen::Vector2d right = middle - 4.0 * along - 3.5 * side;
+      canvas.polyline({{tip.x(), tip.y()}, {left.x(), left.y()}, {right.x(), right.y()}},
+                      "class=\"arrow\"");
+    }
+  }
+  void drawEnds(Canvas& canvas, const View& view) const {
+    if (!path_.vertices().empty()) {
+      canvas.circle(view(path_.vertices().back().place), 5.5, "class=\"finish\"");
+      canvas.circle(view(path_.vertices().front().place), 3.8, "class=\"begin\"");
+    }
+  }
+
+  std::ostream& out_;
+  const Context& context_;
+  PathCollector path_;
+  std::size_t outlines_ = 0;
+};
+}  // namespace
+
+std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
+                                          const Context& context,
+                                          DiagnosticSink&) {
+  return std::make_unique<PictureWriter>(out, context);
+}
+
+}  // namespace arelem::backend
