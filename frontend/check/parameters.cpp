@@ -24,7 +24,7 @@ bool Statements::obtainTargets(NodeId first, ir::Obtain& obtain) {
       obtain.targets.emplace_back();
       continue;
     }
-    if (tree[id].kind != Kind::name) {
+    if (tree[id].kind != Kind::name || tree[id].parenthesized) {
       context_.report(diagnose(tree[id].span, diag::ObtainTarget));
       ok = false;
       continue;

@@ -93,7 +93,7 @@ std::string cleanText(std::string_view text) {
       clean += static_cast<char>(0xC0U | (c >> 6U));
       clean += static_cast<char>(0x80U | (c & 0x3FU));
       ++i;
-    } else if (length == 1 && (c < 0x20U || c == 0x7FU)) {
+    } else if (length == 1 && ((c < 0x20U && c != '\t') || c == 0x7FU)) {
       clean += ' ';
       ++i;
     } else {

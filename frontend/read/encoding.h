@@ -15,7 +15,7 @@ void checkEncoding(std::string_view text, BufferId buffer, Reporter& reporter);
 [[nodiscard]] std::size_t utf8Length(std::string_view text, std::size_t at);
 
 /// The text as UTF-8: bytes that are not UTF-8 become the Latin-1 character of the same number,
-/// control bytes become blanks.
+/// control bytes other than tabs become blanks.
 [[nodiscard]] std::string cleanText(std::string_view text);
 
 }  // namespace arelem::frontend

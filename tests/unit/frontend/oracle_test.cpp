@@ -50,10 +50,12 @@ void compare(const fs::path& source, const fs::path& result) {
     }
     if (record.at("kind") == "POST" && record.value("text", "") != "") {
       bool found = false;
+      std::string wanted = record["text"];
+      wanted.erase(wanted.find_last_not_of(" \t") + 1);
       for (const auto& block : c->program.blocks) {
         for (const auto& s : block.statements) {
           const auto* text = std::get_if<ir::Text>(&s.body);
-          found = found || (text != nullptr && static_cast<int>(s.isn) == isn && text->text == record["text"]);
+          found = found || (text != nullptr && static_cast<int>(s.isn) == isn && text->text == wanted);
         }
       }
       EXPECT_TRUE(found) << source << " text at isn " << isn << ": " << record["text"];

@@ -1,0 +1,74 @@
+// Classes of names, definition before use, poisoned names, --define: language reference 1.8.
+#include "tests/unit/frontend/program_text.h"
+
+namespace arelem::frontend {
+namespace {
+
+TEST(Names, ClassIsFixedByTheFirstAssignment) {
+  EXPECT_EQ(errors("A=1\nA=2"), "");
+  EXPECT_EQ(errors("P1=POINT/1,2\nP1=3"), "1002");
+  EXPECT_EQ(errors("A=1\nA=POINT/1,2"), "1002");
+  EXPECT_EQ(errors("P1=POINT/1,2\nP1=LINE/XAXIS"), "1002");
+  EXPECT_EQ(errors("P1=POINT/1,2\nP1=POINT/(POINT/3,4),CANON"), "");
+}
+
+TEST(Names, UndefinedNamesAreReportedOnceWithNearNames) {
+  const auto c = compileText("SETPT=POINT/1,2\nGOTO/SETP\nGOTO/SETP\nFINI\n");
+  EXPECT_EQ(c->codes(), "E0201");
+  EXPECT_EQ(c->blamed(), "SETP");
+  EXPECT_NE(c->sink.all()[0].help.find("SETPT"), std::string::npos);
+}
+
+TEST(Names, UseBeforeDefinition) {
+  EXPECT_EQ(errors("GOTO/P1\nP1=POINT/1,2"), "101");
+  EXPECT_EQ(errors("A=A+1"), "101");
+  EXPECT_EQ(errors("LOOPST\nGOTO/P1\nP1=POINT/1,2\nLOOPND"), "");
+  EXPECT_EQ(errors("LOOPST\nGOTO/P2\nLOOPND"), "101");
+  EXPECT_EQ(errors("M=MACRO/\nGOTO/P1\nTERMAC\nP1=POINT/1,2\nCALL/M"), "");
+}
+
+TEST(Names, ABrokenDefinitionGivesNoFurtherErrors) {
+  EXPECT_EQ(errors("P1=POINT/1,(2\nGOTO/P1\nL1=LINE/P1,P1"), "10");
+  EXPECT_EQ(errors("A=1.5X\nB=A+1"), "4");
+  EXPECT_EQ(errors("P1=POINT/QQ,2\nGOTO/P1"), "101");
+}
+
+TEST(Names, UnknownWords) {
+  EXPECT_EQ(errors("FOOBAR/1,2,3"), "82");
+  const auto c = compileText("SPINDLE/100\nFINI\n");
+  EXPECT_EQ(c->legacy(), "82");
+  EXPECT_NE(c->sink.all()[0].help.find("SPINDL"), std::string::npos);
+}
+
+TEST(Names, UnknownParametersOfPostWordsAreText) {
+  const auto c = compileText("LOADTL/1,OSETNO,2\nFINI\n");
+  EXPECT_EQ(c->codes(), "W0204");
+  EXPECT_EQ(c->block()[0], "LOADTL/ 1, 'OSETNO', 2");
+  EXPECT_EQ(errors("LOADTL/1,OSETNO,2", Dialect::apt360), "101");
+  EXPECT_EQ(statement("MACHIN/PMILL,02"), "MACHIN/ 'PMILL', 2");
+  EXPECT_EQ(statement("MACHIN/DXF", Dialect::apt360), "MACHIN/ 'DXF'");
+  EXPECT_EQ(errors("MACHIN/1"), "81");
+}
+
+TEST(Names, ErrorsOfAFileAreAllReported) { EXPECT_EQ(errors("A=\nB=(1\nGOTO/P9\nC=1"), "11 10 101"); }
+
+TEST(Names, DefineReplacesTheFirstAssignment) {
+  Options options;
+  options.defines = {{"depth", 2.5}, {"EXTRA", 7.0}};
+  const auto c = compileText("DEPTH=1\nA=DEPTH+EXTRA\nDEPTH=9\nFINI\n", Dialect::automatic, options);
+  EXPECT_EQ(c->codes(), "");
+  EXPECT_EQ(c->block(), (std::vector<std::string>{"EXTRA = 7", "DEPTH = 2.5", "DEPTH = 2.5", "A = (DEPTH + EXTRA)",
+                                                  "DEPTH = 9", "FINI"}));
+  options.defines = {{"GOTO", 1.0}, {"1", 1.0}, {"P1", 2.0}};
+  EXPECT_EQ(compileText("P1=POINT/1,2\nFINI\n", Dialect::automatic, options)->codes(), "E0298 E0298 E0298");
+}
+
+TEST(Names, Interrupt) {
+  InterruptFlag flag{true};
+  Options options;
+  options.interrupted = &flag;
+  EXPECT_LT(compileText("A=1\nB=2\nFINI\n", Dialect::automatic, options)->program.blocks[0].statements.size(), 3U);
+}
+
+}  // namespace
+}  // namespace arelem::frontend
