@@ -70,7 +70,7 @@ bool evaluate(Compilation& job, const InterruptFlag& interrupted) {
 
 bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& interrupted) {
   const Stopwatch watch(job.seconds.execute);
-  const auto transformer = path::makeTransformer(records, job.log);
+  const auto transformer = path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   job.motion = runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted},
                                 *transformer, job.log);
   transformer->finish();

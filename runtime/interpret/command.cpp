@@ -120,6 +120,9 @@ void execute(State& state, const ir::Command& command) {
     case WordClass::postWithoutParameters:
       post(state, command);
       return;
+    case WordClass::loopBracket:
+    case WordClass::macroBracket:
+      return;  // a place for labels: loops and macros are laid out by the frontend
     default:
       other(state, command);
   }

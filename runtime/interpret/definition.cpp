@@ -1,5 +1,8 @@
 #include "runtime/interpret/definition.h"
 
+#include <cmath>
+
+#include "ir/space/tolerance.h"
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/item.h"
 #include "runtime/interpret/printing.h"
@@ -64,6 +67,37 @@ std::optional<std::vector<define::Parameter>> parameters(State& state, const Ite
   return result;
 }
 
+/// The LINE in which a tilted plane meets the XY plane of the system in force, or null if it does
+/// not.
+EntityPtr trace(const EntityPtr& plane) {
+  const std::vector<double>& p = plane->canon;
+  const double length = std::hypot(p[0], p[1]);
+  if (length <= tolerance::nullDirection) {
+    return nullptr;
+  }
+  auto line = std::make_shared<Entity>(*plane);
+  line->type = EntityType::line;
+  line->canon = {p[0] / length, p[1] / length, 0.0, p[3] / length};
+  return line;
+}
+
+/// A line of another system stays a line for the forms that want one, as its trace; a plane first.
+Result<Entity> defineWithTraces(const ir::Definition& definition,
+                                std::vector<define::Parameter> given,
+                                const Items& items,
+                                const define::Context& zsurf) {
+  Result<Entity> result = define::define(definition.type, given, zsurf);
+  bool any = false;
+  for (std::size_t i = 0; i < items.size() && !result; ++i) {
+    if (items[i].wasLine) {
+      EntityPtr line = trace(*items[i].entity());
+      any = any || line;
+      given[i] = line ? line : *items[i].entity();
+    }
+  }
+  return any ? define::define(definition.type, given, zsurf) : std::move(result);
+}
+
 std::shared_ptr<Entity> compute(State& state,
                                 const ir::Definition& definition,
                                 const Items& items) {
@@ -71,7 +105,7 @@ std::shared_ptr<Entity> compute(State& state,
   if (!given) {
     return nullptr;
   }
-  Result<Entity> result = define::define(definition.type, *given, state.zsurf);
+  Result<Entity> result = defineWithTraces(definition, *given, items, state.zsurf);
   if (!result) {
     Diagnostic d = at(definition.span, result.takeFailure());
     labelOperands(d, items);

@@ -64,7 +64,13 @@ class Expansion {
       return false;
     }
     EntityPtr moved = brought(state_, entity, use_, argument_->span);
-    return moved && put(std::move(moved));
+    if (!moved) {
+      return false;
+    }
+    const bool tilted = entity->type == EntityType::line && moved->type == EntityType::plane;
+    put(std::move(moved));
+    out_.back().wasLine = tilted;
+    return true;
   }
   bool putElement(const Place& place, const Span& span) {
     const bool isEntity = state_.store.isEntity(place);

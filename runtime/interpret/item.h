@@ -13,6 +13,7 @@ struct Item {
   using Value = std::variant<define::Omitted, double, Word, EntityPtr, std::string>;
   Value value;
   Span span;
+  bool wasLine = false;  ///< a LINE that a tilted reference system shows as a PLANE
 
   [[nodiscard]] const double* number() const { return std::get_if<double>(&value); }
   [[nodiscard]] const EntityPtr* entity() const { return std::get_if<EntityPtr>(&value); }

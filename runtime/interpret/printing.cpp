@@ -35,7 +35,12 @@ class Selection {
       wrong(fmt::format("the word {}", spell(word)));
     }
   }
-  void operator()(const std::string& text) { wrong(fmt::format("`{}`", text)); }
+  /// A name that the program never gives a value.
+  void operator()(const std::string& text) {
+    Printed& p = row();
+    p.name = text;
+    p.undefined = true;
+  }
   void operator()(const ir::Target& target) { named(target); }
   void operator()(ir::ExprId id) {
     const ir::Expr& expr = state_.program[id];

@@ -249,6 +249,23 @@ TEST(Refsys, MovesFromOneSystemToAnother) {
   EXPECT_THAT(b.reported(), ElementsAre("W0428"));
 }
 
+TEST(Refsys, TiltedLinesServeAsTheirTraces) {
+  Builder b;  // y = 2 seen from a system turned by 60 degrees about X: half of y, so y = 4 in its
+              // XY plane
+  const ir::SymbolId m = b.entity("M1", EntityType::matrix);
+  const ir::SymbolId l1 = b.entity("L1", EntityType::line);
+  const ir::SymbolId l2 = b.entity("L2", EntityType::line);
+  const ir::SymbolId p = b.entity("P1", EntityType::point);
+  b.define(m, {Word::YZROT, b.num(60)});
+  b.define(l1, b.numbers({1, 2, 0, 2}));
+  b.command(Word::REFSYS, {b.at(m)});
+  b.define(l2, b.numbers({3, 0, 3, 1}));
+  b.define(p, {Word::INTOF, b.at(l1), b.at(l2)});
+  const Evaluation e = b.run();
+  ASSERT_THAT(b.reported(), IsEmpty());
+  EXPECT_THAT(canon(e, "P1"), ElementsAre(3, testing::DoubleNear(4, 1e-14), 0));
+}
+
 TEST(Refsys, ErrorsKeepTheirNumbers) {
   Builder b;
   b.command(Word::REFSYS, {b.num(1)});
@@ -308,6 +325,15 @@ TEST(Print, OnListsEveryEntityAsItIsComputed) {
   ASSERT_EQ(e.printed.size(), 2U);
   EXPECT_EQ(e.printed[0].name, "P1");
   EXPECT_EQ(e.printed[1].name, "");
+}
+
+TEST(Print, ShowsNamesWithoutValueAsUndefined) {
+  Builder b;
+  b.command(Word::PRINT, {b.num(2), std::string("NUM")});
+  const Evaluation e = b.run();
+  ASSERT_EQ(e.printed.size(), 1U);
+  EXPECT_EQ(e.printed[0].name, "NUM");
+  EXPECT_TRUE(e.printed[0].undefined);
 }
 
 TEST(Print, WrongModesAreTold) {
