@@ -54,12 +54,36 @@ Vec3 approach(const Quadric& s, const Vec3& p) {
   }
   return q;
 }
+/// Nearest of the feet reached from several starts: gradient descent, and where the principal lines through p
+/// pierce the surface. Used where no hint tells which sheet or side is meant.
+std::optional<Vec3> nearestFoot(const Quadric& s, const Vec3& p) {
+  std::optional<Vec3> best = refine(s, p, approach(s, p));
+  const auto consider = [&](const Vec3& start) {
+    const auto q = refine(s, p, start);
+    if (q && (!best || (*q - p).squaredNorm() < (*best - p).squaredNorm())) {
+      best = q;
+    }
+  };
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(s.matrix);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 d = eigen.eigenvectors().col(i);
+    const double a = d.dot(s.matrix * d);
+    const double b = d.dot(s.matrix * p + s.linear);
+    const double c = s.value(p);
+    const double disc = b * b - a * c;
+    if (disc >= 0.0 && a != 0.0) {
+      consider(p + (-b + std::sqrt(disc)) / a * d);
+      consider(p + (-b - std::sqrt(disc)) / a * d);
+    }
+  }
+  return best;
+}
 }  // namespace
 
 Foot Quadric::foot(const Vec3& p, Hint& hint) const {
   std::optional<Vec3> q = hint.valid ? refine(*this, p, hint.point) : std::nullopt;
   if (!q) {
-    q = refine(*this, p, approach(*this, p));
+    q = nearestFoot(*this, p);
   }
   const Vec3 found = q ? *q : approach(*this, p);
   hint = {true, found};

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "runtime/geometry/kinds.h"
+
+// The laws of runtime/geometry/surface.h, for every kind, on random surfaces and points (fixed seed).
+namespace arelem::surface {
+namespace {
+
+class Random {
+ public:
+  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
+  Vec3 direction() {
+    for (;;) {
+      const Vec3 v = point(1.0);
+      if (v.norm() > 0.1 && v.norm() < 1.0) {
+        return v.normalized();
+      }
+    }
+  }
+
+ private:
+  std::mt19937_64 engine_{20261121};
+};
+
+template <class S>
+S arbitrary(Random& r);
+template <>
+Plane arbitrary(Random& r) { return {r.direction(), r.in(-5, 5)}; }
+template <>
+Sphere arbitrary(Random& r) { return {r.point(3), r.in(0.5, 5)}; }
+template <>
+Cylinder arbitrary(Random& r) { return {r.point(3), r.direction(), r.in(0.5, 5)}; }
+template <>
+Cone arbitrary(Random& r) {
+  const double half = r.in(0.2, 1.2);
+  return {r.point(3), r.direction(), std::cos(half), std::sin(half)};
+}
+template <>
+Torus arbitrary(Random& r) { return {r.point(3), r.direction(), r.in(2, 5), r.in(0.3, 1.5)}; }
+template <>
+Quadric arbitrary(Random& r) {
+  Quadric q;  // an ellipsoid in general position
+  const Eigen::Matrix3d m = Eigen::AngleAxisd(r.in(0, 3), r.direction()).toRotationMatrix();
+  q.matrix = m * Vec3(r.in(0.05, 0.3), r.in(0.05, 0.3), r.in(0.05, 0.3)).asDiagonal() * m.transpose();
+  q.linear = r.point(0.1);
+  q.constant = -1.0;
+  return q;
+}
+template <>
+TabulatedCylinder arbitrary(Random& r) {
+  auto curve = std::make_shared<TabulatedCylinder::Curve>();
+  const Eigen::Matrix3d m = Eigen::AngleAxisd(r.in(0, 3), r.direction()).toRotationMatrix();
+  curve->u = m.col(0);
+  curve->v = m.col(1);
+  curve->w = m.col(2);
+  // One gentle cubic arch between two straight extensions that continue its end slopes.
+  TabulatedCylinder::Piece arch{};
+  arch.dirU = 1.0;
+  arch.length = 4.0;
+  arch.b = -r.in(0.01, 0.05);
+  arch.c = -arch.b * arch.length;
+  arch.highY = arch.c * arch.length;
+  const double slope = arch.c;
+  const double norm = std::hypot(1.0, slope);
+  TabulatedCylinder::Piece before{};
+  before.dirU = 1.0 / norm;
+  before.dirV = slope / norm;
+  before.length = 1.0;
+  before.u = -before.dirU;
+  before.v = -before.dirV;
+  before.openStart = true;
+  TabulatedCylinder::Piece after{};
+  after.u = 4.0;
+  after.dirU = 1.0 / norm;
+  after.dirV = -slope / norm;
+  after.length = 1.0;
+  after.openEnd = true;
+  curve->pieces = {before, arch, after};
+  return TabulatedCylinder(curve);
+}
+
+template <class S>
+class SurfaceLaws : public ::testing::Test {};
+using Kinds = ::testing::Types<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder>;
+TYPED_TEST_SUITE(SurfaceLaws, Kinds);
+
+TYPED_TEST(SurfaceLaws, FootLiesOnTheSurfaceAndNormalIsTheGradient) {
+  Random r;
+  for (int i = 0; i < 500; ++i) {
+    const TypeParam s = arbitrary<TypeParam>(r);
+    const Vec3 p = r.point(6);
+    typename TypeParam::Hint hint{};
+    const Foot foot = s.foot(p, hint);
+    ASSERT_NEAR(foot.normal.norm(), 1.0, 1e-12);
+    typename TypeParam::Hint again{};
+    EXPECT_NEAR(s.foot(p - foot.distance * foot.normal, again).distance, 0.0, 1e-9) << i;
+    const double h = 1e-6;
+    const Vec3 d = r.direction();
+    typename TypeParam::Hint h1{}, h2{};
+    const double slope = (s.foot(p + h * d, h1).distance - s.foot(p - h * d, h2).distance) / (2 * h);
+    // Skip the few samples at a medial axis, where the gradient jumps.
+    if (std::abs(slope) <= 1.0 + 1e-6 && std::abs(slope - foot.normal.dot(d)) > 1e-4) {
+      const double nearby = (s.foot(p + 1e-3 * d, h1).normal - s.foot(p - 1e-3 * d, h2).normal).norm();
+      EXPECT_GT(nearby, 0.1) << i;
+    }
+  }
+}
+
+TYPED_TEST(SurfaceLaws, BendIsTheSecondDerivativeOfTheDistance) {
+  Random r;
+  int tested = 0;
+  for (int i = 0; i < 500; ++i) {
+    const TypeParam s = arbitrary<TypeParam>(r);
+    const Vec3 p = r.point(6);
+    const Vec3 t = r.direction();
+    const double h = 1e-3;
+    typename TypeParam::Hint a{}, b{}, c{};
+    const Foot foot = s.foot(p, a);
+    const Foot ahead = s.foot(p + h * t, b);
+    const Foot behind = s.foot(p - h * t, c);
+    if ((ahead.normal - behind.normal).norm() > 0.02 ||
+        std::abs(s.bend(p + h * t, ahead, t, b) - s.bend(p - h * t, behind, t, c)) > 1e-3) {
+      continue;  // near a center of curvature or across a joint of two pieces
+    }
+    const double second = (ahead.normal - behind.normal).dot(t) / (2 * h);
+    EXPECT_NEAR(s.bend(p, foot, t, a), second, 1e-3 * (1.0 + std::abs(second))) << i;
+    ++tested;
+  }
+  EXPECT_GT(tested, 300);
+}
+
+TYPED_TEST(SurfaceLaws, DistanceIsLipschitz) {
+  Random r;
+  for (int i = 0; i < 500; ++i) {
+    const TypeParam s = arbitrary<TypeParam>(r);
+    const Vec3 p = r.point(6);
+    const Vec3 q = p + r.in(0, 1) * r.direction();
+    typename TypeParam::Hint a{}, b{};
+    EXPECT_LE(std::abs(s.foot(p, a).distance - s.foot(q, b).distance), (p - q).norm() * (1 + 1e-9) + 1e-9) << i;
+  }
+}
+
+}  // namespace
+}  // namespace arelem::surface

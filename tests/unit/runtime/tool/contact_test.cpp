@@ -1,0 +1,122 @@
+#include "runtime/tool/contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+// The contact against brute force: many points of the cutter, the least signed distance among them.
+namespace arelem::tool {
+namespace {
+
+std::vector<Vec3> pointsOf(const Profile& p, const Vec3& te, const Vec3& axis, int around, int along) {
+  std::vector<ProfilePoint> profile;
+  const auto line = [&](ProfilePoint a, ProfilePoint b) {
+    for (int i = 0; i <= along; ++i) {
+      const double s = static_cast<double>(i) / along;
+      profile.push_back({a.rho + s * (b.rho - a.rho), a.z + s * (b.z - a.z)});
+    }
+  };
+  line({0, 0}, p.bottomEnd);
+  line(p.sideStart, p.sideEnd);
+  const double from = -M_PI / 2 + p.alpha;
+  const double to = -p.beta;
+  for (int i = 0; i <= along; ++i) {
+    const double angle = from + (to - from) * i / along;
+    profile.push_back({p.e + p.r * std::cos(angle), p.f + p.r * std::sin(angle)});
+  }
+  const Vec3 e1 = axis.unitOrthogonal();
+  const Vec3 e2 = axis.cross(e1);
+  std::vector<Vec3> points;
+  for (const ProfilePoint& q : profile) {
+    for (int k = 0; k < around; ++k) {
+      const double a = 2 * M_PI * k / around;
+      points.push_back(te + q.rho * (std::cos(a) * e1 + std::sin(a) * e2) + q.z * axis);
+    }
+  }
+  return points;
+}
+
+const std::vector<std::vector<double>> cutters = {
+    {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, 0.266342, 0.125, 0, 8, 3}, {1.0, 0, 0.5, 0, 0, 0, 2}};
+
+template <class S, class Make>
+void compare(Make make, double side, int count) {
+  std::mt19937_64 engine(7);
+  const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine); };
+  for (int i = 0; i < count; ++i) {
+    const S s = make(in);
+    for (const auto& values : cutters) {
+      const Profile cutter = *makeProfile(values);
+      const Vec3 axis = Vec3(in(-0.3, 0.3), in(-0.3, 0.3), 1).normalized();
+      const Vec3 te(in(-3, 3), in(-3, 3), in(-1, 4));
+      Search<S> search;
+      const Contact c = contact(s, side, cutter, te, axis, search);
+      typename S::Hint hint{};
+      double least = 1e9;
+      for (const Vec3& p : pointsOf(cutter, te, axis, 256, 64)) {
+        least = std::min(least, side * s.foot(p, hint).distance);
+      }
+      if (c.gap < -0.05) {
+        continue;  // deep gouges have no single contact
+      }
+      // The cutter's upper end does not count unless its height was given.
+      const bool upper = !cutter.explicitHeight && least < c.gap - 1e-2;
+      if (!upper) {
+        EXPECT_NEAR(c.gap, least, 2e-3) << i << " cutter " << values.size() << " d " << values[0];
+      }
+      EXPECT_NEAR(side * s.foot(c.point, hint).distance, c.gap, 1e-9);
+    }
+  }
+}
+
+TEST(Contact, PlaneAgainstBruteForce) {
+  compare<surface::Plane>([](auto in) { return surface::Plane{Vec3(in(-0.5, 0.5), in(-0.5, 0.5), 1).normalized(), -1.0}; }, 1.0, 20);
+}
+TEST(Contact, SphereOutsideAgainstBruteForce) {
+  compare<surface::Sphere>([](auto in) { return surface::Sphere{{in(-1, 1), in(-1, 1), -6}, 5.0}; }, 1.0, 20);
+}
+TEST(Contact, SphereInsideAgainstBruteForce) {
+  compare<surface::Sphere>([](auto in) { return surface::Sphere{{in(-1, 1), in(-1, 1), 8}, 12.0}; }, -1.0, 20);
+}
+TEST(Contact, CylinderAgainstBruteForce) {
+  compare<surface::Cylinder>(
+      [](auto in) { return surface::Cylinder{{0, 0, -6}, Vec3(1, in(-0.5, 0.5), in(-0.3, 0.3)).normalized(), 4.5}; }, 1.0, 20);
+}
+TEST(Contact, ConeAgainstBruteForce) {
+  compare<surface::Cone>(
+      [](auto in) { return surface::Cone{{-20, in(-1, 1), -6}, Vec3::UnitX(), std::cos(0.25), std::sin(0.25)}; }, 1.0, 20);
+}
+TEST(Contact, TorusAgainstBruteForce) {
+  compare<surface::Torus>([](auto in) { return surface::Torus{{in(-1, 1), 0, -5}, Vec3::UnitY(), 3.0, 1.5}; }, 1.0, 20);
+}
+TEST(Contact, EllipsoidAgainstBruteForce) {
+  compare<surface::Quadric>(
+      [](auto in) {
+        surface::Quadric q;
+        q.matrix = Vec3(0.04, 0.06, 0.1).asDiagonal();
+        q.linear = Vec3(0, 0, 0.1 * in(5, 6));
+        q.constant = q.linear.z() * q.linear.z() / 0.1 - 1.0;
+        return q;
+      },
+      1.0, 5);
+}
+
+TEST(Contact, BallOnSphereIsClosedForm) {
+  const Profile ball = *makeProfile(std::vector<double>{2.0, 1.0});
+  const surface::Sphere s{{0, 0, 0}, 5.0};
+  Search<surface::Sphere> search;
+  const Contact c = contact(s, 1.0, ball, Vec3(3, 0, 5), Vec3::UnitZ(), search);
+  EXPECT_NEAR(c.gap, std::hypot(3.0, 6.0) - 6.0, 1e-14);
+}
+
+TEST(Contact, WallUsesTheLargestRadius) {
+  const Profile flat = *makeProfile(std::vector<double>{0.5});
+  const surface::Cylinder c{{0, 0, 0}, Vec3::UnitZ(), 2.0};
+  Search<surface::Cylinder> search;
+  EXPECT_NEAR(contact(c, 1.0, flat, Vec3(3, 0, 0), Vec3::UnitZ(), search).gap, 0.75, 1e-15);
+  EXPECT_NEAR(contact(c, -1.0, flat, Vec3(1, 0, 0), Vec3::UnitZ(), search).gap, 0.75, 1e-15);
+}
+
+}  // namespace
+}  // namespace arelem::tool
