@@ -24,8 +24,10 @@ class ContactSearch {
       return best;
     }
     const double nz = best.normal.dot(axis_);
-    if (nz > cutter_.cosAlpha) {
-      best = cutter_.alpha == 0.0 ? onDisc(best) : onLine({0.0, 0.0}, cutter_.bottomEnd);
+    if (cutter_.alpha == 0.0 && cutter_.e > 0.0 && nz > 0.0 && best.normal.dot(radial()) > 0.0) {
+      best = onDisc(best);
+    } else if (nz > cutter_.cosAlpha) {
+      best = onLine({0.0, 0.0}, cutter_.bottomEnd);
     } else if (nz < cutter_.sinBeta) {
       best = onLine(cutter_.sideStart, cutter_.sideEnd);
     }
@@ -110,12 +112,8 @@ class ContactSearch {
   /// The flat bottom: Newton in its plane; on its rim the circle search has the answer already.
   Contact onDisc(const Contact& rim) {
     const double height = cutter_.f;
-    const Sample edge = sample(place({cutter_.e, height}));
-    if (edge.gradient.dot(radial()) <= 0.0) {
-      return rim;
-    }
     Vec3 offset = cutter_.e * radial();
-    Sample s = edge;
+    Sample s = sample(place({cutter_.e, height}));
     for (int i = 0; i < limit; ++i) {
       const Eigen::Vector2d slope(s.gradient.dot(e1_), s.gradient.dot(e2_));
       Eigen::Matrix2d curvature;

@@ -102,6 +102,14 @@ TEST(Contact, EllipsoidAgainstBruteForce) {
       1.0, 5);
 }
 
+TEST(Contact, FlatBottomTouchesInside) {
+  // A flat cutter square on top of a cylinder touches along the generatrix under its axis.
+  const Profile flat = *makeProfile(std::vector<double>{0.062, 0.0, 0.031, 0.0, 0.0, 0.0, 0.5});
+  const surface::Cylinder c{{0, 0, 0}, Vec3::UnitX(), 0.556};
+  Search<surface::Cylinder> search;
+  EXPECT_NEAR(contact(c, 1.0, flat, Vec3(-1.19, 0, 0.55645), Vec3::UnitZ(), search).gap, 0.00045, 1e-12);
+}
+
 TEST(Contact, BallOnSphereIsClosedForm) {
   const Profile ball = *makeProfile(std::vector<double>{2.0, 1.0});
   const surface::Sphere s{{0, 0, 0}, 5.0};
