@@ -21,6 +21,8 @@ constexpr double aimShare = 1e-5;
 /// A chord is taken when it could grow by less than this factor.
 constexpr double goodFit = 1.01;
 constexpr double safety = 0.9995;
+/// A stop whose chord leaves the band by this share of the length's square is taken.
+constexpr double fitShare = 1e-6;
 constexpr int tryLimit = 40;
 /// Largest turn of the path over one cut vector.
 constexpr double turnCosine = 0.2;
@@ -46,8 +48,7 @@ class Follower {
         return *bad;
       }
     }
-    const bool arc = exact_ && std::holds_alternative<surface::Cylinder>(request_.drive.surface);
-    auto bad = arc ? runArc() : runChords([&](const PathPoint& p) { put(p); });
+    auto bad = isArc() ? runArc() : runChords([&](const PathPoint& p) { put(p); });
     if (bad) {
       return *bad;
     }
@@ -57,6 +58,9 @@ class Follower {
  private:
   Guide& part() { return path_.guides[0]; }
   Guide& drive() { return path_.guides[1]; }
+  [[nodiscard]] bool isArc() const {
+    return exact_ && std::holds_alternative<surface::Cylinder>(request_.drive.surface);
+  }
 
   // ---- setting up -------------------------------------------------------------------------------
 
@@ -176,6 +180,10 @@ class Follower {
       g.bend = g.flat() ? 0.0
                         : curvatureAlong(*g.field, state_.toolEnd, path_.axis, start_.tangent,
                                          0.01 * std::sqrt(g.inner + g.outer));
+    }
+    if (isArc()) {
+      // A circle keeps the radius on which the tool stands (spec 4.8).
+      drive().rest = std::clamp(start_.contacts[1].gap, -drive().inner, drive().outer);
     }
     for (CheckWatch& w : watches_) {
       w.begin(state_.toolEnd, path_.axis);
@@ -312,6 +320,21 @@ class Follower {
     return end;
   }
 
+  /// The stop at the band's edge instead of a tenth inside: where that saves a cut vector.
+  std::optional<PathPoint> endAtEdge(const PathPoint& a, const Segment& segment, const Met& met) {
+    if (exact_) {
+      return std::nullopt;
+    }
+    const auto rests = path_.rests();
+    for (Guide& g : path_.guides) {
+      g.rest = g.vertexGap();
+    }
+    auto end = meetCheck(a, segment, met);
+    path_.guides[0].rest = rests[0];
+    path_.guides[1].rest = rests[1];
+    return end;
+  }
+
   [[nodiscard]] Failure lost(const PathPoint& a) const {
     return fail(diag::ContactLost, request_.drive.name, part_->name, a.toolEnd.x(), a.toolEnd.y(),
                 a.toolEnd.z());
@@ -364,9 +387,13 @@ class Follower {
           return lost(a);
         }
         const double factor = path_.fit(a, *end);
-        if (factor >= 1.0 - 1e-3 || vectors + 1 >= limits_.points) {
+        if (factor >= 1.0 - fitShare || vectors + 1 >= limits_.points) {
           accept(*end);
           return finish(*end);
+        }
+        if (const auto edge = endAtEdge(a, segment, *met); edge && path_.fit(a, *edge) >= 1.0 - fitShare) {
+          accept(*edge);
+          return finish(*edge);
         }
         // Too long for one: share the rest evenly, so that no tiny vector remains.
         const double rest = (end->toolEnd - a.toolEnd).norm();

@@ -180,10 +180,10 @@ class Starter {
       list.push_back({across, state_.toolEnd});
       list.push_back({v->normalized().cross(across), state_.toolEnd});
     } else if (goals_.size() == 2 && (v.has_value() != state_.direction[1].has_value())) {
+      // The plane through the start that holds the vector and the other surface's normal.
       const Vec3 given = v ? *v : *state_.direction[1];
-      const Vec3 edge = goals_[0].field->at(from, rule_.at(from)).normal.cross(
-          goals_[1].field->at(from, rule_.at(from)).normal);
-      const Vec3 normal = given.cross(edge);
+      const Vec3 other = goals_[v ? 1 : 0].field->at(from, rule_.at(from)).normal;
+      const Vec3 normal = given.cross(other);
       if (normal.norm() > tolerance::nullDirection) {
         list.push_back({normal.normalized(), state_.toolEnd});
       }

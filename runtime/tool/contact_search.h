@@ -19,6 +19,42 @@ class ContactSearch {
 
   Contact run() {
     aim();
+    Contact best = nearestPiece();
+    if (cutter_.ring) {
+      return best;
+    }
+    // A surface that is hollow on this side may touch the cutter elsewhere too: look from the far side of the
+    // axis and at the upper end, unless the distances there prove that it does not.
+    if (hollow(best)) {
+      const double c = search_.cosTheta;
+      const double s = search_.sinTheta;
+      const bool reachable = sample(te_ + cutter_.f * axis_).distance() - cutter_.e - cutter_.r < best.gap;
+      if (cutter_.maxRadius() > 0.0 && reachable) {
+        takeBetter(best, [&] { return opposite(c, s); });
+      }
+      const ProfilePoint top = cutter_.sideEnd;
+      if (sample(te_ + top.z * axis_).distance() - top.rho < best.gap) {
+        takeBetter(best, [&] { return alongCircle(top, 0.0); });
+      }
+    }
+    return best;
+  }
+
+ private:
+  static constexpr int limit = 50;
+  static constexpr double smallTurn = 1e-15;
+  /// Curvatures above minus this count as not hollow. Per part unit.
+  static constexpr double flatness = 1e-9;
+
+  struct Sample {
+    Vec3 at;
+    surface::Foot foot;
+    Vec3 gradient;  ///< of side * distance
+    double side;
+    [[nodiscard]] double distance() const { return side * foot.distance; }
+  };
+
+  Contact nearestPiece() {
     Contact best = alongCircle({cutter_.e, cutter_.f}, cutter_.r);
     if (cutter_.ring) {
       return best;
@@ -34,19 +70,38 @@ class ContactSearch {
     return best;
   }
 
- private:
-  static constexpr int limit = 50;
-  static constexpr double smallTurn = 1e-15;
+  /// True where the distance may fall again away from the contact: the surface bends towards the cutter.
+  bool hollow(const Contact& best) {
+    const Sample s = sample(best.point);
+    const Vec3 t = best.normal.unitOrthogonal();
+    return bend(s, t) < -flatness || bend(s, best.normal.cross(t)) < -flatness;
+  }
 
-  struct Sample {
-    Vec3 at;
-    surface::Foot foot;
-    Vec3 gradient;  ///< of side * distance
-  };
+  Contact opposite(double cosTheta, double sinTheta) {
+    search_.cosTheta = -cosTheta;
+    search_.sinTheta = -sinTheta;
+    return nearestPiece();
+  }
+
+  /// Keeps the search where the better contact is.
+  template <class Find>
+  void takeBetter(Contact& best, Find find) {
+    const double c = search_.cosTheta;
+    const double s = search_.sinTheta;
+    const auto hint = search_.hint;
+    const Contact other = find();
+    if (other.gap < best.gap) {
+      best = other;
+    } else {
+      search_.cosTheta = c;
+      search_.sinTheta = s;
+      search_.hint = hint;
+    }
+  }
 
   Sample sample(const Vec3& at) {
     const surface::Foot foot = surface_.foot(at, search_.hint);
-    return {at, foot, side_ * foot.normal};
+    return {at, foot, side_ * foot.normal, side_};
   }
   double bend(const Sample& s, const Vec3& t) { return side_ * surface_.bend(s.at, s.foot, t, search_.hint); }
   double bend(const Sample& s, const Vec3& a, const Vec3& b) {

@@ -71,7 +71,6 @@ Result<Profile> makeProfile(std::span<const double> values) {
     p.alpha = values[4] * degree;
     p.beta = values[5] * degree;
     p.h = values[6];
-    p.explicitHeight = p.h > 0.0;
   }
   if (std::min({p.d, p.r, p.e, p.f, p.h, p.alpha, p.beta}) < 0.0) {
     return fail(diag::CutterImpossible, std::string("no value may be negative"));
@@ -159,9 +158,7 @@ double farthestFrom(const Profile& p, ProfilePoint c, ProfilePoint& farthest) {
   consider({0.0, 0.0});
   consider(p.bottomEnd);
   consider(p.sideStart);
-  if (p.explicitHeight) {
-    consider(p.sideEnd);
-  }
+  consider(p.sideEnd);
   const double dx = p.e + c.rho;
   const double dz = p.f - c.z;
   const double length = std::hypot(dx, dz);

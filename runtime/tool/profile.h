@@ -20,7 +20,6 @@ struct Profile {
   double d = 0.0, r = 0.0, e = 0.0, f = 0.0;
   double alpha = 0.0, beta = 0.0;  ///< radians
   double h = 5.0;
-  bool explicitHeight = false;     ///< h was given: the upper end of the side line may touch curved surfaces
   bool ring = false;               ///< CUTTER/OPTION: only the circle of radius e at height f
   double sinAlpha = 0.0, cosAlpha = 1.0, sinBeta = 0.0, cosBeta = 1.0;
   ProfilePoint bottomEnd;  ///< where the bottom line meets the arc
