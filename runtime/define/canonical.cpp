@@ -2,7 +2,6 @@
 #include "runtime/define/canonical.h"
 
 #include <cmath>
-#include <limits>
 
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
@@ -24,19 +23,12 @@ std::size_t expectedCount(EntityType type) {
                                        : static_cast<std::size_t>(canonicalCount(type));
 }
 
-/// Divides canon[first..first+n) by the length of the three numbers from `first`, unless that is 1 already.
-Result<bool> normalize(EntityType type, Canon& canon, std::size_t first, std::size_t n) {
+/// The three numbers from `first` are a direction; its length need not be 1 (typed views divide by it).
+Result<bool> requireDirection(EntityType type, const Canon& canon, std::size_t first) {
   const Vec3 direction(canon[first], canon[first + 1], canon[first + 2]);
-  const double length = direction.norm();
-  if (!(length > tolerance::nullDirection)) {
-    return fail(diag::NullDirection, spell(type), direction.cwiseAbs().maxCoeff(),
-                tolerance::nullDirection);
-  }
-  if (std::abs(length - 1.0) <= std::numeric_limits<double>::epsilon()) {
-    return true;
-  }
-  for (std::size_t i = first; i < first + n; ++i) {
-    canon[i] /= length;
+  const double largest = direction.cwiseAbs().maxCoeff();
+  if (!(largest > tolerance::nullDirection)) {
+    return fail(diag::NullDirection, spell(type), largest, tolerance::nullDirection);
   }
   return true;
 }
@@ -119,34 +111,29 @@ Result<bool> checkRuled(const Canon& canon) {
   return true;
 }
 
-Result<bool> check(EntityType type, Canon& canon) {
+Result<bool> check(EntityType type, const Canon& canon) {
   Result<bool> good = true;
   switch (type) {
-    case EntityType::line:
-      good = require(type, canon, 2, canon[2] == 0.0, "0: a line is a vertical plane");
-      return good ? normalize(type, canon, 0, 4) : std::move(good);
-    case EntityType::plane:
-      return normalize(type, canon, 0, 4);
     case EntityType::circle:
       return checkCircle(type, canon);
     case EntityType::cylinder:
       good = require(type, canon, 6, canon[6] > 0.0, "greater than 0");
-      return good ? normalize(type, canon, 3, 3) : std::move(good);
+      return good ? requireDirection(type, canon, 3) : std::move(good);
     case EntityType::cone:
       good = require(type, canon, 6, canon[6] > 0.0 && canon[6] < 1.0,
                      "a cosine between 0 and 1, ends excluded");
-      return good ? normalize(type, canon, 3, 3) : std::move(good);
+      return good ? requireDirection(type, canon, 3) : std::move(good);
     case EntityType::sphere:
       return require(type, canon, 3, canon[3] > 0.0, "greater than 0");
     case EntityType::torus:
       good = require(type, canon, 6, canon[6] > 0.0, "greater than 0");
       good = good ? require(type, canon, 7, canon[7] > 0.0, "greater than 0") : std::move(good);
-      return good ? normalize(type, canon, 3, 3) : std::move(good);
+      return good ? requireDirection(type, canon, 3) : std::move(good);
     case EntityType::tabulatedCylinder:
       return checkTabulated(canon);
     case EntityType::ruledSurface:
       return checkRuled(canon);
-    default:
+    default:  // any numbers: programs also use LINE/CANON to keep four numbers
       return good;
   }
 }

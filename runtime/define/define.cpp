@@ -100,8 +100,9 @@ Result<Entity> define(EntityType type, std::span<const Parameter> parameters, co
   std::vector<Symbol> symbols(parameters.size());
   std::transform(parameters.begin(), parameters.end(), symbols.begin(), symbolOf);
   const std::optional<Word> noun = findWord(spell(type));
-  if (!noun) {
-    return fail(diag::NoSuchForm, spell(type), "");
+  if (!noun || type == EntityType::mesh) {
+    return fail(diag::NoSuchForm, spell(type), noun ? signature(*noun, symbols) : "")
+        .note("this word is kept free for installations; there are no definitions for it");
   }
   const std::variant<FormId, Mismatch> found = match(*noun, symbols);
   if (const auto* mismatch = std::get_if<Mismatch>(&found)) {

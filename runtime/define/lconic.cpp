@@ -34,7 +34,13 @@ struct Pencil {
   Line l1, l2, l3, l4;
 };
 
-/// The conic of the pencil through `place`. A place on one of the lines makes the conic fall apart.
+/// The coefficient that turns a line with unit normal into y - m x - c = 0; 1 for a vertical line.
+double slopeForm(const Line& line) {
+  return std::abs(line.normal.y()) > tolerance::coincidence ? 1.0 / line.normal.y() : 1.0;
+}
+
+/// The conic of the pencil through `place`. A place on one of the lines makes the conic fall apart. The coefficients
+/// are scaled as if the first two lines were in slope form, as the old system does.
 Result<Resolved> conicThrough(const Pencil& pencil, const Vec2& place) {
   for (const Line& line : {pencil.l1, pencil.l2, pencil.l3, pencil.l4}) {
     const double off = std::abs(line.height(place));
@@ -47,8 +53,9 @@ Result<Resolved> conicThrough(const Pencil& pencil, const Vec2& place) {
   }
   const double k = -(pencil.l1.height(place) * pencil.l2.height(place)) /
                    (pencil.l3.height(place) * pencil.l4.height(place));
-  geometry::Canon canon = pairOf(pencil.l1, pencil.l2, 1.0);
-  const geometry::Canon second = pairOf(pencil.l3, pencil.l4, k);
+  const double scale = slopeForm(pencil.l1) * slopeForm(pencil.l2);
+  geometry::Canon canon = pairOf(pencil.l1, pencil.l2, scale);
+  const geometry::Canon second = pairOf(pencil.l3, pencil.l4, scale * k);
   for (std::size_t i = 0; i < canon.size(); ++i) {
     canon[i] += second[i];
   }

@@ -1,20 +1,43 @@
 #include "runtime/geometry/shapes.h"
 
+#include <cmath>
+
+#include "ir/space/tolerance.h"
+
 namespace arelem::geometry {
 
 namespace {
 Vec3 triple(std::span<const double> canon, std::size_t first) {
   return {canon[first], canon[first + 1], canon[first + 2]};
 }
+
+/// What canonical numbers must be divided by so that a direction of this length becomes a unit vector. Definitions make
+/// unit vectors; only canonical input may hold others. Of a null direction the result is not finite.
+double divisor(double length) {
+  return std::abs(length - 1.0) <= tolerance::rounding ? 1.0 : length;
+}
+
+Vec3 unitTriple(std::span<const double> canon, std::size_t first) {
+  const Vec3 direction = triple(canon, first);
+  return direction / divisor(direction.norm());
+}
 }  // namespace
 
 Point Point::of(std::span<const double> canon) { return {triple(canon, 0)}; }
 Canon Point::canon() const { return {at.x(), at.y(), at.z()}; }
 
-Line Line::of(std::span<const double> canon) { return {{canon[0], canon[1]}, canon[3]}; }
+Line Line::of(std::span<const double> canon) {
+  const Vec2 normal(canon[0], canon[1]);
+  const double length = divisor(normal.norm());
+  return {normal / length, canon[3] / length};
+}
 Canon Line::canon() const { return {normal.x(), normal.y(), 0.0, distance}; }
 
-Plane Plane::of(std::span<const double> canon) { return {triple(canon, 0), canon[3]}; }
+Plane Plane::of(std::span<const double> canon) {
+  const Vec3 normal = triple(canon, 0);
+  const double length = divisor(normal.norm());
+  return {normal / length, canon[3] / length};
+}
 Canon Plane::canon() const { return {normal.x(), normal.y(), normal.z(), distance}; }
 
 Circle Circle::of(std::span<const double> canon) { return {triple(canon, 0), canon[6]}; }
@@ -23,14 +46,14 @@ Canon Circle::canon() const {
 }
 
 Cylinder Cylinder::of(std::span<const double> canon) {
-  return {triple(canon, 0), triple(canon, 3), canon[6]};
+  return {triple(canon, 0), unitTriple(canon, 3), canon[6]};
 }
 Canon Cylinder::canon() const {
   return {point.x(), point.y(), point.z(), axis.x(), axis.y(), axis.z(), radius};
 }
 
 Cone Cone::of(std::span<const double> canon) {
-  return {triple(canon, 0), triple(canon, 3), canon[6]};
+  return {triple(canon, 0), unitTriple(canon, 3), canon[6]};
 }
 Canon Cone::canon() const {
   return {vertex.x(), vertex.y(), vertex.z(), axis.x(), axis.y(), axis.z(), cosine};
@@ -40,7 +63,7 @@ Sphere Sphere::of(std::span<const double> canon) { return {triple(canon, 0), can
 Canon Sphere::canon() const { return {center.x(), center.y(), center.z(), radius}; }
 
 Torus Torus::of(std::span<const double> canon) {
-  return {triple(canon, 0), triple(canon, 3), canon[6], canon[7]};
+  return {triple(canon, 0), unitTriple(canon, 3), canon[6], canon[7]};
 }
 Canon Torus::canon() const {
   return {center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z(), major, minor};
