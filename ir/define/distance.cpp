@@ -17,7 +17,9 @@ constexpr int unreached = std::numeric_limits<int>::max();
 class Grid {
  public:
   Grid(const Pattern& pattern, std::span<const Symbol> parameters)
-      : pattern_(pattern), parameters_(parameters), nodes_(pattern.nodes.size()),
+      : pattern_(pattern),
+        parameters_(parameters),
+        nodes_(pattern.nodes.size()),
         cells_((parameters.size() + 1) * nodes_) {
     cell(0, pattern.start).cost = 0;
     for (std::size_t used = 0; used <= parameters.size(); ++used) {
@@ -159,7 +161,8 @@ EditPath editPath(const Pattern& pattern, std::span<const Symbol> parameters) {
   return path;
 }
 
-std::vector<Expectation> oneChange(const Pattern& pattern, std::span<const Symbol> parameters,
+std::vector<Expectation> oneChange(const Pattern& pattern,
+                                   std::span<const Symbol> parameters,
                                    const Edit& edit) {
   std::vector<Symbol> trial(parameters.begin(), parameters.end());
   if (edit.kind == Edit::Kind::missing) {

@@ -16,18 +16,19 @@ struct Edit {
 };
 
 struct EditPath {
-  int cost = 0;              ///< replacing like by like 2, other changes 3
-  std::vector<Edit> edits;   ///< from left to right; empty: the parameters fit
+  int cost = 0;             ///< replacing like by like 2, other changes 3
+  std::vector<Edit> edits;  ///< from left to right; empty: the parameters fit
 };
 
-/// The cheapest changes (a shortest path over parameters x nodes). Only the first `editLimit` parameters are
-/// looked at, each one beyond costs as one surplus.
+/// The cheapest changes (a shortest path over parameters x nodes). Only the first `editLimit`
+/// parameters are looked at, each one beyond costs as one surplus.
 [[nodiscard]] EditPath editPath(const Pattern& pattern, std::span<const Symbol> parameters);
 inline constexpr std::size_t editLimit = 600;
 
-/// Everything the pattern would accept in place of (or, for a missing parameter, before) `edit.position`
-/// so that all the rest fits.
+/// Everything the pattern would accept in place of (or, for a missing parameter, before)
+/// `edit.position` so that all the rest fits.
 [[nodiscard]] std::vector<Expectation> oneChange(const Pattern& pattern,
-                                                 std::span<const Symbol> parameters, const Edit& edit);
+                                                 std::span<const Symbol> parameters,
+                                                 const Edit& edit);
 
 }  // namespace arelem::define

@@ -16,8 +16,12 @@ constexpr std::array table = {
 };
 }  // namespace
 
-std::span<const FormRow> formTable() { return table; }
+std::span<const FormRow> formTable() {
+  return table;
+}
 
-const FormRow& row(FormId id) { return table[static_cast<std::size_t>(id)]; }
+const FormRow& row(FormId id) {
+  return table[static_cast<std::size_t>(id)];
+}
 
 }  // namespace arelem::define

@@ -25,7 +25,9 @@ const Pattern& compiledForm(FormId form) {
   return compiledForms()[static_cast<std::size_t>(form)];
 }
 
-bool isOf(const FormRow& form, Word noun) { return form.anyNoun || form.noun == noun; }
+bool isOf(const FormRow& form, Word noun) {
+  return form.anyNoun || form.noun == noun;
+}
 
 /// A set of automaton nodes, closed under splits.
 class NodeSet {

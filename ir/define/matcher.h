@@ -20,7 +20,7 @@ struct Mismatch {
     surplus      ///< one parameter is too many
   };
   Kind kind = Kind::noneIsNear;
-  std::size_t position = 0;           ///< of that parameter, 0 based; of a missing one: where it belongs
+  std::size_t position = 0;  ///< of that parameter, 0 based; of a missing one: where it belongs
   std::vector<std::string> expected;  ///< what would fit there, as the patterns spell it
   std::vector<FormId> nearest;        ///< forms by rising distance, at most `mismatchForms`
 };

@@ -25,7 +25,8 @@ struct Symbol {
 /// "XLARGE", "circle", "scalar" or "nothing": how a message names what was found.
 [[nodiscard]] std::string describe(const Symbol& symbol);
 
-/// What a pattern wants at one place: a word, a scalar, an empty place or entities of certain types.
+/// What a pattern wants at one place: a word, a scalar, an empty place or entities of certain
+/// types.
 struct Expectation {
   Symbol::Sort sort = Symbol::Sort::empty;
   Word word = Word::CANON;
@@ -35,20 +36,22 @@ struct Expectation {
   [[nodiscard]] bool accepts(const Symbol& symbol) const;
 };
 
-/// A pattern of forms.def compiled to an automaton: nodes either take one parameter or split without taking any.
+/// A pattern of forms.def compiled to an automaton: nodes either take one parameter or split
+/// without taking any.
 struct Pattern {
   struct Node {
     enum class Kind : std::uint8_t { take, split, end };
     Kind kind = Kind::end;
-    Expectation wanted;           ///< of take
-    int next = -1, other = -1;    ///< `other` only of split
+    Expectation wanted;         ///< of take
+    int next = -1, other = -1;  ///< `other` only of split
   };
   std::vector<Node> nodes;
   int start = 0;
 };
 
 /// Compiles a pattern. The patterns are our own table, so a wrong one is a programming error:
-/// `error` then says what is wrong and the pattern accepts nothing. A unit test compiles all of them.
+/// `error` then says what is wrong and the pattern accepts nothing. A unit test compiles all of
+/// them.
 [[nodiscard]] Pattern compile(std::string_view pattern, std::string* error = nullptr);
 
 }  // namespace arelem::define

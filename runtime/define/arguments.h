@@ -25,10 +25,14 @@ class Arguments {
 
   [[nodiscard]] double scalar(std::size_t i) const { return std::get<double>(parameters_[i]); }
   [[nodiscard]] Word word(std::size_t i) const { return std::get<Word>(parameters_[i]); }
-  [[nodiscard]] const Entity& entity(std::size_t i) const { return *std::get<EntityPtr>(parameters_[i]); }
+  [[nodiscard]] const Entity& entity(std::size_t i) const {
+    return *std::get<EntityPtr>(parameters_[i]);
+  }
 
   /// Three (two) successive scalars.
-  [[nodiscard]] Vec3 triple(std::size_t i) const { return {scalar(i), scalar(i + 1), scalar(i + 2)}; }
+  [[nodiscard]] Vec3 triple(std::size_t i) const {
+    return {scalar(i), scalar(i + 1), scalar(i + 2)};
+  }
   [[nodiscard]] geometry::Vec2 pair(std::size_t i) const { return {scalar(i), scalar(i + 1)}; }
 
   /// A POINT or VECTOR.
@@ -49,7 +53,9 @@ class Arguments {
 
  private:
   template <class Shape>
-  [[nodiscard]] Shape as(std::size_t i) const { return Shape::of(entity(i).canon); }
+  [[nodiscard]] Shape as(std::size_t i) const {
+    return Shape::of(entity(i).canon);
+  }
 
   EntityType type_;
   std::span<const Parameter> parameters_;

@@ -23,7 +23,8 @@ std::size_t expectedCount(EntityType type) {
                                        : static_cast<std::size_t>(canonicalCount(type));
 }
 
-/// The three numbers from `first` are a direction; its length need not be 1 (typed views divide by it).
+/// The three numbers from `first` are a direction; its length need not be 1 (typed views divide by
+/// it).
 Result<bool> requireDirection(EntityType type, const Canon& canon, std::size_t first) {
   const Vec3 direction(canon[first], canon[first + 1], canon[first + 2]);
   const double largest = direction.cwiseAbs().maxCoeff();
@@ -33,8 +34,8 @@ Result<bool> requireDirection(EntityType type, const Canon& canon, std::size_t f
   return true;
 }
 
-Result<bool> require(EntityType type, const Canon& canon, std::size_t index, bool good,
-                     std::string_view rule) {
+Result<bool> require(
+    EntityType type, const Canon& canon, std::size_t index, bool good, std::string_view rule) {
   if (!good) {
     return fail(diag::BadCanonicalValue, spell(type), index + 1, canon[index], rule);
   }
@@ -43,20 +44,25 @@ Result<bool> require(EntityType type, const Canon& canon, std::size_t index, boo
 
 Result<bool> checkCircle(EntityType type, const Canon& canon) {
   for (const std::size_t index : {std::size_t{3}, std::size_t{4}}) {
-    Result<bool> zero = require(type, canon, index, canon[index] == 0.0, "0: the axis of a circle is z");
+    Result<bool> zero =
+        require(type, canon, index, canon[index] == 0.0, "0: the axis of a circle is z");
     if (!zero) {
       return zero;
     }
   }
-  Result<bool> axis = require(type, canon, 5, std::abs(canon[5]) == 1.0, "1: the axis of a circle is z");
+  Result<bool> axis =
+      require(type, canon, 5, std::abs(canon[5]) == 1.0, "1: the axis of a circle is z");
   return axis ? require(type, canon, 6, canon[6] > 0.0, "greater than 0") : std::move(axis);
 }
 
-/// n, k and the counts of a TABCYL agree, its frame is orthonormal, its chords have the given lengths.
+/// n, k and the counts of a TABCYL agree, its frame is orthonormal, its chords have the given
+/// lengths.
 Result<bool> checkTabulated(const Canon& canon) {
   constexpr EntityType type = EntityType::tabulatedCylinder;
   const double n = canon[0];
-  Result<bool> good = require(type, canon, 0, n >= 2.0 && n == std::floor(n) && n <= static_cast<double>(canon.size()), "a whole number from 2");
+  Result<bool> good = require(
+      type, canon, 0, n >= 2.0 && n == std::floor(n) && n <= static_cast<double>(canon.size()),
+      "a whole number from 2");
   if (!good) {
     return good;
   }
@@ -66,11 +72,13 @@ Result<bool> checkTabulated(const Canon& canon) {
                 fmt::format("{} for n = {}", count, n));
   }
   const geometry::TabulatedCylinder surface = geometry::TabulatedCylinder::of(canon);
-  const Eigen::Matrix3d rest = surface.frame * surface.frame.transpose() - Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d rest =
+      surface.frame * surface.frame.transpose() - Eigen::Matrix3d::Identity();
   good = require(type, canon, 2, rest.cwiseAbs().maxCoeff() <= tolerance::perpendicular,
                  "the first number of three perpendicular unit vectors");
   for (std::size_t i = 0; good && i < surface.intervals.size(); ++i) {
-    const geometry::Vec2 next = i + 1 < surface.intervals.size() ? surface.intervals[i + 1].start : surface.end;
+    const geometry::Vec2 next =
+        i + 1 < surface.intervals.size() ? surface.intervals[i + 1].start : surface.end;
     const double length = (next - surface.intervals[i].start).norm();
     good = require(type, canon, 15 + 7 * i,
                    length > 0.0 && std::abs(canon[15 + 7 * i] - length) <= tolerance::coincidence,
@@ -99,8 +107,8 @@ Result<bool> checkRuled(const Canon& canon) {
   }
   using T = EntityType;
   const auto isCurve = [&](std::size_t i) {
-    return i + 3 < types.size() && types[i] != T::point && types[i + 1] == T::point && types[i + 2] == T::point &&
-           types[i + 3] == T::vector;
+    return i + 3 < types.size() && types[i] != T::point && types[i + 1] == T::point &&
+           types[i + 2] == T::point && types[i + 3] == T::vector;
   };
   const bool two = types.size() == 8 && isCurve(0) && isCurve(4);
   const bool one = types.size() == 5 && isCurve(0) && types[4] == T::point;
@@ -185,7 +193,8 @@ Result<Resolved> canonicalCopy(const Arguments& given) {
   Canon canon = original.canon;
   const std::size_t values = given.count() - 2;
   if (values > canon.size()) {
-    return fail(diag::WrongCanonicalCount, spell(given.type()), values, std::to_string(canon.size()));
+    return fail(diag::WrongCanonicalCount, spell(given.type()), values,
+                std::to_string(canon.size()));
   }
   bool replaced = false;
   for (std::size_t i = 0; i < values; ++i) {

@@ -1,8 +1,8 @@
 #include "runtime/define/choice.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "ir/space/tolerance.h"
 

@@ -22,19 +22,20 @@ struct Candidates {
   bool single = false;
 };
 
-/// The candidate with the larger (smaller) coordinate. Fails, naming both, when the coordinates differ by no
-/// more than rounding: an answer would be a random choice.
+/// The candidate with the larger (smaller) coordinate. Fails, naming both, when the coordinates
+/// differ by no more than rounding: an answer would be a random choice.
 [[nodiscard]] Result<geometry::Vec2> choose(Word modifier, const Candidates& candidates);
 
-/// The direction or its reverse, so that the named component has the named sign. Fails on a component of
-/// no more than rounding.
+/// The direction or its reverse, so that the named component has the named sign. Fails on a
+/// component of no more than rounding.
 [[nodiscard]] Result<Vec3> orient(Word modifier, const Vec3& direction);
 
 /// "(1.5, -2, 0)": coordinates for notes.
 [[nodiscard]] std::string show(const geometry::Vec2& place);
 [[nodiscard]] std::string show(const Vec3& place);
 
-/// Unit vector; fails when all components are at most tolerance::nullDirection. `what` names the direction.
+/// Unit vector; fails when all components are at most tolerance::nullDirection. `what` names the
+/// direction.
 [[nodiscard]] Result<Vec3> unit(const Vec3& direction, std::string_view what);
 
 }  // namespace arelem::define

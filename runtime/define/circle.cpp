@@ -66,7 +66,8 @@ Result<Resolved> circleOfPoints(const Arguments& given) {
   const double area = b.x() * c.y() - b.y() * c.x();
   const double longest = std::max({b.norm(), c.norm(), (c - b).norm()});
   if (std::abs(area) <= tolerance::singular * longest * longest) {
-    return fail(diag::Collinear, "the three points", longest > 0.0 ? std::abs(area) / longest : 0.0);
+    return fail(diag::Collinear, "the three points",
+                longest > 0.0 ? std::abs(area) / longest : 0.0);
   }
   const Vec2 center(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),
                     b.x() * c.squaredNorm() - c.x() * b.squaredNorm());
@@ -108,7 +109,8 @@ Result<Resolved> circleTangentThroughPoint(const Arguments& given) {
     }
     return circleAt(Vec2(place + radius * moved->normal), radius);
   }
-  const int side = geometry::sideOfLine(line.normal.x(), line.normal.y(), line.distance, place.x(), place.y());
+  const int side =
+      geometry::sideOfLine(line.normal.x(), line.normal.y(), line.distance, place.x(), place.y());
   centers.distance += side * radius;
   Result<Candidates> candidates = meet(centers, place, radius);
   if (!candidates) {
@@ -129,8 +131,8 @@ Result<Resolved> circleTangentToLineAndCircle(const Arguments& given) {
   Result<Candidates> candidates =
       meet(*centers, circle.middle(), centersRadius(given.word(3), circle, radius));
   if (!candidates) {
-    return candidates.takeFailure().note(
-        fmt::format("centers at {:.9g} from the line on the {} side", radius, spell(given.word(0))));
+    return candidates.takeFailure().note(fmt::format(
+        "centers at {:.9g} from the line on the {} side", radius, spell(given.word(0))));
   }
   return circleAt(choose(given.word(2), *candidates), radius);
 }

@@ -14,8 +14,8 @@ struct PlaneConic {
   [[nodiscard]] geometry::Canon canon() const { return {a, b, 0.0, d, 0.0, 0.0, h, p, q, 0.0}; }
 };
 
-/// With U = (x-x0) c + (y-y0) s and V = (y-y0) c - (x-x0) s: b^2 U^2 + a^2 V^2 - a^2 b^2 = 0 is the ellipse;
-/// the hyperbola has -a^2 V^2 in place of +a^2 V^2. `signedA2` is a^2 or -a^2.
+/// With U = (x-x0) c + (y-y0) s and V = (y-y0) c - (x-x0) s: b^2 U^2 + a^2 V^2 - a^2 b^2 = 0 is the
+/// ellipse; the hyperbola has -a^2 V^2 in place of +a^2 V^2. `signedA2` is a^2 or -a^2.
 Result<Resolved> centered(const Arguments& given, double sign) {
   const double halfA = given.scalar(2);
   const double halfB = given.scalar(3);
@@ -44,9 +44,13 @@ PlaneConic functionOfX(const Arguments& given) {
 }
 }  // namespace
 
-Result<Resolved> ellipse(const Arguments& given) { return centered(given, 1.0); }
+Result<Resolved> ellipse(const Arguments& given) {
+  return centered(given, 1.0);
+}
 
-Result<Resolved> hyperbola(const Arguments& given) { return centered(given, -1.0); }
+Result<Resolved> hyperbola(const Arguments& given) {
+  return centered(given, -1.0);
+}
 
 Result<Resolved> conicOfSixCoefficients(const Arguments& given) {
   const double a = given.scalar(0), b = given.scalar(1), c = given.scalar(2);
@@ -57,7 +61,9 @@ Result<Resolved> conicOfSixCoefficients(const Arguments& given) {
   return Resolved(PlaneConic{a, c, f, b / 2.0, d / 2.0, e / 2.0});
 }
 
-Result<Resolved> conicAsFunctionOfX(const Arguments& given) { return Resolved(functionOfX(given)); }
+Result<Resolved> conicAsFunctionOfX(const Arguments& given) {
+  return Resolved(functionOfX(given));
+}
 
 Result<Resolved> conicAsFunctionOfY(const Arguments& given) {
   PlaneConic conic = functionOfX(given);
@@ -73,8 +79,9 @@ Result<Resolved> quadricOfCoefficients(const Arguments& given) {
   if (squares.isZero(0.0) && products.isZero(0.0) && linear.isZero(0.0)) {
     return fail(diag::BadConic, "these coefficients", "no power of x, y or z is left");
   }
-  return Resolved(geometry::Canon{squares.x(), squares.y(), squares.z(), given.scalar(9), products.x(),
-                                  products.y(), products.z(), linear.x(), linear.y(), linear.z()});
+  return Resolved(geometry::Canon{squares.x(), squares.y(), squares.z(), given.scalar(9),
+                                  products.x(), products.y(), products.z(), linear.x(), linear.y(),
+                                  linear.z()});
 }
 
 }  // namespace arelem::define

@@ -29,11 +29,11 @@ struct Overloaded : F... {
 };
 
 Symbol symbolOf(const Parameter& parameter) {
-  return std::visit(Overloaded{[](Omitted) { return Symbol::empty(); },
-                               [](double) { return Symbol::scalar(); },
-                               [](Word word) { return Symbol::of(word); },
-                               [](const EntityPtr& entity) { return Symbol::of(entity->type); }},
-                    parameter);
+  return std::visit(
+      Overloaded{[](Omitted) { return Symbol::empty(); }, [](double) { return Symbol::scalar(); },
+                 [](Word word) { return Symbol::of(word); },
+                 [](const EntityPtr& entity) { return Symbol::of(entity->type); }},
+      parameter);
 }
 
 /// "CENTER", "`XLARGE` or `XSMALL`", "a circle, a line or a scalar" ...
@@ -69,10 +69,12 @@ Failure failureOf(Word noun, const std::vector<Symbol>& symbols, const Mismatch&
       failure = fail(diag::WrongModifier, number, name, describeAt(), choiceOf(mismatch.expected));
       break;
     case Mismatch::Kind::wrongType:
-      failure = fail(diag::WrongParameterType, number, name, describeAt(), choiceOf(mismatch.expected));
+      failure =
+          fail(diag::WrongParameterType, number, name, describeAt(), choiceOf(mismatch.expected));
       break;
     case Mismatch::Kind::missing:
-      failure = fail(diag::MissingParameter, number, name, symbols.size(), choiceOf(mismatch.expected));
+      failure =
+          fail(diag::MissingParameter, number, name, symbols.size(), choiceOf(mismatch.expected));
       break;
     case Mismatch::Kind::surplus:
       failure = fail(diag::SurplusParameter, number, name, describeAt());
@@ -96,7 +98,9 @@ void clearMinusZeros(geometry::Canon& canon) {
 
 }  // namespace
 
-Result<Entity> define(EntityType type, std::span<const Parameter> parameters, const Context& context) {
+Result<Entity> define(EntityType type,
+                      std::span<const Parameter> parameters,
+                      const Context& context) {
   std::vector<Symbol> symbols(parameters.size());
   std::transform(parameters.begin(), parameters.end(), symbols.begin(), symbolOf);
   const std::optional<Word> noun = findWord(spell(type));

@@ -39,16 +39,18 @@ double slopeForm(const Line& line) {
   return std::abs(line.normal.y()) > tolerance::coincidence ? 1.0 / line.normal.y() : 1.0;
 }
 
-/// The conic of the pencil through `place`. A place on one of the lines makes the conic fall apart. The coefficients
-/// are scaled as if the first two lines were in slope form, as the old system does.
+/// The conic of the pencil through `place`. A place on one of the lines makes the conic fall apart.
+/// The coefficients are scaled as if the first two lines were in slope form, as the old system
+/// does.
 Result<Resolved> conicThrough(const Pencil& pencil, const Vec2& place) {
   for (const Line& line : {pencil.l1, pencil.l2, pencil.l3, pencil.l4}) {
     const double off = std::abs(line.height(place));
     if (off <= tolerance::coincidence) {
-      return fail(diag::BadConic, "the given places",
-                  fmt::format("the last point lies on a line through two of the others or on a tangent "
-                              "({:.3g} off)",
-                              off));
+      return fail(
+          diag::BadConic, "the given places",
+          fmt::format("the last point lies on a line through two of the others or on a tangent "
+                      "({:.3g} off)",
+                      off));
     }
   }
   const double k = -(pencil.l1.height(place) * pencil.l2.height(place)) /
@@ -93,8 +95,8 @@ Result<Resolved> fivePoints(const std::vector<Vec2>& p) {
   if (!apart) {
     return apart.takeFailure();
   }
-  return conicThrough({joining(p[0], p[1]), joining(p[2], p[3]), joining(p[0], p[2]), joining(p[1], p[3])},
-                      p[4]);
+  return conicThrough(
+      {joining(p[0], p[1]), joining(p[2], p[3]), joining(p[0], p[2]), joining(p[1], p[3])}, p[4]);
 }
 
 /// The conic touches the tangent at p0 and passes p1, p2, p3.
@@ -103,8 +105,9 @@ Result<Resolved> fourPoints(const std::vector<Vec2>& p, double slope) {
   if (!apart) {
     return apart.takeFailure();
   }
-  return conicThrough({tangentAt(p[0], slope), joining(p[1], p[2]), joining(p[0], p[1]), joining(p[0], p[2])},
-                      p[3]);
+  return conicThrough(
+      {tangentAt(p[0], slope), joining(p[1], p[2]), joining(p[0], p[1]), joining(p[0], p[2])},
+      p[3]);
 }
 
 /// The conic touches the tangents at p0 and p1 and passes p2.
@@ -132,12 +135,14 @@ Result<Resolved> conicOfFourCoordinatePairs(const Arguments& given) {
 }
 
 Result<Resolved> conicOfFourPoints(const Arguments& given) {
-  return fourPoints({given.pointInXy(1), given.pointInXy(3), given.pointInXy(4), given.pointInXy(5)},
-                    given.scalar(2));
+  return fourPoints(
+      {given.pointInXy(1), given.pointInXy(3), given.pointInXy(4), given.pointInXy(5)},
+      given.scalar(2));
 }
 
 Result<Resolved> conicOfThreeCoordinatePairs(const Arguments& given) {
-  return threePoints({given.pair(1), given.pair(4), given.pair(7)}, given.scalar(3), given.scalar(6));
+  return threePoints({given.pair(1), given.pair(4), given.pair(7)}, given.scalar(3),
+                     given.scalar(6));
 }
 
 Result<Resolved> conicOfThreePoints(const Arguments& given) {

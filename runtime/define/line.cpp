@@ -1,4 +1,5 @@
-// LINE definitions: vertical planes. The sign of a normal follows the method, as the reference says.
+// LINE definitions: vertical planes. The sign of a normal follows the method, as the reference
+// says.
 #include <cmath>
 
 #include "ir/space/tolerance.h"
@@ -46,8 +47,8 @@ struct TangentCircle {
   double radius = 0.0;
 };
 
-/// Common tangent; sides seen from the first circle to the second. The normal points from the line to the
-/// second center: n.C2 - D = R2 and n.C1 - D = R1 (equal sides) or -R1.
+/// Common tangent; sides seen from the first circle to the second. The normal points from the line
+/// to the second center: n.C2 - D = R2 and n.C1 - D = R1 (equal sides) or -R1.
 Result<Line> commonTangent(const TangentCircle& first, const TangentCircle& second) {
   const Vec2 step = second.center - first.center;
   const double length = step.norm();
@@ -58,8 +59,8 @@ Result<Line> commonTangent(const TangentCircle& first, const TangentCircle& seco
   const double rise = outer ? second.radius - first.radius : second.radius + first.radius;
   if (std::abs(rise) > length + tolerance::coincidence) {
     return fail(diag::NoTangent,
-                outer ? "one circle (or the point) is inside the other" : "the circles overlap", length,
-                std::abs(rise));
+                outer ? "one circle (or the point) is inside the other" : "the circles overlap",
+                length, std::abs(rise));
   }
   const double cosine = std::clamp(rise / length, -1.0, 1.0);
   const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
@@ -139,7 +140,8 @@ Result<Resolved> lineOfPlanes(const Arguments& given) {
   const Vec2 normal = n.normal.z() * m.normal.head<2>() - m.normal.z() * n.normal.head<2>();
   const double length = normal.norm();
   if (length <= tolerance::singular) {
-    return fail(diag::Parallel, "the planes, or both are vertical: they", length, "line with a direction in xy");
+    return fail(diag::Parallel, "the planes, or both are vertical: they", length,
+                "line with a direction in xy");
   }
   const double distance = m.distance * n.normal.z() - n.distance * m.normal.z();
   return Resolved(Line{normal / length, distance / length});

@@ -1,6 +1,8 @@
-// MATRIX definitions, product and inverse. p_base = M p_local; the right factor of a product acts first.
-#include <Eigen/LU>
+// MATRIX definitions, product and inverse. p_base = M p_local; the right factor of a product acts
+// first.
 #include <cmath>
+
+#include <Eigen/LU>
 
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
@@ -36,8 +38,9 @@ Matrix readFactor(const Arguments& given, std::size_t& next) {
   if (given.is(first, Word::TRANSL)) {
     const bool hasZ = given.isScalar(first + 3);
     next = first + (hasZ ? 4 : 3);
-    return {Eigen::Matrix3d::Identity(),
-            {given.scalar(first + 1), given.scalar(first + 2), hasZ ? given.scalar(first + 3) : 0.0}};
+    return {
+        Eigen::Matrix3d::Identity(),
+        {given.scalar(first + 1), given.scalar(first + 2), hasZ ? given.scalar(first + 3) : 0.0}};
   }
   next = first + 2;
   if (given.is(first, Word::SCALE)) {

@@ -40,7 +40,8 @@ Points pointsOf(const Entity& pattern) {
 Result<std::size_t> countOf(double value, double least) {
   const double whole = std::round(value);
   if (std::abs(value - whole) > tolerance::wholeNumber || whole < least) {
-    return fail(diag::BadRange, "the number of points or columns", value, least > 1.0 ? "a whole number from 2" : "a whole number from 1");
+    return fail(diag::BadRange, "the number of points or columns", value,
+                least > 1.0 ? "a whole number from 2" : "a whole number from 1");
   }
   if (whole > static_cast<double>(mostPoints)) {
     return fail(diag::PatternTooLarge, whole, mostPoints);
@@ -133,7 +134,8 @@ Result<Resolved> arc(const Arguments& given, const std::vector<double>& degrees)
   Points points;
   for (const double angle : degrees) {
     const geometry::SinCos at = geometry::sinCosDegrees(angle);
-    points.push_back(given.onZsurf(circle.middle() + circle.radius * geometry::Vec2(at.cos, at.sin)));
+    points.push_back(
+        given.onZsurf(circle.middle() + circle.radius * geometry::Vec2(at.cos, at.sin)));
   }
   return patternOf(points, {Kind::arc, 1});
 }
@@ -277,9 +279,11 @@ Result<Resolved> gridOfSteps(const Arguments& given) {
 Result<Resolved> patternOfList(const Arguments& given) {
   Points points;
   for (std::size_t i = 1; i < given.count(); ++i) {
-    const Points more = given.is(i, EntityType::point) ? Points{given.point(i)} : pointsOf(given.entity(i));
+    const Points more =
+        given.is(i, EntityType::point) ? Points{given.point(i)} : pointsOf(given.entity(i));
     if (points.size() + more.size() > mostPoints) {
-      return fail(diag::PatternTooLarge, static_cast<double>(points.size() + more.size()), mostPoints);
+      return fail(diag::PatternTooLarge, static_cast<double>(points.size() + more.size()),
+                  mostPoints);
     }
     points.insert(points.end(), more.begin(), more.end());
   }

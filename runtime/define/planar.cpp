@@ -13,8 +13,7 @@ Result<Line> lineThrough(const Vec2& first, const Vec2& second) {
   const Vec2 step = second - first;
   Result<Vec3> normal = unit({step.y(), -step.x(), 0.0}, "the line");
   if (!normal) {
-    return normal.takeFailure()
-        .note("the points are at " + show(first) + " and " + show(second));
+    return normal.takeFailure().note("the points are at " + show(first) + " and " + show(second));
   }
   return lineWithNormal(first, normal->head<2>());
 }
@@ -23,7 +22,9 @@ Line lineAlong(const Vec2& place, double cosine, double sine) {
   return lineWithNormal(place, {-sine, cosine});
 }
 
-Line lineWithNormal(const Vec2& place, const Vec2& normal) { return {normal, normal.dot(place)}; }
+Line lineWithNormal(const Vec2& place, const Vec2& normal) {
+  return {normal, normal.dot(place)};
+}
 
 Result<Line> offset(const Line& line, Word modifier, double distance) {
   const Vec3 given(line.normal.x(), line.normal.y(), 0.0);
@@ -41,8 +42,9 @@ Result<Vec2> meet(const Line& first, const Line& second) {
   const double sine = m.x() * n.y() - m.y() * n.x();
   if (std::abs(sine) <= tolerance::singular) {
     return fail(diag::Parallel, "the lines", sine, "point")
-        .note(fmt::format("they are {:.9g} apart",
-                          std::abs(second.distance - std::copysign(1.0, m.dot(n)) * first.distance)));
+        .note(
+            fmt::format("they are {:.9g} apart",
+                        std::abs(second.distance - std::copysign(1.0, m.dot(n)) * first.distance)));
   }
   return Vec2((first.distance * n.y() - second.distance * m.y()) / sine,
               (m.x() * second.distance - n.x() * first.distance) / sine);

@@ -10,7 +10,9 @@ namespace arelem::define {
 using geometry::Plane;
 
 namespace {
-Plane through(const Vec3& place, const Vec3& normal) { return {normal, normal.dot(place)}; }
+Plane through(const Vec3& place, const Vec3& normal) {
+  return {normal, normal.dot(place)};
+}
 
 /// Through `place` with the direction of `normal`, whose null case is named by `what`.
 Result<Resolved> planeThrough(const Vec3& place, const Vec3& normal, std::string_view what) {
@@ -22,8 +24,9 @@ Result<Resolved> planeThrough(const Vec3& place, const Vec3& normal, std::string
 }
 
 Result<Resolved> normalToPlane(const Plane& plane, const Vec3& first, const Vec3& second) {
-  return planeThrough(first, plane.normal.cross(first - second),
-                      "the plane (its points are one above the other, seen along the normal of the given plane)");
+  return planeThrough(
+      first, plane.normal.cross(first - second),
+      "the plane (its points are one above the other, seen along the normal of the given plane)");
 }
 }  // namespace
 

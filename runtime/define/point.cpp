@@ -1,6 +1,7 @@
 // POINT definitions.
-#include <Eigen/LU>
 #include <cmath>
+
+#include <Eigen/LU>
 
 #include "ir/space/tolerance.h"
 #include "runtime/define/planar.h"
@@ -33,7 +34,9 @@ Result<Resolved> chosen(const Arguments& given, Result<Candidates> candidates) {
 }
 }  // namespace
 
-Result<Resolved> pointOfCoordinates(const Arguments& given) { return Resolved(Point{given.triple(0)}); }
+Result<Resolved> pointOfCoordinates(const Arguments& given) {
+  return Resolved(Point{given.triple(0)});
+}
 
 Result<Resolved> pointOnZsurf(const Arguments& given) {
   return Resolved(Point{given.onZsurf(given.pair(0))});
@@ -60,7 +63,9 @@ Result<Resolved> pointOnCircle(const Arguments& given) {
   return lifted(given, Vec2(circle.middle() + circle.radius * Vec2(angle.cos, angle.sin)));
 }
 
-Result<Resolved> pointAtCenter(const Arguments& given) { return lifted(given, given.circle(1).middle()); }
+Result<Resolved> pointAtCenter(const Arguments& given) {
+  return lifted(given, given.circle(1).middle());
+}
 
 namespace {
 /// The line p0 + t u in the conic's z = 0 section: a t^2 + 2 b t + c = 0.
@@ -107,7 +112,8 @@ Result<Resolved> pointOfPlanes(const Arguments& given) {
   }
   const double determinant = normals.determinant();
   if (std::abs(determinant) <= tolerance::singular) {
-    return fail(diag::Parallel, "two of the planes, or the common lines of two,", determinant, "point");
+    return fail(diag::Parallel, "two of the planes, or the common lines of two,", determinant,
+                "point");
   }
   return Resolved(Point{normals.fullPivLu().solve(distances)});
 }

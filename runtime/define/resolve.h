@@ -14,14 +14,14 @@ struct Resolved {
   Resolved(geometry::Canon values, PatternShape shape = {})  // NOLINT(google-explicit-constructor)
       : canon(std::move(values)), pattern(shape) {}
   template <class Shape>
-    requires requires(const Shape& shape) {
-      { shape.canon() } -> std::same_as<geometry::Canon>;
-    }
+  requires requires(const Shape& shape) {
+    { shape.canon() } -> std::same_as<geometry::Canon>;
+  }
   Resolved(const Shape& shape) : canon(shape.canon()) {}  // NOLINT(google-explicit-constructor)
 };
 
-/// The method of each form, found by the linker: a row of forms.def without its function does not link.
-/// The parameters are as the form's pattern says.
+/// The method of each form, found by the linker: a row of forms.def without its function does not
+/// link. The parameters are as the form's pattern says.
 #define ARELEM_FORM(id, noun, method, pattern, meaning) \
   [[nodiscard]] Result<Resolved> method(const Arguments& given);
 #define ARELEM_ANY_FORM(id, method, pattern, meaning) \

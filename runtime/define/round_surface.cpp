@@ -1,6 +1,7 @@
 // CYLNDR, CONE, SPHERE and TORUS definitions.
-#include <Eigen/LU>
 #include <cmath>
+
+#include <Eigen/LU>
 
 #include "ir/space/tolerance.h"
 #include "runtime/define/planar.h"
@@ -82,7 +83,9 @@ Result<Resolved> sphereOfNumbers(const Arguments& given) {
   return sphereOf(given.triple(0), given.scalar(3));
 }
 
-Result<Resolved> sphereOfPoint(const Arguments& given) { return sphereOf(given.point(0), given.scalar(1)); }
+Result<Resolved> sphereOfPoint(const Arguments& given) {
+  return sphereOf(given.point(0), given.scalar(1));
+}
 
 Result<Resolved> sphereOfCenter(const Arguments& given) {
   return sphereOf(given.point(1), given.scalar(3));

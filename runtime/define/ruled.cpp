@@ -13,8 +13,8 @@ using geometry::SectionCurve;
 
 namespace {
 
-/// Reads surface, point, point, {point | vector} from parameter `first`. The heading is across the chord: towards the
-/// third point, or along the vector.
+/// Reads surface, point, point, {point | vector} from parameter `first`. The heading is across the
+/// chord: towards the third point, or along the vector.
 Result<SectionCurve> readCurve(const Arguments& given, std::size_t first, int number) {
   SectionCurve curve;
   curve.surface.type = given.entity(first).type;
@@ -26,11 +26,13 @@ Result<SectionCurve> readCurve(const Arguments& given, std::size_t first, int nu
     return fail(diag::RuledEndsTooClose, number, chord.norm(), tolerance::ruledChord);
   }
   const bool isVector = given.is(first + 3, EntityType::vector);
-  const Vec3 towards = isVector ? given.arrow(first + 3) : Vec3(given.point(first + 3) - curve.start);
+  const Vec3 towards =
+      isVector ? given.arrow(first + 3) : Vec3(given.point(first + 3) - curve.start);
   const Vec3 u = chord.normalized();
   const Vec3 across = towards - towards.dot(u) * u;
   if (!(across.norm() > tolerance::nullDirection * std::max(1.0, towards.norm()))) {
-    return fail(diag::RuledPlaneUndefined, number, isVector ? "vector" : "third point", across.norm());
+    return fail(diag::RuledPlaneUndefined, number, isVector ? "vector" : "third point",
+                across.norm());
   }
   curve.heading = across.normalized();
   return curve;

@@ -90,14 +90,17 @@ class PlaneData {
 };
 
 /// Moves nodes of the (u, v) plane by a matrix that must keep the plane.
-Result<bool> moveInPlane(const Matrix& matrix, const PlaneAxes& axes, std::vector<CurveNode>& nodes) {
-  const double leaves = std::max(std::abs(matrix.linear(axes.w, axes.u)), std::abs(matrix.linear(axes.w, axes.v)));
+Result<bool> moveInPlane(const Matrix& matrix,
+                         const PlaneAxes& axes,
+                         std::vector<CurveNode>& nodes) {
+  const double leaves =
+      std::max(std::abs(matrix.linear(axes.w, axes.u)), std::abs(matrix.linear(axes.w, axes.v)));
   if (leaves > tolerance::perpendicular) {
     return fail(diag::LeavesPlane, axes.name, leaves);
   }
   Eigen::Matrix2d linear;
-  linear << matrix.linear(axes.u, axes.u), matrix.linear(axes.u, axes.v), matrix.linear(axes.v, axes.u),
-      matrix.linear(axes.v, axes.v);
+  linear << matrix.linear(axes.u, axes.u), matrix.linear(axes.u, axes.v),
+      matrix.linear(axes.v, axes.u), matrix.linear(axes.v, axes.v);
   const Vec2 shift(matrix.translation(axes.u), matrix.translation(axes.v));
   for (CurveNode& node : nodes) {
     node.place = linear * node.place + shift;
@@ -108,7 +111,9 @@ Result<bool> moveInPlane(const Matrix& matrix, const PlaneAxes& axes, std::vecto
   return true;
 }
 
-Result<Resolved> fitted(const std::vector<CurveNode>& nodes, FitMethod method, const Eigen::Matrix3d& frame) {
+Result<Resolved> fitted(const std::vector<CurveNode>& nodes,
+                        FitMethod method,
+                        const Eigen::Matrix3d& frame) {
   Result<TabulatedCylinder> surface = fitCurve(nodes, method);
   if (!surface) {
     return surface.takeFailure();
@@ -117,8 +122,8 @@ Result<Resolved> fitted(const std::vector<CurveNode>& nodes, FitMethod method, c
   return Resolved(*surface);
 }
 
-/// Rows U, V, W with W along the generatrix. U is the coordinate axis that is most across W, made perpendicular,
-/// so that the generatrix z has the frame x, y, z.
+/// Rows U, V, W with W along the generatrix. U is the coordinate axis that is most across W, made
+/// perpendicular, so that the generatrix z has the frame x, y, z.
 Eigen::Matrix3d frameAlong(const Vec3& w) {
   int most = 0;
   for (int axis = 1; axis < 3; ++axis) {
@@ -145,7 +150,8 @@ Result<Resolved> tabcylInPlane(const Arguments& given) {
     }
   }
   Eigen::Matrix3d frame;
-  frame << Vec3::Unit(axes.u).transpose(), Vec3::Unit(axes.v).transpose(), Vec3::Unit(axes.w).transpose();
+  frame << Vec3::Unit(axes.u).transpose(), Vec3::Unit(axes.v).transpose(),
+      Vec3::Unit(axes.w).transpose();
   return fitted(nodes, methodOf(given.word(1)), frame);
 }
 

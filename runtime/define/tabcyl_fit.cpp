@@ -21,7 +21,9 @@ constexpr double extensionFactor = 10.0;
 
 using Interval = TabulatedCylinder::Interval;
 
-double angleOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
+double angleOf(const Vec2& v) {
+  return std::atan2(v.y(), v.x());
+}
 
 /// The angle equal to `angle` modulo `period` that is nearest to `reference`.
 double nearestTo(double reference, double angle, double period) {
@@ -35,7 +37,8 @@ Result<std::vector<Chord>> chordsOf(const std::vector<CurveNode>& nodes) {
     const Vec2 step = nodes[i + 1].place - nodes[i].place;
     const double length = step.norm();
     if (!(length > tolerance::coincidence)) {
-      return fail(diag::Coincident, fmt::format("points {} and {} of the curve", i + 1, i + 2), length);
+      return fail(diag::Coincident, fmt::format("points {} and {} of the curve", i + 1, i + 2),
+                  length);
     }
     double angle = angleOf(step);
     if (i > 0) {
@@ -50,9 +53,11 @@ Result<std::vector<Chord>> chordsOf(const std::vector<CurveNode>& nodes) {
   return chords;
 }
 
-/// Estimated tangents: inside, of the circle through three neighbors (tangent and chord make the inscribed angle);
-/// at the ends, the neighbor's mirrored in the chord. Given tangents replace them, in the nearer sense.
-std::vector<double> firstTangents(const std::vector<CurveNode>& nodes, const std::vector<Chord>& chords) {
+/// Estimated tangents: inside, of the circle through three neighbors (tangent and chord make the
+/// inscribed angle); at the ends, the neighbor's mirrored in the chord. Given tangents replace
+/// them, in the nearer sense.
+std::vector<double> firstTangents(const std::vector<CurveNode>& nodes,
+                                  const std::vector<Chord>& chords) {
   const std::size_t n = nodes.size();
   std::vector<double> angles(n);
   const auto replaceByGiven = [&](std::size_t i) {
@@ -63,8 +68,9 @@ std::vector<double> firstTangents(const std::vector<CurveNode>& nodes, const std
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double before = chords[i - 1].angle;
     const double behind = chords[i].angle;
-    const double across = nearestTo(0.5 * (before + behind),
-                                    angleOf(nodes[i + 1].place - nodes[i - 1].place), 2.0 * std::numbers::pi);
+    const double across =
+        nearestTo(0.5 * (before + behind), angleOf(nodes[i + 1].place - nodes[i - 1].place),
+                  2.0 * std::numbers::pi);
     angles[i] = before + behind - across;
     replaceByGiven(i);
   }
@@ -84,14 +90,16 @@ Interval intervalOn(const CurveNode& from, const CurveNode& to) {
 }
 
 /// Cubics from tangent angles.
-Result<std::vector<Interval>> fromTangents(const std::vector<CurveNode>& nodes, const std::vector<Chord>& chords,
+Result<std::vector<Interval>> fromTangents(const std::vector<CurveNode>& nodes,
+                                           const std::vector<Chord>& chords,
                                            const std::vector<double>& angles) {
   std::vector<Interval> intervals;
   for (std::size_t i = 0; i < chords.size(); ++i) {
     for (const std::size_t end : {i, i + 1}) {
       const double off = (angles[end] - chords[i].angle) / degree;
       if (!(std::abs(off) < largestTangentAngle)) {
-        return fail(diag::TangentAcrossChord, end + 1, off, end == i ? i + 2 : i + 1, largestTangentAngle);
+        return fail(diag::TangentAcrossChord, end + 1, off, end == i ? i + 2 : i + 1,
+                    largestTangentAngle);
       }
     }
     Interval interval = intervalOn(nodes[i], nodes[i + 1]);
@@ -108,19 +116,22 @@ Result<std::vector<Interval>> fromTangents(const std::vector<CurveNode>& nodes, 
 struct Other {
   double t = 0.0, quotient = 0.0;
 };
-Result<Other> otherNode(const std::vector<CurveNode>& nodes, std::size_t chord, std::size_t other,
+Result<Other> otherNode(const std::vector<CurveNode>& nodes,
+                        std::size_t chord,
+                        std::size_t other,
                         const Interval& interval) {
   const Vec2 local = nodes[other].place - interval.start;
   const double t = local.dot(interval.along);
   const double product = t * (t - interval.length);
   if (!(std::abs(product) > tolerance::coincidence * interval.length)) {
-    return fail(diag::FoldedCubic, chord + 1, chord + 2, other + 1, std::min(std::abs(t), std::abs(t - interval.length)));
+    return fail(diag::FoldedCubic, chord + 1, chord + 2, other + 1,
+                std::min(std::abs(t), std::abs(t - interval.length)));
   }
   return Other{t, local.dot(interval.across()) / product};
 }
 
-/// Each cubic through its chord's ends and the two nodes around; at the ends of the curve the next two, and of
-/// three nodes the parabola through all of them.
+/// Each cubic through its chord's ends and the two nodes around; at the ends of the curve the next
+/// two, and of three nodes the parabola through all of them.
 Result<std::vector<Interval>> throughFour(const std::vector<CurveNode>& nodes) {
   const std::size_t n = nodes.size();
   std::vector<Interval> intervals;

@@ -20,10 +20,12 @@ Failure nothingFound(const CurveInXy& curve, std::string_view condition, const V
       closest = interval.start;
     }
   }
-  return fail(diag::NoPlaceOnCurve, "TABCYL", condition, show(closest)).note("near point " + show(nearPoint));
+  return fail(diag::NoPlaceOnCurve, "TABCYL", condition, show(closest))
+      .note("near point " + show(nearPoint));
 }
 
-/// The line from a place to a place of the curve. Where they coincide it has the direction `otherwise`.
+/// The line from a place to a place of the curve. Where they coincide it has the direction
+/// `otherwise`.
 Result<Resolved> joinedLine(const Vec2& from, const Vec2& to, const Vec2& otherwise) {
   const Vec2 step = to - from;
   const Vec2 u = (step.norm() > tolerance::coincidence ? step : otherwise).normalized();
@@ -37,7 +39,8 @@ Result<Resolved> pointOfLineAndTabcyl(const Arguments& given) {
   if (!curve) {
     return curve.takeFailure();
   }
-  const std::optional<CurvePlace> place = curve->select(curve->onLine(given.line(1)), given.pointInXy(3));
+  const std::optional<CurvePlace> place =
+      curve->select(curve->onLine(given.line(1)), given.pointInXy(3));
   if (!place) {
     return nothingFound(*curve, "lies on the line", given.pointInXy(3));
   }
@@ -64,7 +67,8 @@ Result<Resolved> lineNormalToTabcyl(const Arguments& given) {
     return curve.takeFailure();
   }
   const Vec2 from = given.pointInXy(0);
-  const std::optional<CurvePlace> place = curve->select(curve->normalThrough(from), given.pointInXy(3));
+  const std::optional<CurvePlace> place =
+      curve->select(curve->normalThrough(from), given.pointInXy(3));
   if (!place) {
     return nothingFound(*curve, "has a normal through the point", given.pointInXy(3));
   }
@@ -73,9 +77,9 @@ Result<Resolved> lineNormalToTabcyl(const Arguments& given) {
 }
 
 namespace {
-/// The places of the curve whose offset by `radius` to the left (side +1) or right lies on the line of centers, with the
-/// displacement on the modifier's side. The offset of a cubic is no polynomial: sign changes of the height over
-/// equal parts of the interval are bisected.
+/// The places of the curve whose offset by `radius` to the left (side +1) or right lies on the line
+/// of centers, with the displacement on the modifier's side. The offset of a cubic is no
+/// polynomial: sign changes of the height over equal parts of the interval are bisected.
 class OffsetSearch {
  public:
   OffsetSearch(const CurveInXy& curve, const Line& centers, double radius, Sense sense)
@@ -122,7 +126,8 @@ class OffsetSearch {
     }
   }
 
-  [[nodiscard]] double refine(std::size_t interval, double side, double low, double high, bool rising) const {
+  [[nodiscard]] double refine(
+      std::size_t interval, double side, double low, double high, bool rising) const {
     for (int step = 0; step < 100; ++step) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) {
@@ -164,8 +169,11 @@ Result<Resolved> circleTangentToLineAndTabcyl(const Arguments& given) {
   OffsetSearch search(*curve, *centers, *radius, senseOf(given.word(4)));
   const std::optional<CurvePlace> place = curve->select(search.run(), given.pointInXy(5));
   if (!place) {
-    return nothingFound(*curve, fmt::format("is {:.9g} from a center on the {} side that is as far from the line",
-                                            *radius, spell(given.word(4))), given.pointInXy(5));
+    return nothingFound(
+        *curve,
+        fmt::format("is {:.9g} from a center on the {} side that is as far from the line", *radius,
+                    spell(given.word(4))),
+        given.pointInXy(5));
   }
   const Vec2 center = place->at.place + *radius * search.sidedNormal(*place);
   return Resolved(geometry::Circle{{center.x(), center.y(), 0.0}, *radius});

@@ -26,7 +26,8 @@ Result<CurveInXy> CurveInXy::of(const Entity& tabcyl) {
   if (lean > tolerance::perpendicular) {
     return fail(diag::NotVertical, spell(tabcyl.type), lean);
   }
-  // Express the curve in x, y: a generatrix along -z makes (u, v) a mirrored frame, then offsets change sign.
+  // Express the curve in x, y: a generatrix along -z makes (u, v) a mirrored frame, then offsets
+  // change sign.
   Eigen::Matrix2d toXy;
   toXy << surface.frame(0, 0), surface.frame(1, 0), surface.frame(0, 1), surface.frame(1, 1);
   const double sign = toXy.determinant() < 0.0 ? -1.0 : 1.0;
@@ -53,7 +54,8 @@ std::vector<CurvePlace> CurveInXy::onLine(const geometry::Line& line) const {
     const double m = line.normal.dot(interval.along);
     const double n = line.normal.dot(interval.across());
     // height(start) + m t + n v(t) = 0
-    const double coefficients[] = {line.height(interval.start), m + n * interval.c(), n * interval.b, n * interval.a};
+    const double coefficients[] = {line.height(interval.start), m + n * interval.c(),
+                                   n * interval.b, n * interval.a};
     for (const double t : geometry::rootsWithin(coefficients, 0.0, interval.length)) {
       places.push_back(place(i, t));
     }
@@ -68,7 +70,8 @@ std::vector<CurvePlace> CurveInXy::tangentThrough(const Vec2& from) const {
     const double a = interval.a, b = interval.b, c = interval.c();
     const Vec2 p = localOf(interval, from);
     // (t - x) v' - (v - y) = 2a t^3 + (b - 3a x) t^2 - 2b x t + y - c x
-    const double coefficients[] = {p.y() - c * p.x(), -2.0 * b * p.x(), b - 3.0 * a * p.x(), 2.0 * a};
+    const double coefficients[] = {p.y() - c * p.x(), -2.0 * b * p.x(), b - 3.0 * a * p.x(),
+                                   2.0 * a};
     if (interval.extension) {
       continue;  // a straight interval is its own tangent; its ends belong to the neighbors
     }
@@ -99,7 +102,8 @@ std::vector<CurvePlace> CurveInXy::normalThrough(const Vec2& from) const {
   return places;
 }
 
-std::optional<CurvePlace> CurveInXy::select(const std::vector<CurvePlace>& places, const Vec2& nearPoint) const {
+std::optional<CurvePlace> CurveInXy::select(const std::vector<CurvePlace>& places,
+                                            const Vec2& nearPoint) const {
   std::size_t named = 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < intervals().size(); ++i) {
@@ -109,11 +113,14 @@ std::optional<CurvePlace> CurveInXy::select(const std::vector<CurvePlace>& place
       named = i;
     }
   }
-  const auto rank = [&](const CurvePlace& p) { return p.interval > named ? p.interval - named : named - p.interval; };
+  const auto rank = [&](const CurvePlace& p) {
+    return p.interval > named ? p.interval - named : named - p.interval;
+  };
   std::optional<CurvePlace> best;
   for (const CurvePlace& p : places) {
     if (!best || rank(p) < rank(*best) ||
-        (rank(p) == rank(*best) && (p.at.place - nearPoint).norm() < (best->at.place - nearPoint).norm())) {
+        (rank(p) == rank(*best) &&
+         (p.at.place - nearPoint).norm() < (best->at.place - nearPoint).norm())) {
       best = p;
     }
   }

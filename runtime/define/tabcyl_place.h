@@ -5,8 +5,8 @@
 #include "ir/diag/result.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 
-/// Places of a TABCYL that satisfy a condition, for POINT, LINE and CIRCLE definitions. The TABCYL's generatrix must
-/// be z: these constructions are of the xy plane.
+/// Places of a TABCYL that satisfy a condition, for POINT, LINE and CIRCLE definitions. The
+/// TABCYL's generatrix must be z: these constructions are of the xy plane.
 namespace arelem::define {
 
 struct CurvePlace {
@@ -20,7 +20,9 @@ class CurveInXy {
  public:
   [[nodiscard]] static Result<CurveInXy> of(const Entity& tabcyl);
 
-  [[nodiscard]] const std::vector<geometry::TabulatedCylinder::Interval>& intervals() const { return surface_.intervals; }
+  [[nodiscard]] const std::vector<geometry::TabulatedCylinder::Interval>& intervals() const {
+    return surface_.intervals;
+  }
   [[nodiscard]] CurvePlace place(std::size_t interval, double t) const;
 
   /// Places on the line normal . p = distance.
@@ -30,8 +32,9 @@ class CurveInXy {
   /// Places whose normal passes through `from`.
   [[nodiscard]] std::vector<CurvePlace> normalThrough(const geometry::Vec2& from) const;
 
-  /// Which place is meant: the near point names the defining point just before it, so places of the interval that starts
-  /// at the nearest defining point come first, then those of the intervals around; within one interval, the nearest.
+  /// Which place is meant: the near point names the defining point just before it, so places of the
+  /// interval that starts at the nearest defining point come first, then those of the intervals
+  /// around; within one interval, the nearest.
   [[nodiscard]] std::optional<CurvePlace> select(const std::vector<CurvePlace>& places,
                                                  const geometry::Vec2& nearPoint) const;
 

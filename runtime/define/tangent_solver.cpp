@@ -23,8 +23,8 @@ struct Curvature {
   double value = 0.0, byStart = 0.0, byEnd = 0.0;
 };
 
-/// factor * (2 here + there) / (1 + here^2)^(3/2): `here` is the slope at the place asked for, `there` at the other
-/// end of the chord.
+/// factor * (2 here + there) / (1 + here^2)^(3/2): `here` is the slope at the place asked for,
+/// `there` at the other end of the chord.
 struct Weighted {
   double curvature, byHere, byThere;  ///< derivatives by the angles
 };
@@ -159,7 +159,8 @@ class Solver {
     below_[i] = before.byStart;
     main_[i] = before.byEnd - behind.byStart;
     above_[i] = -behind.byEnd;
-    largestCurvature_ = std::max({largestCurvature_, 1.0 / chords_[i - 1].length, 1.0 / chords_[i].length});
+    largestCurvature_ =
+        std::max({largestCurvature_, 1.0 / chords_[i - 1].length, 1.0 / chords_[i].length});
   }
 
   /// Solves the system with the residuals as right side, in place (Thomas).
@@ -188,7 +189,8 @@ class Solver {
 
 }  // namespace
 
-Result<std::vector<double>> solveTangents(const std::vector<Chord>& chords, const std::vector<bool>& fixed,
+Result<std::vector<double>> solveTangents(const std::vector<Chord>& chords,
+                                          const std::vector<bool>& fixed,
                                           std::vector<double> angles) {
   return Solver(chords, fixed).run(std::move(angles));
 }

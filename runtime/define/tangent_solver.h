@@ -11,9 +11,9 @@ struct Chord {
   double angle = 0.0;
 };
 
-/// The tangent angle at each of chords.size() + 1 points: where `fixed` is set it is kept, inside it is found such
-/// that the curvature is continuous, at free ends it mirrors the neighbor's in the chord. `angles` holds first
-/// guesses. Newton's method on the tridiagonal system, damped.
+/// The tangent angle at each of chords.size() + 1 points: where `fixed` is set it is kept, inside
+/// it is found such that the curvature is continuous, at free ends it mirrors the neighbor's in the
+/// chord. `angles` holds first guesses. Newton's method on the tridiagonal system, damped.
 [[nodiscard]] Result<std::vector<double>> solveTangents(const std::vector<Chord>& chords,
                                                         const std::vector<bool>& fixed,
                                                         std::vector<double> angles);

@@ -1,7 +1,8 @@
 // An entity seen from another reference system: p' = A p + t.
+#include <cmath>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <cmath>
 
 #include "ir/space/tolerance.h"
 #include "runtime/define/define.h"
@@ -48,7 +49,8 @@ Result<Form> movePlane(const Entity& entity, const Matrix& m) {
   geometry::Plane moved{raw / length, (plane.distance + raw.dot(m.translation)) / length};
   const bool vertical = std::abs(moved.normal.z()) <= tolerance::symmetric;
   if (entity.type == EntityType::line && vertical) {
-    return Form{EntityType::line, geometry::Line{moved.normal.head<2>().normalized(), moved.distance}.canon()};
+    return Form{EntityType::line,
+                geometry::Line{moved.normal.head<2>().normalized(), moved.distance}.canon()};
   }
   return Form{EntityType::plane, moved.canon()};
 }
@@ -84,7 +86,8 @@ Result<Form> moveSphere(const Entity& entity, const Matrix& m) {
     return scale.takeFailure();
   }
   const auto sphere = geometry::Sphere::of(entity.canon);
-  return Form{entity.type, geometry::Sphere{m.apply(sphere.center), *scale * sphere.radius}.canon()};
+  return Form{entity.type,
+              geometry::Sphere{m.apply(sphere.center), *scale * sphere.radius}.canon()};
 }
 
 Result<Form> moveTorus(const Entity& entity, const Matrix& m) {
@@ -95,7 +98,8 @@ Result<Form> moveTorus(const Entity& entity, const Matrix& m) {
   const auto torus = geometry::Torus::of(entity.canon);
   const Vec3 axis = (m.linear * torus.axis).normalized();
   return Form{entity.type, geometry::Torus{m.apply(torus.center), axis, *scale * torus.major,
-                                           *scale * torus.minor}.canon()};
+                                           *scale * torus.minor}
+                               .canon()};
 }
 
 /// Q' = M^-T Q M^-1. A conic that is no longer a cylinder along z becomes a QADRIC.
@@ -110,7 +114,8 @@ Result<Form> moveQuadric(const Entity& entity, const Matrix& m) {
   geometry::Quadric quadric = geometry::Quadric::of(entity.canon);
   quadric.matrix = back.transpose() * quadric.matrix * back;
   const double size = quadric.matrix.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
-  const bool alongZ = m.linear.col(2).head<2>().norm() <= tolerance::symmetric * m.linear.col(2).norm();
+  const bool alongZ =
+      m.linear.col(2).head<2>().norm() <= tolerance::symmetric * m.linear.col(2).norm();
   if (entity.type != EntityType::quadric && alongZ && size > 0.0) {
     quadric.matrix.row(2).setZero();
     quadric.matrix.col(2).setZero();
@@ -130,8 +135,9 @@ Form movePoints(const Entity& entity, const Matrix& m) {
 
 Failure refuse(EntityType type) {
   return fail(diag::NotTransformable, spell(type),
-              type == EntityType::tabulatedCylinder ? "give TRFORM in its definition"
-                                                    : "define it in the system in which it is used");
+              type == EntityType::tabulatedCylinder
+                  ? "give TRFORM in its definition"
+                  : "define it in the system in which it is used");
 }
 
 Result<Form> move(const Entity& entity, const Matrix& m) {
@@ -140,7 +146,9 @@ Result<Form> move(const Entity& entity, const Matrix& m) {
     case EntityType::pattern:
       return movePoints(entity, m);
     case EntityType::vector:
-      return Form{entity.type, geometry::Direction{m.linear * geometry::Direction::of(entity.canon).components}.canon()};
+      return Form{
+          entity.type,
+          geometry::Direction{m.linear * geometry::Direction::of(entity.canon).components}.canon()};
     case EntityType::line:
     case EntityType::plane:
       return movePlane(entity, m);

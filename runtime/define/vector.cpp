@@ -31,7 +31,9 @@ Result<Resolved> oriented(Word modifier, const Vec3& direction) {
 }
 }  // namespace
 
-Result<Resolved> vectorOfComponents(const Arguments& given) { return Resolved(Direction{given.triple(0)}); }
+Result<Resolved> vectorOfComponents(const Arguments& given) {
+  return Resolved(Direction{given.triple(0)});
+}
 
 Result<Resolved> vectorOfSixCoordinates(const Arguments& given) {
   return Resolved(Direction{given.triple(3) - given.triple(0)});
@@ -53,9 +55,13 @@ Result<Resolved> vectorCross(const Arguments& given) {
   return Resolved(Direction{given.arrow(0).cross(given.arrow(2))});
 }
 
-Result<Resolved> vectorUnit(const Arguments& given) { return cleanUnit(given.arrow(1)); }
+Result<Resolved> vectorUnit(const Arguments& given) {
+  return cleanUnit(given.arrow(1));
+}
 
-Result<Resolved> vectorUnitOfComponents(const Arguments& given) { return cleanUnit(given.triple(1)); }
+Result<Resolved> vectorUnitOfComponents(const Arguments& given) {
+  return cleanUnit(given.triple(1));
+}
 
 Result<Resolved> vectorAtAngle(const Arguments& given) {
   const SinCos angle = geometry::sinCosDegrees(given.scalar(3));

@@ -62,7 +62,10 @@ void considerQuadratic(double a, double b, double c, CrossingChoice& choice) {
   quadraticRoots(a, b, c, [&](double s) { choice.consider(s); });
 }
 
-std::optional<double> directedDistance(const Plane& plane, const Vec3& from, const Vec3& direction, Crossing which) {
+std::optional<double> directedDistance(const Plane& plane,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
   const double sine = plane.normal.dot(direction);
   if (std::abs(sine) <= tolerance::grazing) {
     return std::nullopt;
@@ -72,25 +75,37 @@ std::optional<double> directedDistance(const Plane& plane, const Vec3& from, con
   return choice.result();
 }
 
-std::optional<double> directedDistance(const Sphere& sphere, const Vec3& from, const Vec3& direction, Crossing which) {
+std::optional<double> directedDistance(const Sphere& sphere,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
   const Vec3 w = from - sphere.center;
   CrossingChoice choice(which);
-  considerQuadratic(direction.squaredNorm(), w.dot(direction), w.squaredNorm() - sphere.radius * sphere.radius, choice);
+  considerQuadratic(direction.squaredNorm(), w.dot(direction),
+                    w.squaredNorm() - sphere.radius * sphere.radius, choice);
   return choice.result();
 }
 
-std::optional<double> directedDistance(const Cylinder& cylinder, const Vec3& from, const Vec3& direction, Crossing which) {
-  // Components across the axis; the differences of squares of the report would cancel far from the origin.
+std::optional<double> directedDistance(const Cylinder& cylinder,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
+  // Components across the axis; the differences of squares of the report would cancel far from the
+  // origin.
   const Vec3 w = (from - cylinder.point).cross(cylinder.axis);
   const Vec3 d = direction.cross(cylinder.axis);
   CrossingChoice choice(which);
   if (d.squaredNorm() > tolerance::grazing) {
-    considerQuadratic(d.squaredNorm(), d.dot(w), w.squaredNorm() - cylinder.radius * cylinder.radius, choice);
+    considerQuadratic(d.squaredNorm(), d.dot(w),
+                      w.squaredNorm() - cylinder.radius * cylinder.radius, choice);
   }
   return choice.result();
 }
 
-std::optional<double> directedDistance(const Cone& cone, const Vec3& from, const Vec3& direction, Crossing which) {
+std::optional<double> directedDistance(const Cone& cone,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
   const Vec3 w = from - cone.vertex;
   const double k2 = cone.cosine * cone.cosine;
   const double dt = direction.dot(cone.axis);
@@ -105,7 +120,10 @@ std::optional<double> directedDistance(const Cone& cone, const Vec3& from, const
   return choice.result();
 }
 
-std::optional<double> directedDistance(const Quadric& quadric, const Vec3& from, const Vec3& direction, Crossing which) {
+std::optional<double> directedDistance(const Quadric& quadric,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
   const Eigen::Vector4d d(direction.x(), direction.y(), direction.z(), 0.0);
   const Eigen::Vector4d p = from.homogeneous();
   // The zero tests are for coefficients of size one; those of a quadric have any size.
@@ -120,9 +138,12 @@ std::optional<double> directedDistance(const Quadric& quadric, const Vec3& from,
 }
 
 namespace {
-/// The line w + lambda d in the interval's chord frame: along t = w.x + lambda d.x, across v = w.y + lambda d.y. With
-/// the normal (-d.y, d.x) of the line: v(t) d.x - t d.y - (w.y d.x - w.x d.y) = 0, a cubic in t.
-void considerInterval(const TabulatedCylinder::Interval& interval, const Vec2& from, const Vec2& direction,
+/// The line w + lambda d in the interval's chord frame: along t = w.x + lambda d.x, across v = w.y
+/// + lambda d.y. With the normal (-d.y, d.x) of the line: v(t) d.x - t d.y - (w.y d.x - w.x d.y) =
+/// 0, a cubic in t.
+void considerInterval(const TabulatedCylinder::Interval& interval,
+                      const Vec2& from,
+                      const Vec2& direction,
                       CrossingChoice& choice) {
   const Vec2 local = from - interval.start;
   const Vec2 w(local.dot(interval.along), local.dot(interval.across()));
@@ -131,13 +152,15 @@ void considerInterval(const TabulatedCylinder::Interval& interval, const Vec2& f
   const double offset = w.y() * d.x() - w.x() * d.y();
   const auto side = [&](double t, double v) { return v * d.x() - t * d.y() - offset; };
   const double corners[] = {side(0.0, interval.lowest), side(0.0, interval.highest),
-                            side(interval.length, interval.lowest), side(interval.length, interval.highest)};
+                            side(interval.length, interval.lowest),
+                            side(interval.length, interval.highest)};
   const double slack = tolerance::zeroDistance * d.norm();
   const auto [lowest, highest] = std::minmax_element(std::begin(corners), std::end(corners));
   if (*lowest > slack || *highest < -slack) {
     return;
   }
-  const double coefficients[] = {-offset, interval.c() * d.x() - d.y(), interval.b * d.x(), interval.a * d.x()};
+  const double coefficients[] = {-offset, interval.c() * d.x() - d.y(), interval.b * d.x(),
+                                 interval.a * d.x()};
   for (const double t : rootsWithin(coefficients, 0.0, interval.length)) {
     const Vec2 place(t, interval.offset(t));
     choice.consider((place - w).dot(d) / d.squaredNorm());
@@ -145,7 +168,10 @@ void considerInterval(const TabulatedCylinder::Interval& interval, const Vec2& f
 }
 }  // namespace
 
-std::optional<double> directedDistance(const TabulatedCylinder& surface, const Vec3& from, const Vec3& direction, Crossing which) {
+std::optional<double> directedDistance(const TabulatedCylinder& surface,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
   const Vec2 d = surface.projected(direction);
   if (d.cwiseAbs().sum() <= tolerance::nullDirection) {
     return std::nullopt;
@@ -157,16 +183,20 @@ std::optional<double> directedDistance(const TabulatedCylinder& surface, const V
   return choice.result();
 }
 
-std::optional<double> directedDistance(const Torus& torus, const Vec3& from, const Vec3& direction, Crossing which) {
-  // With q = p - C: (q.q + R^2 - r^2)^2 = 4 R^2 (q.q - (q.T)^2), a quartic in s, from the foot of the center so that
-  // the terms stay of the size of the torus.
+std::optional<double> directedDistance(const Torus& torus,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
+  // With q = p - C: (q.q + R^2 - r^2)^2 = 4 R^2 (q.q - (q.T)^2), a quartic in s, from the foot of
+  // the center so that the terms stay of the size of the torus.
   const double dd = direction.squaredNorm();
   const double shift = (torus.center - from).dot(direction) / dd;
   const Vec3 w = from + shift * direction - torus.center;
   const double wt = w.dot(torus.axis);
   const double dt = direction.dot(torus.axis);
   const double r2 = torus.major * torus.major;
-  const double m = w.squaredNorm() + r2 - torus.minor * torus.minor;  // q.q + R^2 - r^2 = dd s^2 + m
+  const double m =
+      w.squaredNorm() + r2 - torus.minor * torus.minor;  // q.q + R^2 - r^2 = dd s^2 + m
   const double coefficients[] = {m * m - 4.0 * r2 * (w.squaredNorm() - wt * wt), 8.0 * r2 * wt * dt,
                                  2.0 * m * dd - 4.0 * r2 * (dd - dt * dt), 0.0, dd * dd};
   const double reach = (torus.major + torus.minor) * 1.001 / std::sqrt(dd);

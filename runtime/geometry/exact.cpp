@@ -1,20 +1,22 @@
 // The only file that includes CGAL.
 #include "runtime/geometry/exact.h"
 
-#include <CGAL/Gmpq.h>
-
 #include <cmath>
 #include <limits>
+
+#include <CGAL/Gmpq.h>
 
 namespace arelem::geometry {
 
 namespace {
 using Exact = CGAL::Gmpq;
 
-int signOf(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
+int signOf(const Exact& value) {
+  return static_cast<int>(CGAL::sign(value));
+}
 
-/// The sign when rounding cannot have changed it: three operations, each off by half a unit in the last place of a
-/// value of at most `magnitude`, and products that may have underflowed; else 0.
+/// The sign when rounding cannot have changed it: three operations, each off by half a unit in the
+/// last place of a value of at most `magnitude`, and products that may have underflowed; else 0.
 int certainSign(double value, double magnitude) {
   constexpr double unit = std::numeric_limits<double>::epsilon();
   const double bound = 4.0 * unit * magnitude + std::numeric_limits<double>::min();

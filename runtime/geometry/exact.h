@@ -1,8 +1,8 @@
 #pragma once
 
 /// Signs that are exact for the given doubles: where a sign decides a branch, rounding must not.
-/// Each returns -1, 0 or +1. All arguments must be finite. Evaluated in doubles first; only where the
-/// error bound reaches the value, in rational numbers.
+/// Each returns -1, 0 or +1. All arguments must be finite. Evaluated in doubles first; only where
+/// the error bound reaches the value, in rational numbers.
 namespace arelem::geometry {
 
 /// Sign of b^2 - a c.

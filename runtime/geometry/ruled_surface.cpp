@@ -10,11 +10,12 @@ std::optional<Vec3> SectionCurve::at(double fraction) const {
   if (isPoint()) {
     return start;
   }
-  // End points are typed with few digits: begin a little below the base line so that a place of the surface at the
-  // base line itself counts as ahead.
+  // End points are typed with few digits: begin a little below the base line so that a place of the
+  // surface at the base line itself counts as ahead.
   const double slack = 100.0 * tolerance::coincidence;
   const Vec3 from = base(fraction) - slack * heading;
-  const std::optional<double> s = directedDistance(surface, from, heading, Crossing::aheadElseNearest);
+  const std::optional<double> s =
+      directedDistance(surface, from, heading, Crossing::aheadElseNearest);
   return s ? std::optional<Vec3>(from + *s * heading) : std::nullopt;
 }
 
@@ -42,7 +43,8 @@ std::optional<RuledPoint> RuledSurface::at(double f, double g) const {
   if (!oneByF || !twoByF) {
     return std::nullopt;
   }
-  return RuledPoint{(1.0 - g) * *one + g * *two, (1.0 - g) * *oneByF + g * *twoByF, *two - *one, *twoByF - *oneByF};
+  return RuledPoint{(1.0 - g) * *one + g * *two, (1.0 - g) * *oneByF + g * *twoByF, *two - *one,
+                    *twoByF - *oneByF};
 }
 
 std::optional<Vec3> RuledSurface::normal(double f, double g) const {
@@ -98,7 +100,8 @@ SectionCurve readCurve(std::span<const double> canon, std::size_t& next) {
 }  // namespace
 
 std::optional<SubForm> readSubForm(std::span<const double> canon, std::size_t& next) {
-  if (next + 2 > canon.size() || !(canon[next] >= 1.0 && canon[next] < 64.0) || !(canon[next + 1] >= 0.0)) {
+  if (next + 2 > canon.size() || !(canon[next] >= 1.0 && canon[next] < 64.0) ||
+      !(canon[next + 1] >= 0.0)) {
     return std::nullopt;
   }
   const auto type = static_cast<EntityType>(canon[next]);

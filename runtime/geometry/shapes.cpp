@@ -11,8 +11,9 @@ Vec3 triple(std::span<const double> canon, std::size_t first) {
   return {canon[first], canon[first + 1], canon[first + 2]};
 }
 
-/// What canonical numbers must be divided by so that a direction of this length becomes a unit vector. Definitions make
-/// unit vectors; only canonical input may hold others. Of a null direction the result is not finite.
+/// What canonical numbers must be divided by so that a direction of this length becomes a unit
+/// vector. Definitions make unit vectors; only canonical input may hold others. Of a null direction
+/// the result is not finite.
 double divisor(double length) {
   return std::abs(length - 1.0) <= tolerance::rounding ? 1.0 : length;
 }
@@ -23,24 +24,34 @@ Vec3 unitTriple(std::span<const double> canon, std::size_t first) {
 }
 }  // namespace
 
-Point Point::of(std::span<const double> canon) { return {triple(canon, 0)}; }
-Canon Point::canon() const { return {at.x(), at.y(), at.z()}; }
+Point Point::of(std::span<const double> canon) {
+  return {triple(canon, 0)};
+}
+Canon Point::canon() const {
+  return {at.x(), at.y(), at.z()};
+}
 
 Line Line::of(std::span<const double> canon) {
   const Vec2 normal(canon[0], canon[1]);
   const double length = divisor(normal.norm());
   return {normal / length, canon[3] / length};
 }
-Canon Line::canon() const { return {normal.x(), normal.y(), 0.0, distance}; }
+Canon Line::canon() const {
+  return {normal.x(), normal.y(), 0.0, distance};
+}
 
 Plane Plane::of(std::span<const double> canon) {
   const Vec3 normal = triple(canon, 0);
   const double length = divisor(normal.norm());
   return {normal / length, canon[3] / length};
 }
-Canon Plane::canon() const { return {normal.x(), normal.y(), normal.z(), distance}; }
+Canon Plane::canon() const {
+  return {normal.x(), normal.y(), normal.z(), distance};
+}
 
-Circle Circle::of(std::span<const double> canon) { return {triple(canon, 0), canon[6]}; }
+Circle Circle::of(std::span<const double> canon) {
+  return {triple(canon, 0), canon[6]};
+}
 Canon Circle::canon() const {
   return {center.x(), center.y(), center.z(), 0.0, 0.0, 1.0, radius};
 }
@@ -59,8 +70,12 @@ Canon Cone::canon() const {
   return {vertex.x(), vertex.y(), vertex.z(), axis.x(), axis.y(), axis.z(), cosine};
 }
 
-Sphere Sphere::of(std::span<const double> canon) { return {triple(canon, 0), canon[3]}; }
-Canon Sphere::canon() const { return {center.x(), center.y(), center.z(), radius}; }
+Sphere Sphere::of(std::span<const double> canon) {
+  return {triple(canon, 0), canon[3]};
+}
+Canon Sphere::canon() const {
+  return {center.x(), center.y(), center.z(), radius};
+}
 
 Torus Torus::of(std::span<const double> canon) {
   return {triple(canon, 0), unitTriple(canon, 3), canon[6], canon[7]};
@@ -92,8 +107,12 @@ Vec3 Quadric::gradient(const Vec3& place) const {
   return 2.0 * (matrix * place.homogeneous()).head<3>();
 }
 
-Direction Direction::of(std::span<const double> canon) { return {triple(canon, 0)}; }
-Canon Direction::canon() const { return {components.x(), components.y(), components.z()}; }
+Direction Direction::of(std::span<const double> canon) {
+  return {triple(canon, 0)};
+}
+Canon Direction::canon() const {
+  return {components.x(), components.y(), components.z()};
+}
 
 Matrix Matrix::of(std::span<const double> canon) {
   Matrix result;

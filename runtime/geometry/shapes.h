@@ -1,14 +1,15 @@
 #pragma once
-#include <Eigen/Core>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "ir/geometry/entity.h"
 #include "ir/space/vector.h"
 
-/// Typed views of canonical forms (layouts: ir/geometry/entity.h). Each `of` reads the values of an entity of its
-/// type, `canon` writes them. Lengths in the part unit; normals and axes are unit vectors: `of` divides by their length,
-/// which differs from 1 only after canonical input.
+/// Typed views of canonical forms (layouts: ir/geometry/entity.h). Each `of` reads the values of an
+/// entity of its type, `canon` writes them. Lengths in the part unit; normals and axes are unit
+/// vectors: `of` divides by their length, which differs from 1 only after canonical input.
 namespace arelem::geometry {
 
 using Vec2 = Eigen::Vector2d;

@@ -23,7 +23,8 @@ void TabulatedCylinder::Interval::bound() {
 }
 
 CurvePoint TabulatedCylinder::Interval::at(double t) const {
-  return {start + t * along + offset(t) * across(), along + slope(t) * across(), bend(t) * across()};
+  return {start + t * along + offset(t) * across(), along + slope(t) * across(),
+          bend(t) * across()};
 }
 
 TabulatedCylinder TabulatedCylinder::of(std::span<const double> canon) {

@@ -12,8 +12,9 @@ struct CurvePoint {
   Vec2 second = Vec2::Zero();    ///< d2 place / du2
 };
 
-/// TABCYL: a plane curve swept along a direction. The curve lies in the (u, v) plane of `frame`; it is a chain
-/// of cubics, each over its chord, with a straight interval before the first and behind the last point.
+/// TABCYL: a plane curve swept along a direction. The curve lies in the (u, v) plane of `frame`; it
+/// is a chain of cubics, each over its chord, with a straight interval before the first and behind
+/// the last point.
 ///
 /// Canonical form: n, k, m1..m9, then for each interval u v a b len max min, then the final u v.
 ///   n   number of intervals, the two straight ones included
@@ -59,7 +60,9 @@ struct TabulatedCylinder {
 };
 
 /// The number of canonical values of a TABCYL of n intervals.
-[[nodiscard]] constexpr std::size_t tabulatedCylinderCount(std::size_t n) { return 13 + 7 * n; }
+[[nodiscard]] constexpr std::size_t tabulatedCylinderCount(std::size_t n) {
+  return 13 + 7 * n;
+}
 
 /// The place of the curve nearest to `place`.
 struct Nearest {
@@ -67,7 +70,10 @@ struct Nearest {
   double t = 0.0;
   double distance = 0.0;
 };
-/// `withExtensions` also looks at the straight intervals. There is at least one interval to look at.
-[[nodiscard]] Nearest nearestOn(const TabulatedCylinder& surface, const Vec2& place, bool withExtensions = true);
+/// `withExtensions` also looks at the straight intervals. There is at least one interval to look
+/// at.
+[[nodiscard]] Nearest nearestOn(const TabulatedCylinder& surface,
+                                const Vec2& place,
+                                bool withExtensions = true);
 
 }  // namespace arelem::geometry

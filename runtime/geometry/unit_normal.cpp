@@ -12,9 +12,13 @@ std::optional<Vec3> normalized(const Vec3& v) {
 }
 }  // namespace
 
-Vec3 unitNormal(const Plane& plane, const Vec3&) { return plane.normal.normalized(); }
+Vec3 unitNormal(const Plane& plane, const Vec3&) {
+  return plane.normal.normalized();
+}
 
-std::optional<Vec3> unitNormal(const Sphere& sphere, const Vec3& place) { return normalized(place - sphere.center); }
+std::optional<Vec3> unitNormal(const Sphere& sphere, const Vec3& place) {
+  return normalized(place - sphere.center);
+}
 
 std::optional<Vec3> unitNormal(const Cylinder& cylinder, const Vec3& place) {
   const Vec3 w = place - cylinder.point;
@@ -22,9 +26,9 @@ std::optional<Vec3> unitNormal(const Cylinder& cylinder, const Vec3& place) {
 }
 
 std::optional<Vec3> unitNormal(const Cone& cone, const Vec3& place) {
-  // The unit vector across the axis in the plane of axis and place, turned back by the half angle a:
-  // n = cos a e - sin a T, which is UNCON's (cos a U - cos(th - a) T)/sin th written without the division. Where the
-  // place is behind the vertex (th - a beyond 90 degrees) there is no normal.
+  // The unit vector across the axis in the plane of axis and place, turned back by the half angle
+  // a: n = cos a e - sin a T, which is UNCON's (cos a U - cos(th - a) T)/sin th written without the
+  // division. Where the place is behind the vertex (th - a beyond 90 degrees) there is no normal.
   const Vec3 w = place - cone.vertex;
   const std::optional<Vec3> across = normalized(w - w.dot(cone.axis) * cone.axis);
   const double sine = std::sqrt((1.0 - cone.cosine) * (1.0 + cone.cosine));
@@ -34,7 +38,9 @@ std::optional<Vec3> unitNormal(const Cone& cone, const Vec3& place) {
   return cone.cosine * *across - sine * cone.axis;
 }
 
-std::optional<Vec3> unitNormal(const Quadric& quadric, const Vec3& place) { return normalized(quadric.gradient(place)); }
+std::optional<Vec3> unitNormal(const Quadric& quadric, const Vec3& place) {
+  return normalized(quadric.gradient(place));
+}
 
 std::optional<Vec3> unitNormal(const TabulatedCylinder& surface, const Vec3& place) {
   const Nearest nearest = nearestOn(surface, surface.projected(place));
@@ -87,7 +93,10 @@ auto visitSurface(const Entity& entity, Use use, Other otherwise) {
 }
 }  // namespace
 
-std::optional<double> directedDistance(const Entity& surface, const Vec3& from, const Vec3& direction, Crossing which) {
+std::optional<double> directedDistance(const Entity& surface,
+                                       const Vec3& from,
+                                       const Vec3& direction,
+                                       Crossing which) {
   return visitSurface(
       surface, [&](const auto& shape) { return directedDistance(shape, from, direction, which); },
       [] { return std::optional<double>{}; });

@@ -1,9 +1,9 @@
 #include "ir/define/matcher.h"
 
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <set>
 
 namespace arelem::define {
 namespace {
@@ -16,9 +16,15 @@ using Symbols = std::vector<Symbol>;
 using T = EntityType;
 using W = Word;
 
-Symbol w(Word word) { return Symbol::of(word); }
-Symbol e(EntityType type) { return Symbol::of(type); }
-Symbol s() { return Symbol::scalar(); }
+Symbol w(Word word) {
+  return Symbol::of(word);
+}
+Symbol e(EntityType type) {
+  return Symbol::of(type);
+}
+Symbol s() {
+  return Symbol::scalar();
+}
 
 std::string formOf(Word noun, const Symbols& symbols) {
   const auto found = match(noun, symbols);
@@ -43,10 +49,12 @@ Symbol example(const Expectation& wanted) {
   return e(static_cast<EntityType>(code));
 }
 
-/// Every way through the automaton that passes no node more than `visits` times, as example symbols.
+/// Every way through the automaton that passes no node more than `visits` times, as example
+/// symbols.
 class Paths {
  public:
-  Paths(const Pattern& pattern, int visits) : pattern_(pattern), left_(pattern.nodes.size(), visits) {
+  Paths(const Pattern& pattern, int visits)
+      : pattern_(pattern), left_(pattern.nodes.size(), visits) {
     walk(pattern.start);
   }
   std::vector<Symbols> all;
@@ -75,7 +83,9 @@ class Paths {
   Symbols now_;
 };
 
-Word nounOf(const FormRow& form) { return form.anyNoun ? W::SPHERE : form.noun; }
+Word nounOf(const FormRow& form) {
+  return form.anyNoun ? W::SPHERE : form.noun;
+}
 
 TEST(Forms, EveryPatternCompiles) {
   for (const FormRow& form : formTable()) {
@@ -86,18 +96,19 @@ TEST(Forms, EveryPatternCompiles) {
 }
 
 TEST(Forms, CountOfTheReference) {
-  // The reference has 142 ids. TC-08, TC-09, CN-03, CN-04, NS-01 to NS-03 and RV-01 are no forms of their own; TORUS (2)
-  // and the XYZ format of TC-07 are more rows.
+  // The reference has 142 ids. TC-08, TC-09, CN-03, CN-04, NS-01 to NS-03 and RV-01 are no forms of
+  // their own; TORUS (2) and the XYZ format of TC-07 are more rows.
   EXPECT_EQ(formTable().size(), 142U - 8U + 3U);
 }
 
 TEST(Forms, NamesOfScalarsAreNoMisspeltKinds) {
   const std::set<std::string_view> known = {
-      "x",   "y",  "z",  "x1", "y1", "z1", "x2",    "y2",   "z2",    "x3",    "y3",    "x4",    "y4",   "x5",  "y5",
-      "r",   "deg", "s", "s1", "s2", "v",  "b",     "a",    "c",     "d",     "e",     "f",     "g",    "h",   "p",
-      "q",   "t",  "dist", "i", "j", "k",  "cos",   "len",  "dx",    "dy",    "dz",    "n",     "u",    "major", "minor",
-      "a1",  "b1", "c1", "d1", "a2", "b2", "c2",    "d2",   "a3",    "b3",    "c3",    "d3",    "m1",   "m2",  "m3",
-      "m4",  "m5", "m6", "m7", "m8", "m9", "value", "start", "stop"};
+      "x",   "y",   "z",  "x1", "y1",  "z1", "x2",    "y2",    "z2",    "x3", "y3", "x4",
+      "y4",  "x5",  "y5", "r",  "deg", "s",  "s1",    "s2",    "v",     "b",  "a",  "c",
+      "d",   "e",   "f",  "g",  "h",   "p",  "q",     "t",     "dist",  "i",  "j",  "k",
+      "cos", "len", "dx", "dy", "dz",  "n",  "u",     "major", "minor", "a1", "b1", "c1",
+      "d1",  "a2",  "b2", "c2", "d2",  "a3", "b3",    "c3",    "d3",    "m1", "m2", "m3",
+      "m4",  "m5",  "m6", "m7", "m8",  "m9", "value", "start", "stop"};
   for (const FormRow& form : formTable()) {
     for (const Pattern::Node& node : compile(form.pattern).nodes) {
       if (node.kind == Pattern::Node::Kind::take && node.wanted.sort == Symbol::Sort::scalar) {
@@ -137,7 +148,8 @@ TEST(Forms, AWordOrEntityInTheWrongPlaceIsNotTaken) {
 
 TEST(Forms, OneMoreOrOneLessIsAnotherFormOrNone) {
   for (const FormRow& form : formTable()) {
-    if (form.pattern.find("...") != std::string_view::npos || form.pattern.find('[') != std::string_view::npos) {
+    if (form.pattern.find("...") != std::string_view::npos ||
+        form.pattern.find('[') != std::string_view::npos) {
       continue;
     }
     const Pattern pattern = compile(form.pattern);
@@ -158,10 +170,13 @@ TEST(Matcher, TellsOptionalParts) {
 }
 
 TEST(Matcher, TellsRepetitions) {
-  EXPECT_EQ(formOf(W::PATERN, {w(W::LINEAR), e(T::point), e(T::vector), w(W::INCR), s(), w(W::AT), s()}), "PA_03");
-  EXPECT_EQ(formOf(W::PATERN, {w(W::LINEAR), e(T::point), e(T::vector), w(W::INCR), s(), s(), s()}), "PA_04");
-  EXPECT_EQ(formOf(W::PATERN, {w(W::LINEAR), e(T::point), e(T::vector), w(W::INCR), s(), w(W::AT), s(), w(W::INCR), s(),
-                               w(W::AT), s()}),
+  EXPECT_EQ(
+      formOf(W::PATERN, {w(W::LINEAR), e(T::point), e(T::vector), w(W::INCR), s(), w(W::AT), s()}),
+      "PA_03");
+  EXPECT_EQ(formOf(W::PATERN, {w(W::LINEAR), e(T::point), e(T::vector), w(W::INCR), s(), s(), s()}),
+            "PA_04");
+  EXPECT_EQ(formOf(W::PATERN, {w(W::LINEAR), e(T::point), e(T::vector), w(W::INCR), s(), w(W::AT),
+                               s(), w(W::INCR), s(), w(W::AT), s()}),
             "PA_03");
 }
 
@@ -214,7 +229,8 @@ TEST(Mismatch, LongListsStayCheap) {
 }
 
 TEST(Signature, ShortensLongLists) {
-  EXPECT_EQ(signature(W::POINT, Symbols{w(W::INTOF), e(T::line), e(T::circle)}), "POINT/ INTOF, line, circle");
+  EXPECT_EQ(signature(W::POINT, Symbols{w(W::INTOF), e(T::line), e(T::circle)}),
+            "POINT/ INTOF, line, circle");
   EXPECT_THAT(signature(W::PATERN, Symbols(200, s())), HasSubstr("(200 parameters)"));
 }
 

@@ -1,7 +1,9 @@
-// Curves of the old system's examples (belonging to others, read in place where ARELEM_SHARED names their folder).
+// Curves of the old system's examples (belonging to others, read in place where ARELEM_SHARED names
+// their folder).
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "runtime/geometry/tabulated_cylinder.h"
@@ -14,12 +16,13 @@ using Json = nlohmann::json;
 
 std::optional<Json> resultsOf(const std::string& program) {
   const char* shared = std::getenv("ARELEM_SHARED");
-  std::ifstream file(std::string(shared != nullptr ? shared : "") + "/oracle/examples/" + program + ".json");
+  std::ifstream file(std::string(shared != nullptr ? shared : "") + "/oracle/examples/" + program +
+                     ".json");
   return shared != nullptr && file ? std::optional<Json>(Json::parse(file)) : std::nullopt;
 }
 
-#define ARELEM_NEEDS_EXAMPLE(results) \
-  if (!(results)) {                   \
+#define ARELEM_NEEDS_EXAMPLE(results)                                         \
+  if (!(results)) {                                                           \
     GTEST_SKIP() << "needs the examples of other authors: set ARELEM_SHARED"; \
   }
 
@@ -33,8 +36,10 @@ std::vector<double> valuesOf(const Json& results, const std::string& name, int s
   return {};
 }
 
-/// The cutter's center stays at `radius` from the curve, within the band [0, outer] of the motion and `slack` more.
-void expectAlong(const Json& results, int isn, const Entity& curve, double radius, double outer, double slack) {
+/// The cutter's center stays at `radius` from the curve, within the band [0, outer] of the motion
+/// and `slack` more.
+void expectAlong(
+    const Json& results, int isn, const Entity& curve, double radius, double outer, double slack) {
   const auto surface = geometry::TabulatedCylinder::of(curve.canon);
   int count = 0;
   for (const Json& record : results["cl"]) {
@@ -42,7 +47,8 @@ void expectAlong(const Json& results, int isn, const Entity& curve, double radiu
       continue;
     }
     for (const Json& p : record["points"]) {
-      const double off = geometry::nearestOn(surface, {p[0].get<double>(), p[1].get<double>()}).distance - radius;
+      const double off =
+          geometry::nearestOn(surface, {p[0].get<double>(), p[1].get<double>()}).distance - radius;
       EXPECT_GE(off, -slack);
       EXPECT_LE(off, outer + slack);
       ++count;
@@ -90,9 +96,11 @@ TEST(Examples, LineMeetsTheSplineOfTest2) {
   const auto results = resultsOf("test2");
   ARELEM_NEEDS_EXAMPLE(results);
   const auto p = [&](const std::string& name) { return make(T::point, valuesOf(*results, name)); };
-  const EntityPtr curve = definedPtr(T::tabulatedCylinder, {W::NOZ, W::SPLINE, p("P1"), W::SLOPE, 0.0, p("P4"), p("P3"),
-                                                            p("P5"), p("P2"), W::SLOPE, 100000.0});
-  const Entity place = defined(T::point, {W::INTOF, make(T::line, valuesOf(*results, "L1")), curve, p("P4")});
+  const EntityPtr curve =
+      definedPtr(T::tabulatedCylinder, {W::NOZ, W::SPLINE, p("P1"), W::SLOPE, 0.0, p("P4"), p("P3"),
+                                        p("P5"), p("P2"), W::SLOPE, 100000.0});
+  const Entity place =
+      defined(T::point, {W::INTOF, make(T::line, valuesOf(*results, "L1")), curve, p("P4")});
   expectCanon(place.canon, valuesOf(*results, "PTEST"), 1e-5);
 }
 
@@ -110,9 +118,11 @@ TEST(Examples, CutterFollowsTheFreeFormCurve) {
   const auto results = resultsOf("tabcyl");
   ARELEM_NEEDS_EXAMPLE(results);
   const Entity curve = defined(T::tabulatedCylinder,
-                               {W::NOZ, W::SPLINE, 5.0, 0.0, W::SLOPE, 0.0, 6.0, 0.2, 7.0, 0.85, 7.32, 1.5, 7.3, 2.3, 6.9,
-                                3.0, 6.1, 3.5, 4.5, 4.1, 2.7, 4.5, 1.2, 4.85, 0.5, 5.0, -0.2, 5.3, -0.8, 5.7});
-  // The old fit stops its iteration early: its curve is up to 3e-5 off the curvature-continuous one.
+                               {W::NOZ, W::SPLINE, 5.0, 0.0,  W::SLOPE, 0.0, 6.0,  0.2, 7.0,  0.85,
+                                7.32,   1.5,       7.3, 2.3,  6.9,      3.0, 6.1,  3.5, 4.5,  4.1,
+                                2.7,    4.5,       1.2, 4.85, 0.5,      5.0, -0.2, 5.3, -0.8, 5.7});
+  // The old fit stops its iteration early: its curve is up to 3e-5 off the curvature-continuous
+  // one.
   expectAlong(*results, 42, curve, 0.05, 0.0005, 3e-5);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-#include <gtest/gtest.h>
-
 #include <initializer_list>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "ir/diag/diagnostic.h"
 #include "runtime/define/define.h"
@@ -22,7 +22,9 @@ inline EntityPtr make(EntityType type, std::vector<double> canon) {
   return std::make_shared<const Entity>(std::move(entity));
 }
 
-inline EntityPtr point(double x, double y, double z = 0.0) { return make(T::point, {x, y, z}); }
+inline EntityPtr point(double x, double y, double z = 0.0) {
+  return make(T::point, {x, y, z});
+}
 
 /// The defined entity; a test failure with the message when there is none.
 inline Entity defined(EntityType type, const P& parameters, const Context& context = {}) {
@@ -53,8 +55,10 @@ inline std::string codeOf(const Failure& failure) {
 }
 
 /// All numbers within `allowance` times the largest expected one (at least 1).
-inline void expectCanon(const std::vector<double>& actual, const std::vector<double>& expected,
-                        double allowance, const std::string& what = "") {
+inline void expectCanon(const std::vector<double>& actual,
+                        const std::vector<double>& expected,
+                        double allowance,
+                        const std::string& what = "") {
   ASSERT_EQ(actual.size(), expected.size()) << what;
   double size = 1.0;
   for (const double v : expected) {

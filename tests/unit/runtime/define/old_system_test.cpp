@@ -1,6 +1,8 @@
-// Canonical forms printed by the old system (tests/data/golden/definitions.json, made from programs of ours).
+// Canonical forms printed by the old system (tests/data/golden/definitions.json, made from programs
+// of ours).
 #include <fstream>
 #include <map>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/unit/runtime/define/forms.h"
@@ -31,10 +33,12 @@ Context contextOf(const nlohmann::json& row) {
   return {z[0].get<double>(), z[1].get<double>(), z[2].get<double>(), z[3].get<double>()};
 }
 
-/// Where the old system is less exact than 1e-9 (each explained in docs/differences.md): what it may be off by.
+/// Where the old system is less exact than 1e-9 (each explained in docs/differences.md): what it
+/// may be off by.
 double allowanceFor(const std::string& place) {
   static const std::map<std::string, double> known = {
-      {"g05_vectors V25", 3e-9},  // VECTOR/ATANGL beyond 90 degrees: its sine and cosine are off by 2.7e-9
+      {"g05_vectors V25",
+       3e-9},  // VECTOR/ATANGL beyond 90 degrees: its sine and cosine are off by 2.7e-9
       {"g05_vectors V26", 3e-9},
   };
   const auto found = known.find(place);
@@ -59,7 +63,8 @@ TEST(OldSystem, CanonicalFormsAgree) {
     names[name] = std::make_shared<const Entity>(entity);
     if (row.contains("expected")) {
       const std::string place = row["case"].get<std::string>() + " " + name;
-      expectCanon(entity.canon, row["expected"].get<std::vector<double>>(), allowanceFor(place), place);
+      expectCanon(entity.canon, row["expected"].get<std::vector<double>>(), allowanceFor(place),
+                  place);
       ++compared;
     }
   }

@@ -1,4 +1,5 @@
-// Definitions without a unique result: each is refused with its own diagnostic and says what was measured.
+// Definitions without a unique result: each is refused with its own diagnostic and says what was
+// measured.
 #include <gmock/gmock.h>
 
 #include "tests/unit/runtime/define/forms.h"
@@ -8,13 +9,24 @@ namespace {
 
 using testing::HasSubstr;
 
-EntityPtr line(double x1, double y1, double x2, double y2) { return definedPtr(T::line, {x1, y1, x2, y2}); }
-EntityPtr circle(double x, double y, double r) { return make(T::circle, {x, y, 0, 0, 0, 1, r}); }
-EntityPtr plane(double a, double b, double c, double d) { return definedPtr(T::plane, {a, b, c, d}); }
-EntityPtr vector(double x, double y, double z) { return make(T::vector, {x, y, z}); }
-EntityPtr matrix(std::vector<double> m) { return make(T::matrix, std::move(m)); }
+EntityPtr line(double x1, double y1, double x2, double y2) {
+  return definedPtr(T::line, {x1, y1, x2, y2});
+}
+EntityPtr circle(double x, double y, double r) {
+  return make(T::circle, {x, y, 0, 0, 0, 1, r});
+}
+EntityPtr plane(double a, double b, double c, double d) {
+  return definedPtr(T::plane, {a, b, c, d});
+}
+EntityPtr vector(double x, double y, double z) {
+  return make(T::vector, {x, y, z});
+}
+EntityPtr matrix(std::vector<double> m) {
+  return make(T::matrix, std::move(m));
+}
 EntityPtr wave() {
-  return definedPtr(T::tabulatedCylinder, {W::NOZ, W::SPLINE, 0.0, 0.0, 1.0, 1.0, 2.0, 0.0, 3.0, -1.0, 4.0, 0.0});
+  return definedPtr(T::tabulatedCylinder,
+                    {W::NOZ, W::SPLINE, 0.0, 0.0, 1.0, 1.0, 2.0, 0.0, 3.0, -1.0, 4.0, 0.0});
 }
 
 struct Case {
@@ -43,10 +55,16 @@ TEST(Refusal, Points) {
       {T::point, {W::XLARGE, W::INTOF, unit, circle(3, 0, 1)}, "NoIntersection"},
       {T::point, {W::XLARGE, W::INTOF, unit, circle(0.5, 0, 3)}, "NoIntersection"},
       {T::point, {W::INTOF, plane(0, 0, 1, 0), plane(0, 0, 1, 1), plane(1, 0, 0, 0)}, "Parallel"},
-      {T::point, {W::XLARGE, W::INTOF, line(0, 3, 1, 3), definedPtr(T::ellipse, {W::CENTER, point(0, 0), 2.0, 1.0, 0.0})},
+      {T::point,
+       {W::XLARGE, W::INTOF, line(0, 3, 1, 3),
+        definedPtr(T::ellipse, {W::CENTER, point(0, 0), 2.0, 1.0, 0.0})},
        "NoIntersection"},
-      {T::point, {definedPtr(T::pattern, {W::LINEAR, point(0, 0), point(1, 0), 3.0}), 4.0}, "PatternIndex"},
-      {T::point, {definedPtr(T::pattern, {W::LINEAR, point(0, 0), point(1, 0), 3.0}), 1.5}, "PatternIndex"},
+      {T::point,
+       {definedPtr(T::pattern, {W::LINEAR, point(0, 0), point(1, 0), 3.0}), 4.0},
+       "PatternIndex"},
+      {T::point,
+       {definedPtr(T::pattern, {W::LINEAR, point(0, 0), point(1, 0), 3.0}), 1.5},
+       "PatternIndex"},
   });
 }
 
@@ -95,11 +113,18 @@ TEST(Refusal, Circles) {
       {T::circle, {W::XLARGE, axis, W::XLARGE, line(0, 0, 0, 1), W::RADIUS, 1.0}, "NoSense"},
       {T::circle, {W::TANTO, axis, W::XLARGE, point(0, 5), W::RADIUS, 1.0}, "NoIntersection"},
       {T::circle, {W::TANTO, axis, W::YLARGE, point(0, 1), W::RADIUS, 1.0}, "Undecided"},
-      {T::circle, {W::YLARGE, line(0, 5, 1, 5), W::XLARGE, W::OUT, unit, W::RADIUS, 1.0}, "NoIntersection"},
+      {T::circle,
+       {W::YLARGE, line(0, 5, 1, 5), W::XLARGE, W::OUT, unit, W::RADIUS, 1.0},
+       "NoIntersection"},
       {T::circle, {W::YLARGE, axis, W::YLARGE, W::OUT, unit, W::RADIUS, 1.0}, "Undecided"},
       {T::circle, {W::XLARGE, W::OUT, unit, W::OUT, circle(4, 0, 1), W::RADIUS, 2.0}, "Undecided"},
-      {T::circle, {W::XLARGE, W::OUT, unit, W::OUT, circle(9, 0, 1), W::RADIUS, 2.0}, "NoIntersection"},
-      {T::circle, {W::TANTO, line(1000, 0, 1000, 1), W::XLARGE, wave(), W::YLARGE, point(1, 1), W::RADIUS, 0.1}, "NoPlaceOnCurve"},
+      {T::circle,
+       {W::XLARGE, W::OUT, unit, W::OUT, circle(9, 0, 1), W::RADIUS, 2.0},
+       "NoIntersection"},
+      {T::circle,
+       {W::TANTO, line(1000, 0, 1000, 1), W::XLARGE, wave(), W::YLARGE, point(1, 1), W::RADIUS,
+        0.1},
+       "NoPlaceOnCurve"},
   });
 }
 
@@ -120,7 +145,9 @@ TEST(Refusal, Solids) {
       {T::quadric, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}, "BadConic"},
       {T::lconic, {W::W_5PT, 0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 3.0, 3.0, 2.0, 0.0}, "BadConic"},
       {T::lconic, {W::W_3PT2SL, point(0, 0), 0.0, point(1, 1), 0.0, point(0, 0)}, "BadConic"},
-      {T::lconic, {W::W_4PT1SL, point(0, 0), 0.0, point(1, 1), point(2, 1), point(5, 0)}, "BadConic"},
+      {T::lconic,
+       {W::W_4PT1SL, point(0, 0), 0.0, point(1, 1), point(2, 1), point(5, 0)},
+       "BadConic"},
   });
 }
 
@@ -138,14 +165,31 @@ TEST(Refusal, Curves) {
   const EntityPtr tilted = definedPtr(T::matrix, {W::YZROT, 30.0});
   expectRefused({
       {T::tabulatedCylinder, {W::NOZ, W::SPLINE, 0.0, 0.0, 1.0, 1.0}, "TooFewPoints"},
-      {T::tabulatedCylinder, {W::NOZ, W::SPLINE, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 0.0}, "Coincident"},
-      {T::tabulatedCylinder, {W::NOZ, W::SPLINE, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0001, 2.0, 0.0}, "CurveTurnsBack"},
-      {T::tabulatedCylinder, {W::NOZ, W::SPLINE, W::TRFORM, tilted, 0.0, 0.0, 1.0, 1.0, 2.0, 0.0}, "LeavesPlane"},
-      {T::tabulatedCylinder, {W::NOZ, W::FOURPT, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0}, "FoldedCubic"},
-      {T::tabulatedCylinder, {W::NOZ, W::PTSLOP, 0.0, 0.0, 1e5, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0}, "TangentAcrossChord"},
-      {T::tabulatedCylinder, {W::XYZ, W::SPLINE, vector(0, 0, 0), 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 0.0, 0.0}, "NullDirection"},
-      {T::tabulatedCylinder, {W::NOZ, W::FOURPT, 0.0, 0.0, W::SLOPE, 1.0, 1.0, 1.0, 2.0, 0.0}, "WrongModifier"},
-      {T::line, {point(0, 9), W::PERPTO, definedPtr(T::tabulatedCylinder, {W::NOX, W::SPLINE, 0.0, 0.0, 1.0, 1.0, 2.0, 0.0}), point(0, 0)},
+      {T::tabulatedCylinder,
+       {W::NOZ, W::SPLINE, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 0.0},
+       "Coincident"},
+      {T::tabulatedCylinder,
+       {W::NOZ, W::SPLINE, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0001, 2.0, 0.0},
+       "CurveTurnsBack"},
+      {T::tabulatedCylinder,
+       {W::NOZ, W::SPLINE, W::TRFORM, tilted, 0.0, 0.0, 1.0, 1.0, 2.0, 0.0},
+       "LeavesPlane"},
+      {T::tabulatedCylinder,
+       {W::NOZ, W::FOURPT, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0},
+       "FoldedCubic"},
+      {T::tabulatedCylinder,
+       {W::NOZ, W::PTSLOP, 0.0, 0.0, 1e5, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0},
+       "TangentAcrossChord"},
+      {T::tabulatedCylinder,
+       {W::XYZ, W::SPLINE, vector(0, 0, 0), 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 2.0, 0.0, 0.0},
+       "NullDirection"},
+      {T::tabulatedCylinder,
+       {W::NOZ, W::FOURPT, 0.0, 0.0, W::SLOPE, 1.0, 1.0, 1.0, 2.0, 0.0},
+       "WrongModifier"},
+      {T::line,
+       {point(0, 9), W::PERPTO,
+        definedPtr(T::tabulatedCylinder, {W::NOX, W::SPLINE, 0.0, 0.0, 1.0, 1.0, 2.0, 0.0}),
+        point(0, 0)},
        "NotVertical"},
   });
 }
@@ -159,17 +203,27 @@ TEST(Refusal, Patterns) {
       {T::pattern, {W::LINEAR, point(0, 0), vector(1, 0, 0), 1e9}, "PatternTooLarge"},
       {T::pattern, {W::LINEAR, point(0, 0), vector(0, 0, 0), W::INCR, 1.0}, "NullDirection"},
       {T::pattern, {W::PARLEL, list, vector(1, 0, 0), 3.0}, "PatternNotLinear"},
-      {T::pattern, {W::PARLEL, row, definedPtr(T::pattern, {W::LINEAR, point(0, 7), point(0, 9), 3.0})}, "PatternsApart"},
+      {T::pattern,
+       {W::PARLEL, row, definedPtr(T::pattern, {W::LINEAR, point(0, 7), point(0, 9), 3.0})},
+       "PatternsApart"},
   });
 }
 
 TEST(Refusal, RuledSurfaces) {
   const EntityPtr tube = make(T::cylinder, {0, 0, 0, 0, 1, 0, 5});
   expectRefused({
-      {T::ruledSurface, {tube, point(0, 0, 5), point(0.01, 0, 5), point(0, 0, 6), point(0, 9)}, "RuledEndsTooClose"},
-      {T::ruledSurface, {tube, point(-3, 0, 4), point(3, 0, 4), point(1, 0, 4), point(0, 9)}, "RuledPlaneUndefined"},
-      {T::ruledSurface, {tube, point(-3, 0, 4), point(9, 0, 4), vector(0, 0, 1), point(0, 9)}, "RuledCurveMissed"},
-      {T::ruledSurface, {tube, point(-3, 0, 4), point(3, 0, 4), vector(2, 0, 0), point(0, 9)}, "RuledPlaneUndefined"},
+      {T::ruledSurface,
+       {tube, point(0, 0, 5), point(0.01, 0, 5), point(0, 0, 6), point(0, 9)},
+       "RuledEndsTooClose"},
+      {T::ruledSurface,
+       {tube, point(-3, 0, 4), point(3, 0, 4), point(1, 0, 4), point(0, 9)},
+       "RuledPlaneUndefined"},
+      {T::ruledSurface,
+       {tube, point(-3, 0, 4), point(9, 0, 4), vector(0, 0, 1), point(0, 9)},
+       "RuledCurveMissed"},
+      {T::ruledSurface,
+       {tube, point(-3, 0, 4), point(3, 0, 4), vector(2, 0, 0), point(0, 9)},
+       "RuledPlaneUndefined"},
   });
 }
 
@@ -197,22 +251,28 @@ TEST(Refusal, OverflowIsNoNumber) {
 }
 
 TEST(Refusal, UndecidedNamesBothCandidates) {
-  const Failure failure = refused(T::point, {W::XLARGE, W::INTOF, line(0.6, 0, 0.6, 1), circle(0, 0, 1)});
+  const Failure failure =
+      refused(T::point, {W::XLARGE, W::INTOF, line(0.6, 0, 0.6, 1), circle(0, 0, 1)});
   ASSERT_EQ(failure.notes.size(), 2U);
   EXPECT_THAT(failure.notes[0] + failure.notes[1], HasSubstr("(0.6, 0.8)"));
   EXPECT_THAT(failure.notes[0] + failure.notes[1], HasSubstr("(0.6, -0.8)"));
 }
 
 TEST(Refusal, WrongModifierNamesThePlaceAndWhatFits) {
-  const Failure failure = refused(T::point, {W::ZLARGE, W::INTOF, line(0, 0, 1, 1), circle(0, 0, 1)});
+  const Failure failure =
+      refused(T::point, {W::ZLARGE, W::INTOF, line(0, 0, 1, 1), circle(0, 0, 1)});
   EXPECT_EQ(codeOf(failure), "WrongModifier");
-  EXPECT_EQ(failure.message, "parameter 1 of POINT is `ZLARGE`; `XLARGE`, `XSMALL`, `YLARGE` or `YSMALL` would fit there");
-  EXPECT_THAT(failure.help, HasSubstr("POINT/ {XLARGE | XSMALL | YLARGE | YSMALL}, INTOF, line, circle"));
+  EXPECT_EQ(
+      failure.message,
+      "parameter 1 of POINT is `ZLARGE`; `XLARGE`, `XSMALL`, `YLARGE` or `YSMALL` would fit there");
+  EXPECT_THAT(failure.help,
+              HasSubstr("POINT/ {XLARGE | XSMALL | YLARGE | YSMALL}, INTOF, line, circle"));
 }
 
 TEST(Refusal, MissingParameterIsNamed) {
   const Failure failure = refused(T::circle, {W::CENTER, point(0, 0), W::RADIUS});
-  EXPECT_EQ(failure.message, "CIRCLE has 3 parameters, one is missing: `r` would fit as parameter 4");
+  EXPECT_EQ(failure.message,
+            "CIRCLE has 3 parameters, one is missing: `r` would fit as parameter 4");
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // Directed distances and normals: the cases of tests/data/golden/cases_galbiati.json.
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "runtime/define/tabcyl_fit.h"
 #include "runtime/geometry/directed_distance.h"
@@ -15,7 +15,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-Vec3 vec(const Json& v) { return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()}; }
+Vec3 vec(const Json& v) {
+  return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
+}
 
 Crossing crossingOf(const Json& in) {
   const int fiop = in.value("FIOP", 0);
@@ -23,13 +25,15 @@ Crossing crossingOf(const Json& in) {
 }
 
 Cone coneOf(const Json& in) {
-  return {vec(in["V"]), vec(in["T"]), std::cos(in["alpha_deg"].get<double>() * std::numbers::pi / 180.0)};
+  return {vec(in["V"]), vec(in["T"]),
+          std::cos(in["alpha_deg"].get<double>() * std::numbers::pi / 180.0)};
 }
 
 /// Coefficients a h g p b f q c r d.
 Quadric quadricOf(const Json& coef) {
   const auto at = [&](int i) { return coef[static_cast<std::size_t>(i)].get<double>(); };
-  return Quadric::of(std::vector<double>{at(0), at(4), at(7), at(9), at(5), at(2), at(1), at(3), at(6), at(8)});
+  return Quadric::of(
+      std::vector<double>{at(0), at(4), at(7), at(9), at(5), at(2), at(1), at(3), at(6), at(8)});
 }
 
 /// The cubic over the chord of the two middle points, alone.
@@ -62,7 +66,8 @@ using Check = std::function<void(const Json& in, const Json& out, double allowan
 template <class Shape>
 Check distanceTo(Shape (*read)(const Json&)) {
   return [read](const Json& in, const Json& out, double allowance) {
-    expectDistance(directedDistance(read(in), vec(in["P"]), vec(in["dS"]), crossingOf(in)), out["dist"], allowance);
+    expectDistance(directedDistance(read(in), vec(in["P"]), vec(in["dS"]), crossingOf(in)),
+                   out["dist"], allowance);
   };
 }
 
@@ -71,13 +76,16 @@ const std::map<std::string, Check>& checks() {
       {"QUAD",
        [](const Json& in, const Json& out, double allowance) {
          CrossingChoice choice(crossingOf(in));
-         considerQuadratic(in["A"].get<double>(), in["B"].get<double>(), in["C"].get<double>(), choice);
+         considerQuadratic(in["A"].get<double>(), in["B"].get<double>(), in["C"].get<double>(),
+                           choice);
          expectDistance(choice.result(), out["root"], allowance);
        }},
       {"DDPLAN", distanceTo<Plane>([](const Json& in) {
          return Plane{vec(in["SN"]), vec(in["SN"]).dot(vec(in["SP"]))};
        })},
-      {"DDSPHR", distanceTo<Sphere>([](const Json& in) { return Sphere{vec(in["C"]), in["R"].get<double>()}; })},
+      {"DDSPHR", distanceTo<Sphere>([](const Json& in) {
+         return Sphere{vec(in["C"]), in["R"].get<double>()};
+       })},
       {"DDCYLN", distanceTo<Cylinder>([](const Json& in) {
          return Cylinder{vec(in["V"]), vec(in["T"]), in["r0"].get<double>()};
        })},
@@ -85,7 +93,8 @@ const std::map<std::string, Check>& checks() {
       {"DDQUAD", distanceTo<Quadric>([](const Json& in) { return quadricOf(in["coef"]); })},
       {"DDTABC_SEG",
        [](const Json& in, const Json& out, double allowance) {
-         const auto s = directedDistance(middleSegment(in["pts"]), vec(in["P"]), vec(in["dS"]), crossingOf(in));
+         const auto s = directedDistance(middleSegment(in["pts"]), vec(in["P"]), vec(in["dS"]),
+                                         crossingOf(in));
          expectDistance(s, out["S"], allowance);
        }},
       {"CUBIC",
@@ -105,7 +114,8 @@ const std::map<std::string, Check>& checks() {
        }},
       {"UNCYLN",
        [](const Json& in, const Json& out, double allowance) {
-         expectNormal(unitNormal(Cylinder{vec(in["V"]), vec(in["T"]), 1.0}, vec(in["SP"])), out["n"], allowance);
+         expectNormal(unitNormal(Cylinder{vec(in["V"]), vec(in["T"]), 1.0}, vec(in["SP"])),
+                      out["n"], allowance);
        }},
       {"UNCON",
        [](const Json& in, const Json& out, double allowance) {
