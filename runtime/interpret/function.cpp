@@ -1,9 +1,10 @@
 #include "runtime/interpret/function.h"
 
 #include <cmath>
+#include <numbers>
 
-#include "ir/space/degrees.h"
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/angle.h"
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/item.h"
 
@@ -93,6 +94,10 @@ std::optional<double> callOfEntities(State& state,
   return *value;
 }
 
+double inDegrees(double radians) {
+  return radians * (180.0 / std::numbers::pi);
+}
+
 Failure noValue(Word function, std::string_view why) {
   return fail(diag::FunctionValue, spell(function), why);
 }
@@ -105,7 +110,7 @@ Result<double> finite(Word function, double x, double value) {
 }
 
 Result<double> tangent(double x) {
-  const auto [sine, cosine] = sineCosine(x);
+  const auto [sine, cosine] = geometry::sinCosDegrees(x);
   if (cosine == 0.0) {
     return noValue(Word::TANF, fmt::format("the tangent of {} degrees is infinite", x));
   }
@@ -125,7 +130,7 @@ Result<double> angleOf(double sine, double cosine) {
     return noValue(Word::ATAN2F, "both arguments are 0");
   }
   // Adding zero turns -0 into 0, so that the angle of the negative axis is 180 and not -180.
-  return degrees(std::atan2(sine + 0.0, cosine + 0.0));
+  return inDegrees(std::atan2(sine + 0.0, cosine + 0.0));
 }
 
 Vec3 triple(const Entity& entity) {
@@ -157,7 +162,7 @@ Result<double> polarAngle(const Entity& circle, const Entity& point) {
   if (std::abs(x) <= tolerance::nullDirection && std::abs(y) <= tolerance::nullDirection) {
     return noValue(Word::ANGLF, "the point is the center of the circle");
   }
-  const double angle = degrees(std::atan2(y, x));
+  const double angle = inDegrees(std::atan2(y, x));
   return angle < 0.0 ? angle + 360.0 : angle + 0.0;
 }
 
@@ -186,13 +191,13 @@ Result<double> functionOfNumbers(Word function, const std::vector<double>& x) {
     case Word::SQRTF:
       return std::sqrt(std::abs(x[0]));
     case Word::SINF:
-      return sineCosine(x[0]).sine;
+      return geometry::sinCosDegrees(x[0]).sin;
     case Word::COSF:
-      return sineCosine(x[0]).cosine;
+      return geometry::sinCosDegrees(x[0]).cos;
     case Word::TANF:
       return tangent(x[0]);
     case Word::ATANF:
-      return degrees(std::atan(x[0]));
+      return inDegrees(std::atan(x[0]));
     case Word::ATAN2F:
       return angleOf(x[0], x[1]);
     case Word::EXPF:

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "ir/space/degrees.h"
+#include "runtime/geometry/angle.h"
 
 namespace arelem::path {
 
@@ -50,7 +50,7 @@ Affine Affine::translation(const Vec3& by) {
 }
 
 Affine Affine::rotation(double degrees) {
-  const auto [s, c] = sineCosine(degrees);
+  const auto [s, c] = geometry::sinCosDegrees(degrees);
   Affine a;
   a.linear << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
   return a;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "ir/diag/result.h"
 #include "ir/space/tolerance.h"
@@ -164,7 +165,7 @@ class Chain : public Transformer {
     const Word* word = post.arguments.size() == 1 ? std::get_if<Word>(&post.arguments[0]) : nullptr;
     if (matrix != nullptr && matrix->canon.size() == 12) {
       tracut_ = Affine::fromRows(matrix->canon);
-      warned_ = false;
+      tracutOrigin_ = record.origin;
     } else if (word != nullptr && *word == Word::NOMORE) {
       tracut_.reset();
     } else {
@@ -179,22 +180,23 @@ class Chain : public Transformer {
       emit(record);
       return;
     }
-    warnOfTilt(record, *tracut_, "TRACUT");
+    warnOfTilt(record, *tracut_, Word::TRACUT, tracutOrigin_);
     cl::Record moved = record;
     move(moved, *tracut_);
     emit(moved);
   }
 
-  /// A location without its axis cannot tell that the matrix tilted the tool.
-  void warnOfTilt(const cl::Record& record, const Affine& by, std::string_view statement) {
+  /// A location without its axis cannot tell that the matrix tilted the tool. Told once a
+  /// statement.
+  void warnOfTilt(const cl::Record& record, const Affine& by, Word word, const Span& statement) {
     const auto* motion = std::get_if<cl::Motion>(&record.body);
-    if (warned_ || motion == nullptr || motion->withAxis) {
+    if (motion == nullptr || motion->withAxis || tilted_.count(statement) != 0) {
       return;
     }
     const Vec3 turned = by.direction(Vec3::UnitZ());
     if ((turned - Vec3::UnitZ()).lpNorm<Eigen::Infinity>() > tolerance::nullDirection) {
-      report(record, fail(diag::TiltedWithoutAxis, statement));
-      warned_ = true;
+      sink_.accept(at(statement, fail(diag::TiltedWithoutAxis, spell(word))));
+      tilted_.insert(statement);
     }
   }
 
@@ -282,7 +284,6 @@ class Chain : public Transformer {
     cl::Record head = record;
     head.body = cl::Post{Word::INDEX, "", {plan.index}};
     Affine matrix;
-    warned_ = false;
     for (std::uint64_t k = 1; k <= plan.times && !stopped_; ++k) {
       matrix = plan.step(k, matrix);
       emit(head);
@@ -290,7 +291,7 @@ class Chain : public Transformer {
         if (stopped_) {
           return;
         }
-        warnOfTilt(original, matrix, "COPY");
+        warnOfTilt(original, matrix, Word::COPY, record.origin);
         cl::Record moved = original;
         move(moved, matrix);
         emit(moved);
@@ -337,10 +338,11 @@ class Chain : public Transformer {
   Limits limits_;
   const InterruptFlag* interrupted_;
   std::optional<Affine> tracut_;
+  Span tracutOrigin_;
+  std::set<Span> tilted_;           // statements whose tilt was told
   std::vector<Range> open_;         // outermost first
   std::map<double, Range> closed_;  // by number, for this and later COPYs
   std::uint64_t written_ = 0;
-  bool warned_ = false;
   bool stopped_ = false;
 };
 
