@@ -5,6 +5,7 @@
 #include "backend/backend.h"
 #include "backend/cltape/writer.h"
 #include "backend/cltext/writer.h"
+#include "backend/ir/writer.h"
 #include "backend/json/writer.h"
 #include "backend/listing/writer.h"
 #include "backend/svg/writer.h"
@@ -30,6 +31,11 @@ const std::array table = {
            .summary = "program, printed values and CL records to read",
            .suffixes = {".lst"},
            .make = makeListingWriter},
+    Target{.name = "ir",
+           .summary = "the checked program, before evaluation",
+           .suffixes = {".ir"},
+           .needsMotion = false,
+           .make = makeProgramWriter},
     Target{.name = "svg",
            .summary = "picture of the tool path and its geometry",
            .suffixes = {".svg"},
