@@ -4,7 +4,10 @@
 
 namespace arelem::frontend {
 
-ir::Program compile(SourceMap& sources, BufferId buffer, const Options& options, DiagnosticSink& sink) {
+ir::Program compile(SourceMap& sources,
+                    BufferId buffer,
+                    const Options& options,
+                    DiagnosticSink& sink) {
   Reporter reporter(sink, options.limits);
   return ProgramReader(sources, options, reporter).run(buffer);
 }

@@ -6,12 +6,13 @@ namespace {
 using Kind = Node::Kind;
 
 bool isOperation(Kind kind) {
-  return kind == Kind::add || kind == Kind::subtract || kind == Kind::multiply || kind == Kind::divide ||
-         kind == Kind::power;
+  return kind == Kind::add || kind == Kind::subtract || kind == Kind::multiply ||
+         kind == Kind::divide || kind == Kind::power;
 }
 }  // namespace
 
-std::optional<std::vector<ir::Argument>> Values::arguments(NodeId first, const ArgumentRules& rules) {
+std::optional<std::vector<ir::Argument>> Values::arguments(NodeId first,
+                                                           const ArgumentRules& rules) {
   std::vector<ir::Argument> list;
   bool ok = true;
   for (NodeId id = first; id != noNode; id = (*tree_)[id].next) {
@@ -27,7 +28,8 @@ std::optional<std::vector<ir::Argument>> Values::arguments(NodeId first, const A
   return list;
 }
 
-/// Outside functions an expression must stand in parentheses unless it is a number or name with a sign.
+/// Outside functions an expression must stand in parentheses unless it is a number or name with a
+/// sign.
 bool Values::checkBare(const Node& node, const ArgumentRules& rules) {
   const Node* inner = &node;
   while ((inner->kind == Kind::negate || inner->kind == Kind::plus) && !inner->parenthesized) {
@@ -55,20 +57,24 @@ std::optional<ir::Argument> Values::argument(NodeId id, const ArgumentRules& rul
         return std::nullopt;
       }
       return ir::Argument{ir::Omitted{}, node.span};
-    case Kind::word: return ir::Argument{node.word, node.span};
+    case Kind::word:
+      return ir::Argument{node.word, node.span};
     case Kind::string:
       if (!rules.unknownAsText) {
         context_.report(diagnose(node.span, diag::StringPlace, rules.owner));
         return std::nullopt;
       }
       return ir::Argument{std::string(node.text), node.span};
-    case Kind::name: return nameArgument(node, rules);
-    case Kind::list: return shortPoint(node, rules);
+    case Kind::name:
+      return nameArgument(node, rules);
+    case Kind::list:
+      return shortPoint(node, rules);
     case Kind::definition: {
       const auto nested = definition(id, node.target);
       return nested ? std::optional(ir::Argument{*nested, node.span}) : std::nullopt;
     }
-    default: break;
+    default:
+      break;
   }
   if (!checkBare(node, rules)) {
     return std::nullopt;
@@ -101,7 +107,8 @@ std::optional<ir::Argument> Values::shortPoint(const Node& node, const ArgumentR
 
 std::optional<ir::Argument> Values::nameArgument(const Node& node, const ArgumentRules& rules) {
   NameFacts* facts = context_.names.find(node.text);
-  const bool known = facts != nullptr && (facts->kind != NameFacts::Class::unknown || facts->poisoned);
+  const bool known =
+      facts != nullptr && (facts->kind != NameFacts::Class::unknown || facts->poisoned);
   if (!known && rules.unknownAsText && !node.hasList) {
     if (!rules.silentText) {
       Diagnostic d = diagnose(node.span, diag::WordAsText, node.text);
@@ -136,7 +143,9 @@ bool Values::isRange(const Node& node) const {
 }
 
 /// [a,] THRU, {b|ALL} [, {INCR|DECR}, c]   or   ALL [, {INCR|DECR}, c]
-std::optional<ir::Argument> Values::range(const Node& node, NameFacts& facts, const ArgumentRules& rules) {
+std::optional<ir::Argument> Values::range(const Node& node,
+                                          NameFacts& facts,
+                                          const ArgumentRules& rules) {
   if (!rules.ranges) {
     context_.report(diagnose(node.span, diag::RangeMisplaced));
     return std::nullopt;
@@ -226,7 +235,9 @@ std::string_view Values::describe(const ir::Argument& argument) const {
   if (const auto* word = std::get_if<Word>(&argument.value)) {
     return spell(*word);
   }
-  return isScalar(argument) ? "a number" : std::holds_alternative<ir::Omitted>(argument.value) ? "nothing" : "text";
+  return isScalar(argument)                                    ? "a number"
+         : std::holds_alternative<ir::Omitted>(argument.value) ? "nothing"
+                                                               : "text";
 }
 
 }  // namespace arelem::frontend

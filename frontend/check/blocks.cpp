@@ -19,18 +19,23 @@ void BlockWriter::setLabel(std::string_view label, const Span& span) {
   Labels& labels = area_ == Area::loop ? loopLabels_ : labels_;
   const NameFacts* facts = context_.names.find(label);
   if (facts != nullptr && facts->defined && !facts->poisoned) {
-    context_.report(diagnose(span, diag::LabelIsName, label).label(facts->definition, "defined here"));
+    context_.report(
+        diagnose(span, diag::LabelIsName, label).label(facts->definition, "defined here"));
     return;
   }
   const auto [place, fresh] = labels.places.try_emplace(std::string(label), next(), span);
   if (!fresh) {
-    context_.report(diagnose(span, diag::DuplicateLabel, label).label(place->second.second, "first used here"));
+    context_.report(
+        diagnose(span, diag::DuplicateLabel, label).label(place->second.second, "first used here"));
     return;
   }
   pendingLabel_ = label;
 }
 
-void BlockWriter::refer(std::uint32_t statement, std::uint32_t slot, std::string_view label, const Span& span) {
+void BlockWriter::refer(std::uint32_t statement,
+                        std::uint32_t slot,
+                        std::string_view label,
+                        const Span& span) {
   Labels& labels = area_ == Area::loop ? loopLabels_ : labels_;
   labels.references.push_back({{statement, slot}, std::string(label), span});
 }
@@ -79,9 +84,12 @@ void BlockWriter::resolve(Labels& labels) {
 
 std::string_view BlockWriter::areaName() const {
   switch (area_) {
-    case Area::program: return "program";
-    case Area::loop: return "loop";
-    case Area::macro: return "macro";
+    case Area::program:
+      return "program";
+    case Area::loop:
+      return "loop";
+    case Area::macro:
+      return "macro";
   }
   return {};
 }

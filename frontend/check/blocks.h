@@ -26,7 +26,8 @@ class BlockWriter {
  public:
   enum class Area : std::uint8_t { program, loop, macro };
 
-  BlockWriter(Context& context, ir::BlockId block, Area area) : context_(context), block_(block), area_(area) {}
+  BlockWriter(Context& context, ir::BlockId block, Area area)
+      : context_(context), block_(block), area_(area) {}
 
   void setOrigin(const Origin& origin) { origin_ = origin; }
   [[nodiscard]] const Origin& origin() const { return origin_; }
@@ -36,7 +37,9 @@ class BlockWriter {
   void setLabel(std::string_view label, const Span& span);
   /// The label in `slot` of `statement` is resolved when the area ends.
   void refer(std::uint32_t statement, std::uint32_t slot, std::string_view label, const Span& span);
-  [[nodiscard]] std::uint32_t next() const { return static_cast<std::uint32_t>(statements().size()); }
+  [[nodiscard]] std::uint32_t next() const {
+    return static_cast<std::uint32_t>(statements().size());
+  }
   /// Makes the jumps go to statement `to`.
   void patch(const std::vector<Jump>& jumps, std::uint32_t to);
 
@@ -59,7 +62,9 @@ class BlockWriter {
     std::map<std::string, std::pair<std::uint32_t, Span>, std::less<>> places;
     std::vector<Reference> references;
   };
-  [[nodiscard]] std::vector<ir::Statement>& statements() const { return context_.program.blocks[block_.index].statements; }
+  [[nodiscard]] std::vector<ir::Statement>& statements() const {
+    return context_.program.blocks[block_.index].statements;
+  }
   [[nodiscard]] ir::LabelRef* slotOf(const Jump& jump) const;
   void resolve(Labels& labels);
 
@@ -68,8 +73,8 @@ class BlockWriter {
   Area area_;
   Origin origin_;
   std::string pendingLabel_;
-  Labels labels_;       // of the program or macro
-  Labels loopLabels_;   // of the loop that is open
+  Labels labels_;      // of the program or macro
+  Labels loopLabels_;  // of the loop that is open
   Span loopStart_;
 };
 

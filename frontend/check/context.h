@@ -17,7 +17,8 @@ struct Context {
   Vocabulary vocabulary;
   Names names;
   ir::Program program;
-  /// In loops, macros and DO blocks a name may be used above its definition; the interpreter checks.
+  /// In loops, macros and DO blocks a name may be used above its definition; the interpreter
+  /// checks.
   bool lenient = false;
 
   [[nodiscard]] bool strict() const { return options.dialect == Dialect::apt360; }

@@ -10,17 +10,25 @@ namespace arelem::frontend {
 namespace {
 using Kind = Node::Kind;
 
-void append(std::vector<Jump>& to, const std::vector<Jump>& from) { to.insert(to.end(), from.begin(), from.end()); }
+void append(std::vector<Jump>& to, const std::vector<Jump>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
 
 /// For which signs of (left - right) the comparison holds: negative, zero, positive.
 std::array<bool, 3> holds(Relation relation) {
   switch (relation) {
-    case Relation::equal: return {false, true, false};
-    case Relation::notEqual: return {true, false, true};
-    case Relation::less: return {true, false, false};
-    case Relation::lessEqual: return {true, true, false};
-    case Relation::greater: return {false, false, true};
-    case Relation::greaterEqual: return {false, true, true};
+    case Relation::equal:
+      return {false, true, false};
+    case Relation::notEqual:
+      return {true, false, true};
+    case Relation::less:
+      return {true, false, false};
+    case Relation::lessEqual:
+      return {true, true, false};
+    case Relation::greater:
+      return {false, false, true};
+    case Relation::greaterEqual:
+      return {false, true, true};
   }
   return {};
 }
@@ -28,8 +36,9 @@ std::array<bool, 3> holds(Relation relation) {
 
 bool Control::labelText(NodeId id, Word word, std::string_view& text) {
   const Node* node = id == noNode ? nullptr : &values_.tree()[id];
-  const bool fits = node != nullptr && !node->hasList &&
-                    (node->kind == Kind::label || node->kind == Kind::name || node->kind == Kind::number);
+  const bool fits =
+      node != nullptr && !node->hasList &&
+      (node->kind == Kind::label || node->kind == Kind::name || node->kind == Kind::number);
   if (!fits) {
     const Span at = node == nullptr ? block_.origin().span : node->span;
     context_.report(diagnose(at, diag::LabelExpected, spell(word)));
@@ -77,7 +86,8 @@ void Control::jump(Word word, NodeId argument, bool single) {
     context_.report(diagnose(values_.tree()[second].span, diag::Misplaced, "a second label"));
     return;
   }
-  const std::uint32_t at = word == Word::JUMPTO ? block_.emit(ir::Jump{}) : block_.emit(ir::Transfer{});
+  const std::uint32_t at =
+      word == Word::JUMPTO ? block_.emit(ir::Jump{}) : block_.emit(ir::Transfer{});
   block_.refer(at, 0, text, values_.tree()[argument].span);
 }
 
@@ -87,7 +97,8 @@ void Control::loopStart() {
     return;
   }
   if (block_.area() == BlockWriter::Area::loop) {
-    context_.report(diagnose(block_.origin().span, diag::LoopInLoop).label(block_.loopStart(), "this loop is open"));
+    context_.report(diagnose(block_.origin().span, diag::LoopInLoop)
+                        .label(block_.loopStart(), "this loop is open"));
     return;
   }
   block_.emit(ir::Command{Word::LOOPST, false, {}});
@@ -195,7 +206,8 @@ void Control::elseIf() {
   Open* open = innermost(false, "ELSEIF", "IF");
   if (open == nullptr || open->elseSeen) {
     if (open != nullptr) {
-      context_.report(diagnose(block_.origin().span, diag::BlockEndAlone, "ELSEIF after ELSE", "a new IF"));
+      context_.report(
+          diagnose(block_.origin().span, diag::BlockEndAlone, "ELSEIF after ELSE", "a new IF"));
     }
     return;
   }
@@ -209,7 +221,8 @@ void Control::elseWord() {
     return;
   }
   if (std::exchange(open->elseSeen, true)) {
-    context_.report(diagnose(block_.origin().span, diag::BlockEndAlone, "a second ELSE", "a new IF"));
+    context_.report(
+        diagnose(block_.origin().span, diag::BlockEndAlone, "a second ELSE", "a new IF"));
     return;
   }
   elsePart(*open, true);
@@ -225,8 +238,8 @@ void Control::endIf() {
   open_.pop_back();
 }
 
-/// Leaves the loop when the counter has passed the last value by more than rounding. `last` and the step are
-/// computed again at every pass.
+/// Leaves the loop when the counter has passed the last value by more than rounding. `last` and the
+/// step are computed again at every pass.
 bool Control::emitTest(Open& open, ir::ExprId last) {
   const Span span = open.span;
   ir::Expr counter;
@@ -257,7 +270,8 @@ void Control::doBlock() {
   const NodeId by = tree[to].next;
   const auto first = values_.expression(from);
   const auto last = values_.expression(to);
-  const auto step = by == noNode ? std::optional(values_.number(1.0, open.span)) : values_.expression(by);
+  const auto step =
+      by == noNode ? std::optional(values_.number(1.0, open.span)) : values_.expression(by);
   const auto counter = values_.target(tree.target, NameFacts::Class::scalar, {});
   values_.markDefined(tree.target);
   context_.lenient = true;
@@ -287,7 +301,8 @@ void Control::endDo() {
     counter.span = open->counter.span;
     counter.target = open->counter;
     const ir::ExprId i = values_.add(std::move(counter));
-    block_.emit(ir::Assign{open->counter, values_.binary(ir::Expr::Kind::add, i, open->step, open->span)});
+    block_.emit(
+        ir::Assign{open->counter, values_.binary(ir::Expr::Kind::add, i, open->step, open->span)});
     block_.patch({{block_.emit(ir::Jump{}), 0}}, open->top);
     block_.patch(open->toEnd, block_.next());
   }
@@ -297,7 +312,8 @@ void Control::endDo() {
 
 void Control::finish() {
   for (const Open& open : open_) {
-    context_.report(diagnose(open.span, diag::BlockNotEnded, open.isDo ? "DO" : "IF", open.isDo ? "ENDDO" : "ENDIF"));
+    context_.report(diagnose(open.span, diag::BlockNotEnded, open.isDo ? "DO" : "IF",
+                             open.isDo ? "ENDDO" : "ENDIF"));
   }
   open_.clear();
 }

@@ -4,12 +4,14 @@
 
 namespace arelem::frontend {
 
-/// Jumps and blocks: IF, JUMPTO, TRANTO, LOOPST, and the block forms IF ... THEN, DO, which become branches.
+/// Jumps and blocks: IF, JUMPTO, TRANTO, LOOPST, and the block forms IF ... THEN, DO, which become
+/// branches.
 class Control {
  public:
-  Control(Context& context, Values& values, BlockWriter& block) : context_(context), values_(values), block_(block) {}
+  Control(Context& context, Values& values, BlockWriter& block)
+      : context_(context), values_(values), block_(block) {}
 
-  void branch();                            // IF (e) a, b, c
+  void branch();                                       // IF (e) a, b, c
   void jump(Word word, NodeId argument, bool single);  // JUMPTO, TRANTO
   void loopStart();
   void loopEnd();
@@ -28,9 +30,9 @@ class Control {
     bool isDo = false;
     bool elseSeen = false;
     Span span;
-    std::vector<Jump> toElse;     // IF: condition false
+    std::vector<Jump> toElse;  // IF: condition false
     std::vector<Jump> toEnd;
-    std::uint32_t top = 0;        // DO: where the test begins
+    std::uint32_t top = 0;  // DO: where the test begins
     ir::Target counter;
     ir::ExprId step;
     bool broken = false;

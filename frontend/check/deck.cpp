@@ -27,7 +27,8 @@ std::optional<double> number(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   const bool plain = text.find_first_not_of("0123456789+-.E") == std::string::npos;
-  return plain && end == text.c_str() + text.size() && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  return plain && end == text.c_str() + text.size() && std::isfinite(value) ? std::optional(value)
+                                                                            : std::nullopt;
 }
 }  // namespace
 
@@ -39,7 +40,8 @@ bool ProgramReader::deckLine(std::string_view line, const Span& at, Frame& frame
   const bool scalar = f.size() == lead + 1 && f[2] == "SCALAR";
   const auto subscript = f.size() > lead ? number(f[1]) : std::nullopt;
   const auto count = f.size() > lead ? number(f[3]) : std::nullopt;
-  if ((!type && !scalar) || !subscript || !count || *count != static_cast<double>(f.size() - lead) || f[0].empty() ||
+  if ((!type && !scalar) || !subscript || !count ||
+      *count != static_cast<double>(f.size() - lead) || f[0].empty() ||
       context_.vocabulary.find(f[0])) {
     return false;
   }
@@ -80,7 +82,8 @@ bool ProgramReader::deckLine(std::string_view line, const Span& at, Frame& frame
   d.arguments = std::move(values);
   d.span = at;
   context_.program.definitions.push_back(std::move(d));
-  frame.block.emit(ir::Define{{static_cast<std::uint32_t>(context_.program.definitions.size() - 1)}});
+  frame.block.emit(
+      ir::Define{{static_cast<std::uint32_t>(context_.program.definitions.size() - 1)}});
   return true;
 }
 
@@ -88,7 +91,8 @@ void ProgramReader::readDeck(Frame& frame) {
   std::string_view line;
   const Origin origin = frame.block.origin();
   while (reader_->nextLine(line)) {
-    const auto begin = static_cast<std::uint32_t>(line.data() - context_.sources.text(buffer_).data());
+    const auto begin =
+        static_cast<std::uint32_t>(line.data() - context_.sources.text(buffer_).data());
     const Span at{buffer_, begin, static_cast<std::uint32_t>(line.size())};
     ++isn_;
     const std::vector<std::string> f = fields(line);

@@ -13,9 +13,10 @@ struct FunctionRow {
   bool entities;  ///< takes entities instead of scalars
 };
 constexpr FunctionRow functions[] = {
-    {Word::DOTF, 2, true},   {Word::LNTHF, 1, true},  {Word::ANGLF, 2, true},  {Word::NUMF, 1, true},
-    {Word::DISTF, 2, true},  {Word::SQRTF, 1, false}, {Word::SINF, 1, false},  {Word::COSF, 1, false},
-    {Word::TANF, 1, false},  {Word::ATANF, 1, false}, {Word::ATAN2F, 2, false}, {Word::EXPF, 1, false},
+    {Word::DOTF, 2, true},   {Word::LNTHF, 1, true},   {Word::ANGLF, 2, true},
+    {Word::NUMF, 1, true},   {Word::DISTF, 2, true},   {Word::SQRTF, 1, false},
+    {Word::SINF, 1, false},  {Word::COSF, 1, false},   {Word::TANF, 1, false},
+    {Word::ATANF, 1, false}, {Word::ATAN2F, 2, false}, {Word::EXPF, 1, false},
     {Word::LOGF, 1, false},  {Word::LOG10F, 1, false}, {Word::ABSF, 1, false},
 };
 
@@ -23,9 +24,12 @@ bool fitsFunction(Word function, std::size_t position, EntityType type, bool str
   const bool direction = type == EntityType::point || type == EntityType::vector;
   switch (function) {
     case Word::DOTF:
-    case Word::LNTHF: return direction;
-    case Word::ANGLF: return position == 0 ? type == EntityType::circle : type == EntityType::point;
-    case Word::NUMF: return type == EntityType::pattern;
+    case Word::LNTHF:
+      return direction;
+    case Word::ANGLF:
+      return position == 0 ? type == EntityType::circle : type == EntityType::point;
+    case Word::NUMF:
+      return type == EntityType::pattern;
     default: {
       const bool flat = type == EntityType::line || type == EntityType::plane;
       return flat || (!strict && type == EntityType::point);
@@ -46,7 +50,10 @@ ir::ExprId Values::number(double value, const Span& span) {
   return add(std::move(e));
 }
 
-ir::ExprId Values::binary(ir::Expr::Kind kind, ir::ExprId left, ir::ExprId right, const Span& span) {
+ir::ExprId Values::binary(ir::Expr::Kind kind,
+                          ir::ExprId left,
+                          ir::ExprId right,
+                          const Span& span) {
   ir::Expr e;
   e.kind = kind;
   e.span = span;
@@ -58,16 +65,26 @@ ir::ExprId Values::binary(ir::Expr::Kind kind, ir::ExprId left, ir::ExprId right
 std::optional<ir::ExprId> Values::expression(NodeId id) {
   const Node& node = (*tree_)[id];
   switch (node.kind) {
-    case Kind::number: return number(node.number, node.span);
-    case Kind::name: return nameValue(node);
-    case Kind::call: return call(node);
-    case Kind::nestedAssign: return nestedAssign(node);
-    case Kind::plus: return expression(node.first);
-    case Kind::negate: return unary(node, ir::Expr::Kind::negate);
-    case Kind::add: return binaryNode(node, ir::Expr::Kind::add);
-    case Kind::subtract: return binaryNode(node, ir::Expr::Kind::subtract);
-    case Kind::multiply: return binaryNode(node, ir::Expr::Kind::multiply);
-    case Kind::divide: return binaryNode(node, ir::Expr::Kind::divide);
+    case Kind::number:
+      return number(node.number, node.span);
+    case Kind::name:
+      return nameValue(node);
+    case Kind::call:
+      return call(node);
+    case Kind::nestedAssign:
+      return nestedAssign(node);
+    case Kind::plus:
+      return expression(node.first);
+    case Kind::negate:
+      return unary(node, ir::Expr::Kind::negate);
+    case Kind::add:
+      return binaryNode(node, ir::Expr::Kind::add);
+    case Kind::subtract:
+      return binaryNode(node, ir::Expr::Kind::subtract);
+    case Kind::multiply:
+      return binaryNode(node, ir::Expr::Kind::multiply);
+    case Kind::divide:
+      return binaryNode(node, ir::Expr::Kind::divide);
     case Kind::power: {
       const Node& right = (*tree_)[(*tree_)[node.first].next];
       if (right.kind == Kind::power && !right.parenthesized) {
@@ -78,16 +95,26 @@ std::optional<ir::ExprId> Values::expression(NodeId id) {
     case Kind::compare:
     case Kind::conjunction:
     case Kind::disjunction:
-    case Kind::negation: context_.report(diagnose(node.span, diag::ConditionAsValue)); return std::nullopt;
-    case Kind::list: context_.report(diagnose(node.span, diag::ShortPointPlace)); return std::nullopt;
-    case Kind::definition:
-      context_.report(diagnose(node.span, diag::SurfaceInExpression, "definition", spell(node.word)));
+    case Kind::negation:
+      context_.report(diagnose(node.span, diag::ConditionAsValue));
       return std::nullopt;
-    case Kind::word: context_.report(diagnose(node.span, diag::WordInExpression, node.text)); return std::nullopt;
-    case Kind::string: context_.report(diagnose(node.span, diag::StringPlace, "an expression")); return std::nullopt;
+    case Kind::list:
+      context_.report(diagnose(node.span, diag::ShortPointPlace));
+      return std::nullopt;
+    case Kind::definition:
+      context_.report(
+          diagnose(node.span, diag::SurfaceInExpression, "definition", spell(node.word)));
+      return std::nullopt;
+    case Kind::word:
+      context_.report(diagnose(node.span, diag::WordInExpression, node.text));
+      return std::nullopt;
+    case Kind::string:
+      context_.report(diagnose(node.span, diag::StringPlace, "an expression"));
+      return std::nullopt;
     case Kind::omitted:
     case Kind::parameter:
-    case Kind::label: break;
+    case Kind::label:
+      break;
   }
   context_.report(diagnose(node.span, diag::EmptyParameter, "an expression"));
   return std::nullopt;
@@ -186,7 +213,8 @@ bool Values::checkFunction(const Node& node, const std::vector<ir::Argument>& li
     return false;
   }
   if (list.size() != static_cast<std::size_t>(found->count)) {
-    context_.report(diagnose(node.span, diag::ArgumentCount, spell(node.word), found->count, list.size()));
+    context_.report(
+        diagnose(node.span, diag::ArgumentCount, spell(node.word), found->count, list.size()));
     return false;
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -194,7 +222,8 @@ bool Values::checkFunction(const Node& node, const std::vector<ir::Argument>& li
     const bool fits = found->entities ? type && fitsFunction(node.word, i, *type, context_.strict())
                                       : isScalar(list[i]);
     if (!fits) {
-      context_.report(diagnose(list[i].span, diag::ArgumentType, spell(node.word), describe(list[i])));
+      context_.report(
+          diagnose(list[i].span, diag::ArgumentType, spell(node.word), describe(list[i])));
       return false;
     }
   }

@@ -46,17 +46,20 @@ std::optional<double> wholeNumber(std::string_view text) {
   }
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value)
+                                                                  : std::nullopt;
 }
 
-ir::Argument rawArgument(const RawText& raw, std::size_t begin, std::size_t end, BufferId buffer, Values& values) {
+ir::Argument rawArgument(
+    const RawText& raw, std::size_t begin, std::size_t end, BufferId buffer, Values& values) {
   while (begin < end && isBlank(raw.text[begin])) {
     ++begin;
   }
   while (end > begin && isBlank(raw.text[end - 1])) {
     --end;
   }
-  const std::uint32_t from = raw.offsets.empty() ? 0 : raw.offsets[std::min(begin, raw.offsets.size() - 1)];
+  const std::uint32_t from =
+      raw.offsets.empty() ? 0 : raw.offsets[std::min(begin, raw.offsets.size() - 1)];
   const Span span{buffer, from, begin == end ? 0 : raw.offsets[end - 1] + 1 - from};
   const std::string_view item = std::string_view(raw.text).substr(begin, end - begin);
   if (item.empty()) {
@@ -74,18 +77,20 @@ ir::Argument rawArgument(const RawText& raw, std::size_t begin, std::size_t end,
 
 bool isPost(Word word) {
   const WordClass c = row(word).wordClass;
-  return c == WordClass::postWithParameters || c == WordClass::postWithoutParameters || c == WordClass::transformation;
+  return c == WordClass::postWithParameters || c == WordClass::postWithoutParameters ||
+         c == WordClass::transformation;
 }
 }  // namespace
 
-/// Post statements and statements with unknown words pass with their parameters as they stand: numbers, words,
-/// and everything else as text. False leaves the statement to the parser.
+/// Post statements and statements with unknown words pass with their parameters as they stand:
+/// numbers, words, and everything else as text. False leaves the statement to the parser.
 bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {
   const std::size_t headEnd = std::min(statement.text.find_first_of("/,=("), statement.text.size());
   const char after = headEnd < statement.text.size() ? statement.text[headEnd] : '\0';
   const auto word = context_.vocabulary.find(std::string_view(statement.text).substr(0, headEnd));
-  const bool raw = word ? isPost(*word) && after == '/' && statement.text.find('(') == std::string::npos
-                        : after == '/' || after == '\0' || after == ',';
+  const bool raw =
+      word ? isPost(*word) && after == '/' && statement.text.find('(') == std::string::npos
+           : after == '/' || after == '\0' || after == ',';
   const bool assignment = !word && statement.text.find('=') < statement.text.find('/');
   const bool label = !word && statement.text.find(')') < headEnd;
   if (!raw || assignment || label || headEnd == 0) {

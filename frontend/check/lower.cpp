@@ -1,7 +1,6 @@
 // From the tokens of one statement to the program: label, head, parse, and which checker takes it.
-#include "frontend/check/program_reader.h"
-
 #include "frontend/check/prescan.h"
+#include "frontend/check/program_reader.h"
 
 namespace arelem::frontend {
 
@@ -11,7 +10,8 @@ constexpr std::size_t maxName360 = 6;
 
 bool hasLabel(const std::vector<Token>& tokens) {
   return tokens.size() > 2 && tokens[1].kind == TokenKind::rightParen &&
-         (tokens[0].kind == TokenKind::number || tokens[0].kind == TokenKind::symbol || isWordKind(tokens[0].kind));
+         (tokens[0].kind == TokenKind::number || tokens[0].kind == TokenKind::symbol ||
+          isWordKind(tokens[0].kind));
 }
 
 /// Index of the `=` that follows the name at `first`, over a subscript; 0 when there is none.
@@ -19,7 +19,9 @@ std::size_t equalsAfter(const std::vector<Token>& tokens, std::size_t first) {
   std::size_t i = first + 1;
   int depth = 0;
   for (; i < tokens.size(); ++i) {
-    depth += tokens[i].kind == TokenKind::leftParen ? 1 : tokens[i].kind == TokenKind::rightParen ? -1 : 0;
+    depth += tokens[i].kind == TokenKind::leftParen    ? 1
+             : tokens[i].kind == TokenKind::rightParen ? -1
+                                                       : 0;
     if (depth == 0) {
       break;
     }
@@ -39,7 +41,8 @@ void ProgramReader::lowerLabel(const std::vector<Token>& tokens, std::size_t& fi
     return;
   }
   if (context_.strict() && tokens[0].text.size() > maxName360) {
-    context_.report(diagnose(tokens[0].span, diag::NameTooLong, tokens[0].text, tokens[0].text.size()));
+    context_.report(
+        diagnose(tokens[0].span, diag::NameTooLong, tokens[0].text, tokens[0].text.size()));
     return;
   }
   frame.block.setLabel(tokens[0].text, tokens[0].span);
@@ -75,13 +78,15 @@ bool ProgramReader::checkHead(const std::vector<Token>& tokens, std::size_t firs
   return true;
 }
 
-/// The name that a broken statement would have defined is known from here on, so that its uses are silent.
+/// The name that a broken statement would have defined is known from here on, so that its uses are
+/// silent.
 void ProgramReader::poison(const std::vector<Token>& tokens) {
   if (tokens.empty()) {
     return;
   }
   const std::size_t first = hasLabel(tokens) ? 2 : 0;
-  if (first >= tokens.size() || tokens[first].kind != TokenKind::symbol || equalsAfter(tokens, first) == 0) {
+  if (first >= tokens.size() || tokens[first].kind != TokenKind::symbol ||
+      equalsAfter(tokens, first) == 0) {
     return;
   }
   NameFacts& facts = context_.names.at(tokens[first].text);
@@ -116,7 +121,8 @@ void ProgramReader::lower(const std::vector<Token>& tokens, Frame& frame) {
 void ProgramReader::lowerShape(Frame& frame) {
   using Shape = StatementTree::Shape;
   switch (frame.tree.shape) {
-    case Shape::empty: return;
+    case Shape::empty:
+      return;
     case Shape::command: {
       const Word word = frame.tree[frame.tree.head].word;
       if (word == Word::LIBRY) {
@@ -131,17 +137,39 @@ void ProgramReader::lowerShape(Frame& frame) {
         frame.statements.assign();
       }
       return;
-    case Shape::define: frame.statements.define(); return;
-    case Shape::macro: beginMacro(frame); return;
-    case Shape::call: call(frame); return;
-    case Shape::branch: frame.control.branch(); return;
-    case Shape::ifBlock: frame.control.ifBlock(); return;
-    case Shape::elseIf: frame.control.elseIf(); return;
-    case Shape::elseWord: frame.control.elseWord(); return;
-    case Shape::endIf: frame.control.endIf(); return;
-    case Shape::doBlock: frame.control.doBlock(); return;
-    case Shape::endDo: frame.control.endDo(); return;
-    case Shape::include: include(frame); return;
+    case Shape::define:
+      frame.statements.define();
+      return;
+    case Shape::macro:
+      beginMacro(frame);
+      return;
+    case Shape::call:
+      call(frame);
+      return;
+    case Shape::branch:
+      frame.control.branch();
+      return;
+    case Shape::ifBlock:
+      frame.control.ifBlock();
+      return;
+    case Shape::elseIf:
+      frame.control.elseIf();
+      return;
+    case Shape::elseWord:
+      frame.control.elseWord();
+      return;
+    case Shape::endIf:
+      frame.control.endIf();
+      return;
+    case Shape::doBlock:
+      frame.control.doBlock();
+      return;
+    case Shape::endDo:
+      frame.control.endDo();
+      return;
+    case Shape::include:
+      include(frame);
+      return;
   }
 }
 
@@ -160,14 +188,16 @@ void ProgramReader::synonyms(const std::vector<Token>& tokens, std::size_t first
     }
     const Token& a = tokens[i + 1];
     const Token& b = tokens[i + 3];
-    const bool separated = tokens[i].kind == (i == first + 1 ? TokenKind::slash : TokenKind::comma) &&
-                           tokens[i + 2].kind == TokenKind::comma;
+    const bool separated =
+        tokens[i].kind == (i == first + 1 ? TokenKind::slash : TokenKind::comma) &&
+        tokens[i + 2].kind == TokenKind::comma;
     wordFirst = i == first + 1 ? isWordKind(a.kind) : wordFirst;
     const Token& name = wordFirst ? b : a;
     const Token& word = wordFirst ? a : b;
     NameFacts* known = context_.names.find(name.text);
     const bool taken = known != nullptr && known->defined;
-    if (!separated || name.kind != TokenKind::symbol || !isWordKind(word.kind) || word.word == Word::SYN || taken) {
+    if (!separated || name.kind != TokenKind::symbol || !isWordKind(word.kind) ||
+        word.word == Word::SYN || taken) {
       context_.report(diagnose(join(a.span, b.span), diag::SynonymFormat));
       return;
     }
@@ -175,7 +205,8 @@ void ProgramReader::synonyms(const std::vector<Token>& tokens, std::size_t first
     i += 4;
   } while (tokens[i].kind != TokenKind::end);
   if (context_.strict() && context_.vocabulary.synonyms() > maxSynonyms) {
-    context_.report(diagnose(tokens[first].span, diag::SynonymCount, context_.vocabulary.synonyms()));
+    context_.report(
+        diagnose(tokens[first].span, diag::SynonymCount, context_.vocabulary.synonyms()));
   }
 }
 
@@ -197,7 +228,8 @@ void ProgramReader::include(Frame& frame) {
     context_.report(diagnose(at, diag::ReadInArea, "INCLUDE", frame.block.areaName()));
     return;
   }
-  if (const auto buffer = library_.loadFile(name.text, buffer_, at); buffer && checkBuffer(*buffer)) {
+  if (const auto buffer = library_.loadFile(name.text, buffer_, at);
+      buffer && checkBuffer(*buffer)) {
     readBuffer(*buffer, frame);
   }
 }
@@ -215,7 +247,8 @@ bool ProgramReader::readSegment(Frame& frame) {
     return false;
   }
   if (frame.block.inArea()) {
-    context_.report(diagnose(at, diag::ReadInArea, mode == 1.0 ? "READ/1" : "READ/2", frame.block.areaName()));
+    context_.report(
+        diagnose(at, diag::ReadInArea, mode == 1.0 ? "READ/1" : "READ/2", frame.block.areaName()));
     return true;
   }
   if (mode == 1.0) {

@@ -1,7 +1,7 @@
 // MACRO, TERMAC, CALL: recording of bodies and their instances.
-#include "frontend/check/program_reader.h"
-
 #include <utility>
+
+#include "frontend/check/program_reader.h"
 
 namespace arelem::frontend {
 
@@ -11,8 +11,8 @@ constexpr std::size_t maxVariables = 50;
 constexpr std::size_t maxInstances = 100'000;
 
 bool isForbiddenValue(Word word) {
-  return row(word).wordClass == WordClass::fixedField || word == Word::CALL || word == Word::MACRO ||
-         word == Word::TERMAC;
+  return row(word).wordClass == WordClass::fixedField || word == Word::CALL ||
+         word == Word::MACRO || word == Word::TERMAC;
 }
 }  // namespace
 
@@ -50,9 +50,9 @@ bool ProgramReader::record(const StatementText& statement, const std::vector<Tok
     nestedMacros_ -= termac ? 1 : 0;
     return true;
   }
-  const bool forbidden = head.kind == TokenKind::word &&
-                         (head.word == Word::SYN || head.word == Word::RESERV || head.word == Word::LOOPST ||
-                          head.word == Word::LOOPND);
+  const bool forbidden =
+      head.kind == TokenKind::word && (head.word == Word::SYN || head.word == Word::RESERV ||
+                                       head.word == Word::LOOPST || head.word == Word::LOOPND);
   if (forbidden) {
     recordForbidden(head, tokens[first + 1]);
     return true;
@@ -66,7 +66,8 @@ bool ProgramReader::record(const StatementText& statement, const std::vector<Tok
 
 void ProgramReader::addVariable(Macro& macro, const Node& node, const StatementTree& tree) {
   if (node.word != Word::END || findWord(node.text) == Word::END) {
-    context_.report(diagnose(node.span, diag::MacroVariable, node.text, "it is a word of the language"));
+    context_.report(
+        diagnose(node.span, diag::MacroVariable, node.text, "it is a word of the language"));
     return;
   }
   for (const MacroVariable& other : macro.variables) {
@@ -107,8 +108,10 @@ void ProgramReader::beginMacro(Frame& frame) {
     context_.report(diagnose(name.span, diag::TooManyVariables, macro.variables.size()));
   }
   NameFacts& facts = context_.names.at(name.text);
-  const bool taken = facts.defined || (facts.kind != NameFacts::Class::macro && facts.kind != NameFacts::Class::unknown) ||
-                     name.kind != Kind::name;
+  const bool taken =
+      facts.defined ||
+      (facts.kind != NameFacts::Class::macro && facts.kind != NameFacts::Class::unknown) ||
+      name.kind != Kind::name;
   if (taken) {
     context_.report(diagnose(name.span, diag::MacroNameTaken, name.text));
     macro.name += " (again)";  // its body is still read
@@ -180,7 +183,9 @@ Macro* ProgramReader::findMacro(const Node& name) {
   return &macros_.find(key)->second;
 }
 
-bool ProgramReader::bindValues(const StatementTree& tree, const Macro& macro, std::map<std::string_view, Token>& values) {
+bool ProgramReader::bindValues(const StatementTree& tree,
+                               const Macro& macro,
+                               std::map<std::string_view, Token>& values) {
   bool ok = true;
   for (NodeId id = tree[tree.arguments].next; id != noNode; id = tree[id].next) {
     const Node& item = tree[id];
@@ -208,7 +213,8 @@ bool ProgramReader::bindValues(const StatementTree& tree, const Macro& macro, st
     if (!values.contains(v.name) && !v.value.empty()) {
       values.emplace(v.name, v.value.front());
     } else if (ok && !values.contains(v.name)) {
-      context_.report(diagnose(tree[tree.arguments].span, diag::VariableWithoutValue, v.name, macro.name));
+      context_.report(
+          diagnose(tree[tree.arguments].span, diag::VariableWithoutValue, v.name, macro.name));
       ok = false;
     }
   }
@@ -218,13 +224,15 @@ bool ProgramReader::bindValues(const StatementTree& tree, const Macro& macro, st
 void ProgramReader::call(Frame& frame) {
   const StatementTree& tree = frame.tree;
   const Span at = frame.block.origin().span;
-  if (tree.arguments == noNode || tree[tree.arguments].kind != Kind::name || tree[tree.arguments].hasList) {
+  if (tree.arguments == noNode || tree[tree.arguments].kind != Kind::name ||
+      tree[tree.arguments].hasList) {
     context_.report(diagnose(at, diag::CallFormat));
     return;
   }
   const Node& name = tree[tree.arguments];
   const Node* second = name.next == noNode ? nullptr : &tree[name.next];
-  if (second != nullptr && second->kind == Kind::word && row(second->word).wordClass == WordClass::phase) {
+  if (second != nullptr && second->kind == Kind::word &&
+      row(second->word).wordClass == WordClass::phase) {
     context_.report(diagnose(name.span, diag::UserProgram, name.text));
     return;
   }
@@ -240,10 +248,13 @@ void ProgramReader::call(Frame& frame) {
   }
 }
 
-ir::BlockId ProgramReader::instantiate(Macro& macro, const std::map<std::string_view, Token>& values, const Span& at) {
+ir::BlockId ProgramReader::instantiate(Macro& macro,
+                                       const std::map<std::string_view, Token>& values,
+                                       const Span& at) {
   std::string key = macro.name;
   for (const auto& [variable, token] : values) {
-    key += fmt::format(",{}{}{}", static_cast<int>(token.kind), token.number < 0.0 ? '-' : '=', token.text);
+    key += fmt::format(",{}{}{}", static_cast<int>(token.kind), token.number < 0.0 ? '-' : '=',
+                       token.text);
   }
   if (const auto found = instances_.find(key); found != instances_.end()) {
     return found->second;
@@ -282,8 +293,8 @@ ir::BlockId ProgramReader::instantiate(Macro& macro, const std::map<std::string_
   return id;
 }
 
-/// Macros that no CALL instantiates: the syntax of their statements is checked, as far as no variable may
-/// stand for a word.
+/// Macros that no CALL instantiates: the syntax of their statements is checked, as far as no
+/// variable may stand for a word.
 void ProgramReader::checkUncalled() {
   StatementTree tree;
   for (const auto& [name, macro] : macros_) {

@@ -9,24 +9,36 @@ using Kind = Node::Kind;
 
 std::optional<ir::Condition> conditionOf(Word word) {
   switch (word) {
-    case Word::TO: return ir::Condition::to;
-    case Word::ON: return ir::Condition::on;
-    case Word::PAST: return ir::Condition::past;
+    case Word::TO:
+      return ir::Condition::to;
+    case Word::ON:
+      return ir::Condition::on;
+    case Word::PAST:
+      return ir::Condition::past;
     case Word::TANTO:
-    case Word::DSTAN: return ir::Condition::tanto;
-    case Word::PSTAN: return ir::Condition::pstan;
-    default: return std::nullopt;
+    case Word::DSTAN:
+      return ir::Condition::tanto;
+    case Word::PSTAN:
+      return ir::Condition::pstan;
+    default:
+      return std::nullopt;
   }
 }
 
 ir::Heading headingOf(Word word) {
   switch (word) {
-    case Word::GOLFT: return ir::Heading::left;
-    case Word::GORGT: return ir::Heading::right;
-    case Word::GOBACK: return ir::Heading::back;
-    case Word::GOUP: return ir::Heading::up;
-    case Word::GODOWN: return ir::Heading::down;
-    default: return ir::Heading::forward;
+    case Word::GOLFT:
+      return ir::Heading::left;
+    case Word::GORGT:
+      return ir::Heading::right;
+    case Word::GOBACK:
+      return ir::Heading::back;
+    case Word::GOUP:
+      return ir::Heading::up;
+    case Word::GODOWN:
+      return ir::Heading::down;
+    default:
+      return ir::Heading::forward;
   }
 }
 
@@ -45,7 +57,8 @@ std::optional<ir::Argument> Motion::item(NodeId id, Word word) {
 bool Motion::surface(Word word, const ir::Argument& argument) {
   const auto type = values_.entityOf(argument);
   if (!type || !isSurfaceType(*type)) {
-    context_.report(diagnose(argument.span, diag::SurfaceExpected, spell(word), values_.describe(argument)));
+    context_.report(
+        diagnose(argument.span, diag::SurfaceExpected, spell(word), values_.describe(argument)));
     return false;
   }
   return true;
@@ -77,8 +90,9 @@ bool Motion::checkLocate(Word word, const Span& at, const std::vector<ir::Argume
   }
   if (numbers == list.size()) {
     const bool delta = word == Word::GODLTA;
-    const bool fits = delta ? numbers >= 1 && numbers <= 4
-                            : numbers == 2 || numbers == 3 || numbers == 4 || numbers == 6 || numbers == 7;
+    const bool fits =
+        delta ? numbers >= 1 && numbers <= 4
+              : numbers == 2 || numbers == 3 || numbers == 4 || numbers == 6 || numbers == 7;
     if (!fits) {
       context_.report(diagnose(at, diag::MotionCount, spell(word), numbers));
     }
@@ -137,7 +151,8 @@ void Motion::startup(Word word, const Span& wordSpan, NodeId first) {
     auto argument = item(id, word);
     if (!argument) {
       ok = false;
-    } else if (values_.isScalar(*argument) && tree[id].next == noNode && !s.surfaces.empty() && !pending) {
+    } else if (values_.isScalar(*argument) && tree[id].next == noNode && !s.surfaces.empty() &&
+               !pending) {
       s.feed = std::get<ir::ExprId>(argument->value);
     } else if ((ok = surface(word, *argument))) {
       use.surface = std::move(*argument);
@@ -176,7 +191,10 @@ std::size_t Motion::countSurfaces(NodeId id) const {
 }
 
 /// [m,] [n, INTOF,] cs [, label] ... [, feed]
-bool Motion::followChecks(Word word, NodeId id, ir::Follow& motion, std::vector<CheckLabel>& labels) {
+bool Motion::followChecks(Word word,
+                          NodeId id,
+                          ir::Follow& motion,
+                          std::vector<CheckLabel>& labels) {
   const StatementTree& tree = values_.tree();
   const bool several = countSurfaces(id) > 1;
   ir::CheckUse check;
@@ -184,13 +202,15 @@ bool Motion::followChecks(Word word, NodeId id, ir::Follow& motion, std::vector<
   bool labelDue = false;
   for (; id != noNode; id = tree[id].next) {
     const Node& node = tree[id];
-    const bool intof = node.next != noNode && tree[node.next].kind == Kind::word && tree[node.next].word == Word::INTOF;
+    const bool intof = node.next != noNode && tree[node.next].kind == Kind::word &&
+                       tree[node.next].word == Word::INTOF;
     const bool surfaceNode = isSurfaceNode(node);
     if (node.kind == Kind::word && !labelDue) {
       if (!wordItem(word, node, check.use, pending)) {
         return false;
       }
-    } else if (labelDue && several && !surfaceNode && (node.kind == Kind::name || node.kind == Kind::number)) {
+    } else if (labelDue && several && !surfaceNode &&
+               (node.kind == Kind::name || node.kind == Kind::number)) {
       labels.push_back({motion.checks.size() - 1, node.text, node.span});
       motion.checks.back().label = ir::LabelRef{};
       labelDue = false;
@@ -218,7 +238,8 @@ bool Motion::followChecks(Word word, NodeId id, ir::Follow& motion, std::vector<
     }
   }
   if (pending || check.nth.valid()) {
-    context_.report(diagnose(block_.origin().span, diag::ParameterExpected, spell(word), "a check surface"));
+    context_.report(
+        diagnose(block_.origin().span, diag::ParameterExpected, spell(word), "a check surface"));
     return false;
   }
   if (labelDue) {

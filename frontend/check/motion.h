@@ -4,10 +4,12 @@
 
 namespace arelem::frontend {
 
-/// Parameters of motion statements to their roles: drive, part and check surfaces, conditions, labels, feed.
+/// Parameters of motion statements to their roles: drive, part and check surfaces, conditions,
+/// labels, feed.
 class Motion {
  public:
-  Motion(Context& context, Values& values, BlockWriter& block) : context_(context), values_(values), block_(block) {}
+  Motion(Context& context, Values& values, BlockWriter& block)
+      : context_(context), values_(values), block_(block) {}
 
   void locate(Word word, const Span& wordSpan, NodeId first);   // FROM, GOTO, GODLTA
   void startup(Word word, const Span& wordSpan, NodeId first);  // GO, OFFSET

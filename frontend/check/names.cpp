@@ -46,7 +46,8 @@ std::vector<std::string> Names::similar(std::string_view name, bool wordsToo) co
   const std::size_t most = std::max<std::size_t>(1, name.size() / 3);
   const auto consider = [&](std::string_view other) {
     const bool far = other.size() > name.size() + most || name.size() > other.size() + most;
-    if (far || other == name || name.size() > longestCompared || (name.size() < 2 && other.size() < 2)) {
+    if (far || other == name || name.size() > longestCompared ||
+        (name.size() < 2 && other.size() < 2)) {
       return;
     }
     const std::size_t distance = editDistance(name, other);

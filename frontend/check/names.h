@@ -14,10 +14,10 @@ struct NameFacts {
   enum class Class : std::uint8_t { unknown, scalar, entity, macro };
   Class kind = Class::unknown;  ///< fixed by the first assignment in the text of the program
   EntityType type = EntityType::point;
-  bool defined = false;         ///< an assignment has been passed in order of the text
-  bool poisoned = false;        ///< an error was reported; further uses are silent
+  bool defined = false;   ///< an assignment has been passed in order of the text
+  bool poisoned = false;  ///< an error was reported; further uses are silent
   std::uint32_t arraySize = 0;
-  ir::SymbolId symbol;          ///< none until first used in the program
+  ir::SymbolId symbol;  ///< none until first used in the program
   Span definition;
 };
 
@@ -25,8 +25,8 @@ class Names {
  public:
   [[nodiscard]] NameFacts* find(std::string_view name);
   NameFacts& at(std::string_view name);
-  /// Known names and vocabulary words that differ from `name` by at most a third of its letters, nearest
-  /// first, at most three.
+  /// Known names and vocabulary words that differ from `name` by at most a third of its letters,
+  /// nearest first, at most three.
   [[nodiscard]] std::vector<std::string> similar(std::string_view name, bool wordsToo) const;
 
  private:

@@ -1,4 +1,5 @@
-// Statements whose parameters have a fixed meaning: OBTAIN, RESERV, REFSYS, ZSURF, PSIS, PRINT, PUNCH, READ, POCKET.
+// Statements whose parameters have a fixed meaning: OBTAIN, RESERV, REFSYS, ZSURF, PSIS, PRINT,
+// PUNCH, READ, POCKET.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +11,9 @@ namespace {
 using Kind = Node::Kind;
 
 bool isLarge(EntityType type) {
-  return type == EntityType::tabulatedCylinder || type == EntityType::polyconic || type == EntityType::ruledSurface ||
-         type == EntityType::pattern || type == EntityType::mesh;
+  return type == EntityType::tabulatedCylinder || type == EntityType::polyconic ||
+         type == EntityType::ruledSurface || type == EntityType::pattern ||
+         type == EntityType::mesh;
 }
 }  // namespace
 
@@ -40,7 +42,9 @@ bool Statements::obtainTargets(NodeId first, ir::Obtain& obtain) {
 void Statements::obtain(const Parts& p) {
   const StatementTree& tree = values_.tree();
   const NodeId typeNode = tree[tree.head].next;
-  const auto type = typeNode != noNode && tree[typeNode].kind == Kind::word ? entityType(tree[typeNode].word) : std::nullopt;
+  const auto type = typeNode != noNode && tree[typeNode].kind == Kind::word
+                        ? entityType(tree[typeNode].word)
+                        : std::nullopt;
   NodeId source = tree.arguments;
   if (type && !tree.slash) {
     source = tree[typeNode].next;
@@ -52,7 +56,8 @@ void Statements::obtain(const Parts& p) {
   }
   if (!type || source == noNode) {
     context_.report(diagnose(p.span, diag::ObtainFormat));
-    for (const NodeId chain : {tree.head, tree.arguments}) {  // no further errors for names it would have set
+    for (const NodeId chain :
+         {tree.head, tree.arguments}) {  // no further errors for names it would have set
       for (NodeId id = chain; id != noNode; id = tree[id].next) {
         if (tree[id].kind == Kind::name && !tree[id].hasList) {
           values_.markDefined(id);
@@ -70,8 +75,9 @@ void Statements::obtain(const Parts& p) {
   }
   const auto actual = values_.entityOf(*argument);
   if (actual != type) {
-    context_.report(diagnose(argument->span, diag::ObtainType, context_.sources.text(argument->span),
-                             values_.describe(*argument), spell(*type)));
+    context_.report(diagnose(argument->span, diag::ObtainType,
+                             context_.sources.text(argument->span), values_.describe(*argument),
+                             spell(*type)));
     return;
   }
   if (isLarge(*type)) {
@@ -80,7 +86,8 @@ void Statements::obtain(const Parts& p) {
   }
   const int items = canonicalCount(*type);
   if (result.targets.size() > static_cast<std::size_t>(items)) {
-    context_.report(diagnose(p.span, diag::ObtainCount, spell(*type), items, result.targets.size()));
+    context_.report(
+        diagnose(p.span, diag::ObtainCount, spell(*type), items, result.targets.size()));
     return;
   }
   result.source = std::move(*argument);
@@ -89,18 +96,21 @@ void Statements::obtain(const Parts& p) {
 
 bool Statements::reservPair(const Node& name, const Node& size) {
   const double most = static_cast<double>(context_.options.limits.array);
-  const bool whole = size.kind == Kind::number && size.number >= 1.0 && std::trunc(size.number) == size.number;
+  const bool whole =
+      size.kind == Kind::number && size.number >= 1.0 && std::trunc(size.number) == size.number;
   if (name.kind != Kind::name || name.hasList || !whole) {
     context_.report(diagnose(join(name.span, size.span), diag::ReservFormat));
     return false;
   }
   NameFacts& facts = context_.names.at(name.text);
   if (size.number > most) {
-    context_.reporter.limit(size.span, "array", context_.options.limits.array, "elements of one array");
+    context_.reporter.limit(size.span, "array", context_.options.limits.array,
+                            "elements of one array");
     facts.poisoned = true;
     return false;
   }
-  if (facts.kind == NameFacts::Class::macro || facts.defined || facts.symbol.valid() || facts.arraySize != 0) {
+  if (facts.kind == NameFacts::Class::macro || facts.defined || facts.symbol.valid() ||
+      facts.arraySize != 0) {
     context_.report(diagnose(name.span, diag::ReservLate, name.text));
     return false;
   }
@@ -140,7 +150,8 @@ void Statements::refsys(const Parts& p) {
     return;
   }
   const Word* word = list->size() == 1 ? std::get_if<Word>(&list->front().value) : nullptr;
-  const auto* nested = list->size() == 1 ? std::get_if<ir::DefinitionId>(&list->front().value) : nullptr;
+  const auto* nested =
+      list->size() == 1 ? std::get_if<ir::DefinitionId>(&list->front().value) : nullptr;
   const bool unnamed = nested != nullptr && !context_.program[*nested].target.symbol.valid();
   const bool matrix = list->size() == 1 && values_.entityOf(list->front()) == EntityType::matrix;
   if (unnamed && matrix) {
@@ -159,13 +170,15 @@ void Statements::surfaceOrNumbers(const Parts& p) {
     return;
   }
   const auto type = list->size() == 1 ? values_.entityOf(list->front()) : std::nullopt;
-  const bool numbers = zsurf && list->size() == 4 &&
-                       std::all_of(list->begin(), list->end(), [&](const auto& a) { return values_.isScalar(a); });
+  const bool numbers =
+      zsurf && list->size() == 4 &&
+      std::all_of(list->begin(), list->end(), [&](const auto& a) { return values_.isScalar(a); });
   const bool fits = zsurf ? type == EntityType::plane || numbers
                           : type && *type != EntityType::point && *type != EntityType::vector &&
                                 *type != EntityType::matrix && *type != EntityType::pattern;
   if (!fits) {
-    context_.report(diagnose(p.span, diag::ZsurfFormat, spell(p.word), zsurf ? "plane or its four numbers" : "surface"));
+    context_.report(diagnose(p.span, diag::ZsurfFormat, spell(p.word),
+                             zsurf ? "plane or its four numbers" : "surface"));
     return;
   }
   emitCommand(p, std::move(*list));
@@ -182,7 +195,8 @@ void Statements::print(const Parts& p) {
   const Word* word = list->empty() ? nullptr : std::get_if<Word>(&list->front().value);
   const double lowest = p.word == Word::PRINT ? 0.0 : 1.0;
   const double highest = p.word == Word::PRINT ? 4.0 : p.word == Word::PUNCH ? 3.0 : 2.0;
-  const bool onOff = p.word == Word::PRINT && word != nullptr && (*word == Word::ON || *word == Word::OFF);
+  const bool onOff =
+      p.word == Word::PRINT && word != nullptr && (*word == Word::ON || *word == Word::OFF);
   const bool number = mode && *mode >= lowest && *mode <= highest && std::trunc(*mode) == *mode;
   if (!number && !(onOff && list->size() == 1)) {
     const std::string_view wanted = p.word == Word::PRINT   ? "0 to 4 and a list, ON or OFF"
@@ -201,10 +215,14 @@ void Statements::pocket(const Parts& p) {
   }
   constexpr std::size_t scalars = 8;
   const auto scalar = [&](const ir::Argument& a) { return values_.isScalar(a); };
-  const auto point = [&](const ir::Argument& a) { return scalar(a) || values_.entityOf(a) == EntityType::point; };
-  const bool head = list->size() > scalars && std::all_of(list->begin(), list->begin() + scalars, scalar);
+  const auto point = [&](const ir::Argument& a) {
+    return scalar(a) || values_.entityOf(a) == EntityType::point;
+  };
+  const bool head =
+      list->size() > scalars && std::all_of(list->begin(), list->begin() + scalars, scalar);
   if (!p.slash || !head || !std::all_of(list->begin() + scalars, list->end(), point)) {
-    context_.report(diagnose(p.span, diag::ParameterExpected, "POCKET", "eight numbers and the points of the outline"));
+    context_.report(diagnose(p.span, diag::ParameterExpected, "POCKET",
+                             "eight numbers and the points of the outline"));
     return;
   }
   emitCommand(p, std::move(*list));

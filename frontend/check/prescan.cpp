@@ -157,7 +157,11 @@ bool matters(std::string_view text) {
 }
 }  // namespace
 
-void prescan(const SourceMap& sources, BufferId buffer, const Options& options, Vocabulary& vocabulary, Names& names) {
+void prescan(const SourceMap& sources,
+             BufferId buffer,
+             const Options& options,
+             Vocabulary& vocabulary,
+             Names& names) {
   if (sources.text(buffer).find('=') == std::string_view::npos) {
     return;
   }
@@ -169,7 +173,8 @@ void prescan(const SourceMap& sources, BufferId buffer, const Options& options, 
   StatementText statement;
   std::vector<Token> tokens;
   Prescan scan(vocabulary, names, tokens);
-  for (reader.next(statement, true); statement.kind != StatementText::Kind::end; reader.next(statement, true)) {
+  for (reader.next(statement, true); statement.kind != StatementText::Kind::end;
+       reader.next(statement, true)) {
     if (statement.kind != StatementText::Kind::tokens) {
       continue;
     }

@@ -38,7 +38,8 @@ ir::Program ProgramReader::run(BufferId buffer) {
     readBuffer(buffer, frame);
     finish(frame);
   }
-  context_.reporter.finish({buffer, static_cast<std::uint32_t>(context_.sources.text(buffer).size()), 0});
+  context_.reporter.finish(
+      {buffer, static_cast<std::uint32_t>(context_.sources.text(buffer).size()), 0});
   return std::move(context_.program);
 }
 
@@ -63,12 +64,17 @@ void ProgramReader::readBuffer(BufferId buffer, Frame& frame) {
   buffer_ = outerBuffer;
 }
 
-void ProgramReader::readStatement(CardReader& reader, const StatementText& statement, Frame& frame) {
+void ProgramReader::readStatement(CardReader& reader,
+                                  const StatementText& statement,
+                                  Frame& frame) {
   frame.block.setOrigin({statement.span, statement.isn, statement.cardId});
   switch (statement.kind) {
     case StatementText::Kind::end:
-    case StatementText::Kind::empty: return;
-    case StatementText::Kind::numbers: frame.block.emit(statement.numbers); return;
+    case StatementText::Kind::empty:
+      return;
+    case StatementText::Kind::numbers:
+      frame.block.emit(statement.numbers);
+      return;
     case StatementText::Kind::fixed:
       if (recording_ != nullptr) {
         recording_->body.push_back(store(statement, {}));
@@ -76,9 +82,11 @@ void ProgramReader::readStatement(CardReader& reader, const StatementText& state
         emitText(statement, frame);
       }
       return;
-    case StatementText::Kind::tokens: break;
+    case StatementText::Kind::tokens:
+      break;
   }
-  if (context_.options.dialect == Dialect::cl && recording_ == nullptr && lowerForeign(statement, frame)) {
+  if (context_.options.dialect == Dialect::cl && recording_ == nullptr &&
+      lowerForeign(statement, frame)) {
     return;
   }
   if (!lexer_.run(statement, tokens_)) {
@@ -107,7 +115,8 @@ void ProgramReader::afterFini(CardReader& reader) {
   StatementText statement;
   do {
     reader.next(statement, true);
-    if (statement.kind != StatementText::Kind::empty && statement.kind != StatementText::Kind::end) {
+    if (statement.kind != StatementText::Kind::empty &&
+        statement.kind != StatementText::Kind::end) {
       context_.report(diagnose(statement.span, diag::TextAfterFini));
       return;
     }
@@ -115,7 +124,8 @@ void ProgramReader::afterFini(CardReader& reader) {
 }
 
 void ProgramReader::finish(Frame& frame) {
-  const auto size = static_cast<std::uint32_t>(context_.sources.text(frame.block.origin().span.buffer).size());
+  const auto size =
+      static_cast<std::uint32_t>(context_.sources.text(frame.block.origin().span.buffer).size());
   const Span end{frame.block.origin().span.buffer, size, 0};
   if (recording_ != nullptr) {
     context_.report(diagnose(recording_->definition, diag::MacroNotEnded, recording_->name));
@@ -132,14 +142,17 @@ void ProgramReader::finish(Frame& frame) {
   checkUncalled();
 }
 
-/// --define NAME=VALUE: a scalar at the start of the program, whose first assignment in straight-line code
-/// (not in a loop, macro or DO block) is replaced by VALUE.
+/// --define NAME=VALUE: a scalar at the start of the program, whose first assignment in
+/// straight-line code (not in a loop, macro or DO block) is replaced by VALUE.
 void ProgramReader::applyDefines(Frame& frame) {
   for (const auto& [given, value] : context_.options.defines) {
     std::string name = given;
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-    const bool letters = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c); });
-    const bool number = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); });
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return std::toupper(c); });
+    const bool letters =
+        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c); });
+    const bool number =
+        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); });
     const bool word = context_.vocabulary.find(name).has_value();
     NameFacts* known = context_.names.find(name);
     const bool other = known != nullptr && known->kind != NameFacts::Class::scalar;

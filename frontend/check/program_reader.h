@@ -10,7 +10,8 @@
 
 namespace arelem::frontend {
 
-/// One compilation: reads the cards of a program and of what it includes, and builds the checked program.
+/// One compilation: reads the cards of a program and of what it includes, and builds the checked
+/// program.
 class ProgramReader {
  public:
   ProgramReader(SourceMap& sources, const Options& options, Reporter& reporter);
@@ -20,7 +21,9 @@ class ProgramReader {
   /// What belongs to one block that is being written.
   struct Frame {
     Frame(Context& context, ir::BlockId id, BlockWriter::Area area)
-        : values(context), block(context, id, area), control(context, values, block),
+        : values(context),
+          block(context, id, area),
+          control(context, values, block),
           statements(context, values, block, control) {
       values.setTree(tree);
     }
@@ -61,9 +64,13 @@ class ProgramReader {
   void call(Frame& frame);
   Macro* findMacro(const Node& name);
   bool loadMacro(const std::string& name, const Span& at);
-  bool bindValues(const StatementTree& tree, const Macro& macro, std::map<std::string_view, Token>& values);
+  bool bindValues(const StatementTree& tree,
+                  const Macro& macro,
+                  std::map<std::string_view, Token>& values);
   bool valueToken(const Node& node, const StatementTree& tree, Token& token);
-  ir::BlockId instantiate(Macro& macro, const std::map<std::string_view, Token>& values, const Span& at);
+  ir::BlockId instantiate(Macro& macro,
+                          const std::map<std::string_view, Token>& values,
+                          const Span& at);
   void checkUncalled();
 
   // foreign.cpp

@@ -9,8 +9,9 @@
 
 namespace arelem::frontend {
 
-/// Between the rooms of the frontend and the sink: adds the CALL chain, drops what was said already at the
-/// same place (a macro body is checked once for every instance), and counts beyond the limit of errors.
+/// Between the rooms of the frontend and the sink: adds the CALL chain, drops what was said already
+/// at the same place (a macro body is checked once for every instance), and counts beyond the limit
+/// of errors.
 class Reporter {
  public:
   Reporter(DiagnosticSink& sink, const Limits& limits) : sink_(sink), limits_(limits) {}

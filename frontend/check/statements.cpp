@@ -13,8 +13,10 @@ bool isPrefix(Word word) {
     case WordClass::toolPosition:
     case WordClass::postWithoutParameters:
     case WordClass::arelemSwitch:
-    case WordClass::runControl: return true;
-    default: return false;
+    case WordClass::runControl:
+      return true;
+    default:
+      return false;
   }
 }
 }  // namespace
@@ -82,11 +84,19 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::fixedField:
       context_.report(diagnose(p.span, diag::FixedFieldPlace, spell(p.word)));
       return;
-    case WordClass::inputOutput: print(p); return;
-    case WordClass::obtain: obtain(p); return;
+    case WordClass::inputOutput:
+      print(p);
+      return;
+    case WordClass::obtain:
+      obtain(p);
+      return;
     case WordClass::zsurf:
-    case WordClass::psis: surfaceOrNumbers(p); return;
-    case WordClass::refsys: refsys(p); return;
+    case WordClass::psis:
+      surfaceOrNumbers(p);
+      return;
+    case WordClass::refsys:
+      refsys(p);
+      return;
     case WordClass::jumpto:
     case WordClass::tranto: {
       const bool single = p.first == noNode || values_.tree()[p.first].next == noNode;
@@ -96,7 +106,9 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::loopBracket:
       p.word == Word::LOOPST ? control_.loopStart() : control_.loopEnd();
       return;
-    case WordClass::pocket: pocket(p); return;
+    case WordClass::pocket:
+      pocket(p);
+      return;
     case WordClass::macroBracket:
       if (block_.area() == BlockWriter::Area::macro) {
         emitCommand(p, {});
@@ -104,14 +116,24 @@ void Statements::dispatch(const Parts& p) {
         context_.report(diagnose(p.span, diag::TermacAlone));
       }
       return;
-    case WordClass::reserv: reserv(p); return;
-    case WordClass::fini: fini(p); return;
+    case WordClass::reserv:
+      reserv(p);
+      return;
+    case WordClass::fini:
+      fini(p);
+      return;
     case WordClass::transformation:
     case WordClass::postWithParameters:
-    case WordClass::postWithoutParameters: postWord(p); return;
-    case WordClass::geometry: unnamed(p); return;
+    case WordClass::postWithoutParameters:
+      postWord(p);
+      return;
+    case WordClass::geometry:
+      unnamed(p);
+      return;
     case WordClass::runControl:
-    case WordClass::debug: runControl(p); return;
+    case WordClass::debug:
+      runControl(p);
+      return;
     case WordClass::motion:
       if (p.word == Word::FROM || p.word == Word::GOTO || p.word == Word::GODLTA) {
         motion.locate(p.word, p.span, p.first);
@@ -129,14 +151,17 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::canon:
     case WordClass::tuneup:
     case WordClass::units:
-    case WordClass::unused: plain(p, {.owner = spell(p.word)}); return;
+    case WordClass::unused:
+      plain(p, {.owner = spell(p.word)});
+      return;
     case WordClass::call:
     case WordClass::ifWord:
     case WordClass::syn:
     case WordClass::libry:
     case WordClass::function:
     case WordClass::modifier:
-    case WordClass::phase: break;
+    case WordClass::phase:
+      break;
   }
   context_.report(diagnose(p.span, diag::Misplaced, fmt::format("the word `{}`", spell(p.word)))
                       .note("it is not a word that begins a statement"));
@@ -168,7 +193,8 @@ void Statements::plain(const Parts& p, ArgumentRules rules) {
     return;
   }
   const bool needs = row(p.word).wordClass == WordClass::arelemValue || p.word == Word::CANON ||
-                     row(p.word).wordClass == WordClass::units || row(p.word).wordClass == WordClass::motion;
+                     row(p.word).wordClass == WordClass::units ||
+                     row(p.word).wordClass == WordClass::motion;
   if (needs && list->empty()) {
     context_.report(diagnose(p.span, diag::ParameterExpected, spell(p.word), "a parameter"));
     return;
@@ -180,7 +206,8 @@ void Statements::plain(const Parts& p, ArgumentRules rules) {
 }
 
 bool Statements::checkPostArguments(const Parts& p, const std::vector<ir::Argument>& list) {
-  const bool surfaces = p.word == Word::CLEARP || p.word == Word::CLRSRF || p.word == Word::TRACUT || p.word == Word::COPY;
+  const bool surfaces = p.word == Word::CLEARP || p.word == Word::CLRSRF ||
+                        p.word == Word::TRACUT || p.word == Word::COPY;
   for (const ir::Argument& a : list) {
     if (!surfaces && values_.entityOf(a)) {
       context_.report(diagnose(a.span, diag::SurfaceInPost, spell(p.word)));
@@ -208,7 +235,8 @@ void Statements::postWord(const Parts& p) {
   NodeId rest = p.first;
   if (p.word == Word::MACHIN) {
     if (rest == noNode || (tree[rest].kind != Kind::name && tree[rest].kind != Kind::word)) {
-      context_.report(diagnose(p.span, diag::ParameterExpected, "MACHIN", "the name of a postprocessor"));
+      context_.report(
+          diagnose(p.span, diag::ParameterExpected, "MACHIN", "the name of a postprocessor"));
       return;
     }
     list.push_back({std::string(tree[rest].text), tree[rest].span});
@@ -218,7 +246,8 @@ void Statements::postWord(const Parts& p) {
   if (!more) {
     return;
   }
-  list.insert(list.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
+  list.insert(list.end(), std::make_move_iterator(more->begin()),
+              std::make_move_iterator(more->end()));
   Word suffix = Word::NOPOST;
   const bool split = takeSuffix(list, suffix);
   if (checkPostArguments(p, list)) {
@@ -244,7 +273,8 @@ void Statements::runControl(const Parts& p) {
     const bool fits = list->empty() || ((mode == 1.0 || mode == 2.0) && list->size() == 1) ||
                       (mode == 3.0 && list->size() == 2);
     if (!fits) {
-      context_.report(diagnose(p.span, diag::PtonlyFormat, "PTONLY", "1, 2, or 3 and a record number"));
+      context_.report(
+          diagnose(p.span, diag::PtonlyFormat, "PTONLY", "1, 2, or 3 and a record number"));
       return;
     }
   }
@@ -255,11 +285,13 @@ void Statements::runControl(const Parts& p) {
 void Statements::unnamed(const Parts& p) {
   const auto type = entityType(p.word);
   if (!type || context_.strict()) {
-    context_.report(type ? diagnose(p.span, diag::Misplaced, fmt::format("`{}` without a name before it", spell(p.word)))
+    context_.report(type ? diagnose(p.span, diag::Misplaced,
+                                    fmt::format("`{}` without a name before it", spell(p.word)))
                          : diagnose(p.span, diag::ReservedType, spell(p.word)));
     return;
   }
-  auto list = values_.arguments(p.first, {.owner = spell(p.word), .ranges = true, .shortPoints = true});
+  auto list =
+      values_.arguments(p.first, {.owner = spell(p.word), .ranges = true, .shortPoints = true});
   if (!list) {
     return;
   }

@@ -17,7 +17,7 @@ class Statements {
  private:
   struct Parts {
     Word word = Word::END;
-    Span span;            ///< of the word
+    Span span;  ///< of the word
     bool slash = false;
     NodeId first = noNode;
   };

@@ -7,10 +7,14 @@ namespace arelem::frontend {
 namespace {
 std::string classOf(const NameFacts& facts) {
   switch (facts.kind) {
-    case NameFacts::Class::scalar: return "a scalar";
-    case NameFacts::Class::entity: return fmt::format("a {}", spell(facts.type));
-    case NameFacts::Class::macro: return "a macro";
-    case NameFacts::Class::unknown: break;
+    case NameFacts::Class::scalar:
+      return "a scalar";
+    case NameFacts::Class::entity:
+      return fmt::format("a {}", spell(facts.type));
+    case NameFacts::Class::macro:
+      return "a macro";
+    case NameFacts::Class::unknown:
+      break;
   }
   return "unknown";
 }
@@ -26,7 +30,8 @@ ir::SymbolId Values::symbol(std::string_view name, NameFacts& facts) {
   if (!facts.symbol.valid()) {
     ir::Symbol s;
     s.name = name;
-    s.kind = facts.kind == NameFacts::Class::entity ? ir::Symbol::Kind::entity : ir::Symbol::Kind::scalar;
+    s.kind = facts.kind == NameFacts::Class::entity ? ir::Symbol::Kind::entity
+                                                    : ir::Symbol::Kind::scalar;
     s.type = facts.type;
     s.arraySize = facts.arraySize;
     s.definition = facts.definition;
@@ -112,7 +117,8 @@ std::optional<ir::ExprId> Values::subscript(const Node& node, const NameFacts& f
   if (const auto fixed = literal(*value)) {
     const double index = std::trunc(*fixed);
     if (index < 1.0 || index > facts.arraySize) {
-      context_.report(diagnose(node.span, diag::SubscriptRange, node.text, *fixed, facts.arraySize));
+      context_.report(
+          diagnose(node.span, diag::SubscriptRange, node.text, *fixed, facts.arraySize));
       return std::nullopt;
     }
   }
@@ -136,7 +142,8 @@ std::optional<ir::Target> Values::target(NodeId id, NameFacts::Class kind, Entit
     NameFacts wanted;
     wanted.kind = kind;
     wanted.type = type;
-    Diagnostic d = diagnose(node.span, diag::RedefinedClass, node.text, classOf(facts), classOf(wanted));
+    Diagnostic d =
+        diagnose(node.span, diag::RedefinedClass, node.text, classOf(facts), classOf(wanted));
     if (facts.definition != node.span) {
       d.labels.push_back({facts.definition, "first defined here"});
     }

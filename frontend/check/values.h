@@ -17,8 +17,8 @@ struct ArgumentRules {
   bool bare = false;           ///< expressions need no parentheses (function arguments)
 };
 
-/// Syntax trees to the program's expressions, arguments and definitions. Every function reports what is wrong
-/// and then returns nothing.
+/// Syntax trees to the program's expressions, arguments and definitions. Every function reports
+/// what is wrong and then returns nothing.
 class Values {
  public:
   explicit Values(Context& context) : context_(context) {}

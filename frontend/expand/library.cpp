@@ -40,7 +40,8 @@ std::optional<BufferId> Library::read(const fs::path& path, std::string_view nam
     return std::nullopt;
   }
   if (!fs::is_regular_file(path, error)) {
-    context_.report(diagnose(at, diag::IncludeUnreadable, name, error ? error.message() : "it is not a file"));
+    context_.report(
+        diagnose(at, diag::IncludeUnreadable, name, error ? error.message() : "it is not a file"));
     return std::nullopt;
   }
   if (fs::file_size(path, error) > context_.options.limits.bytes) {
@@ -61,7 +62,8 @@ std::optional<BufferId> Library::loadNamed(std::string_view name, const Span& at
   std::error_code error;
   for (const std::string& folder : context_.options.libraryPath) {
     for (const bool lower : {true, false}) {
-      const fs::path path = fs::weakly_canonical(fs::path(folder) / (changed(name, lower) + ".apt"), error);
+      const fs::path path =
+          fs::weakly_canonical(fs::path(folder) / (changed(name, lower) + ".apt"), error);
       if (!error && fs::exists(path, error)) {
         return read(path, name, at);
       }
@@ -76,7 +78,8 @@ std::optional<BufferId> Library::loadFile(std::string_view name, BufferId from, 
   const fs::path wanted(name);
   fs::path own = fs::path(context_.sources.name(from)).parent_path();
   std::vector<fs::path> folders = {own.empty() ? fs::path(".") : own};
-  folders.insert(folders.end(), context_.options.libraryPath.begin(), context_.options.libraryPath.end());
+  folders.insert(folders.end(), context_.options.libraryPath.begin(),
+                 context_.options.libraryPath.end());
   bool refused = wanted.is_absolute() || name.empty() || name.find('\0') != std::string_view::npos;
   for (std::size_t i = 0; !refused && i < folders.size(); ++i) {
     const fs::path root = fs::weakly_canonical(folders[i], error);

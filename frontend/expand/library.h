@@ -24,7 +24,9 @@ class Library {
   [[nodiscard]] std::size_t depth() const { return open_.size(); }
 
  private:
-  std::optional<BufferId> read(const std::filesystem::path& path, std::string_view name, const Span& at);
+  std::optional<BufferId> read(const std::filesystem::path& path,
+                               std::string_view name,
+                               const Span& at);
 
   Context& context_;
   std::vector<BufferId> open_;

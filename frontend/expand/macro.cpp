@@ -23,7 +23,8 @@ StoredStatement store(const StatementText& statement, const std::vector<Token>& 
   return s;
 }
 
-void substitute(const std::vector<Token>& tokens, const std::map<std::string_view, Token>& values,
+void substitute(const std::vector<Token>& tokens,
+                const std::map<std::string_view, Token>& values,
                 std::vector<Token>& result) {
   result.clear();
   const bool label = tokens.size() > 2 && tokens[1].kind == TokenKind::rightParen;

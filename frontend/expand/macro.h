@@ -24,7 +24,8 @@ struct StoredStatement {
 };
 
 /// Copies a statement and its tokens.
-[[nodiscard]] StoredStatement store(const StatementText& statement, const std::vector<Token>& tokens);
+[[nodiscard]] StoredStatement store(const StatementText& statement,
+                                    const std::vector<Token>& tokens);
 
 struct MacroVariable {
   std::string name;
@@ -44,7 +45,8 @@ using MacroTable = std::map<std::string, Macro, std::less<>>;
 
 /// The statement's tokens with every macro variable replaced by its value.
 /// The replaced tokens keep the place of the variable.
-void substitute(const std::vector<Token>& tokens, const std::map<std::string_view, Token>& values,
+void substitute(const std::vector<Token>& tokens,
+                const std::map<std::string_view, Token>& values,
                 std::vector<Token>& result);
 
 }  // namespace arelem::frontend

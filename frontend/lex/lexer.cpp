@@ -53,19 +53,29 @@ std::size_t significantDigits(std::string_view number) {
 
 TokenKind punctuation(char c) {
   switch (c) {
-    case ',': return TokenKind::comma;
-    case '/': return TokenKind::slash;
-    case '(': return TokenKind::leftParen;
-    case ')': return TokenKind::rightParen;
-    case '=': return TokenKind::equals;
-    case '+': return TokenKind::plus;
-    case '-': return TokenKind::minus;
-    default: return TokenKind::star;
+    case ',':
+      return TokenKind::comma;
+    case '/':
+      return TokenKind::slash;
+    case '(':
+      return TokenKind::leftParen;
+    case ')':
+      return TokenKind::rightParen;
+    case '=':
+      return TokenKind::equals;
+    case '+':
+      return TokenKind::plus;
+    case '-':
+      return TokenKind::minus;
+    default:
+      return TokenKind::star;
   }
 }
 }  // namespace
 
-char Lexer::peek(std::size_t i) const { return i < text_.size() ? text_[i] : '\0'; }
+char Lexer::peek(std::size_t i) const {
+  return i < text_.size() ? text_[i] : '\0';
+}
 
 bool Lexer::isSymbolChar(std::size_t i) const {
   if (i >= text_.size()) {
@@ -88,8 +98,9 @@ bool Lexer::run(const StatementText& statement, std::vector<Token>& tokens) {
   at_ = 0;
   tokens.clear();
   const bool strict = options_.dialect == Dialect::apt360;
-  const std::uint64_t most = strict ? std::min<std::uint64_t>(maxElements360, options_.limits.elements)
-                                    : options_.limits.elements;
+  const std::uint64_t most = strict
+                                 ? std::min<std::uint64_t>(maxElements360, options_.limits.elements)
+                                 : options_.limits.elements;
   bool ok = true;
   while (ok && at_ < text_.size()) {
     if (tokens.size() >= most) {
@@ -123,11 +134,16 @@ bool Lexer::run(const StatementText& statement, std::vector<Token>& tokens) {
 bool Lexer::next(Token& token) {
   const char c = text_[at_];
   switch (classify(c).kind) {
-    case CharClass::letter: return finishSymbol(at_, token);
-    case CharClass::digit: return lexNumberOrSymbol(token);
-    case CharClass::quote: return lexString(token);
-    case CharClass::punctuation: break;
-    default: return finishSymbol(at_, token);
+    case CharClass::letter:
+      return finishSymbol(at_, token);
+    case CharClass::digit:
+      return lexNumberOrSymbol(token);
+    case CharClass::quote:
+      return lexString(token);
+    case CharClass::punctuation:
+      break;
+    default:
+      return finishSymbol(at_, token);
   }
   if (c == '.') {
     return lexDotted(token);
@@ -170,8 +186,8 @@ bool Lexer::lexDotted(Token& token) {
   return false;
 }
 
-/// Digits lead: a number as long as digits and one point follow; any letter directly after them makes
-/// a symbol (also E: 1E5 is a symbol, 1.E5 a number).
+/// Digits lead: a number as long as digits and one point follow; any letter directly after them
+/// makes a symbol (also E: 1E5 is a symbol, 1.E5 a number).
 bool Lexer::lexNumberOrSymbol(Token& token) {
   const std::size_t begin = at_;
   std::size_t i = begin;
@@ -182,7 +198,8 @@ bool Lexer::lexNumberOrSymbol(Token& token) {
     return lexFraction(begin, i + 1, token);
   }
   const bool exponent = options_.dialect == Dialect::cl && peek(i) == 'E' &&
-                        (isDigit(peek(i + 1)) || ((peek(i + 1) == '-' || peek(i + 1) == '+') && isDigit(peek(i + 2))));
+                        (isDigit(peek(i + 1)) ||
+                         ((peek(i + 1) == '-' || peek(i + 1) == '+') && isDigit(peek(i + 2))));
   if (exponent) {
     return lexFraction(begin, i, token);
   }
@@ -202,7 +219,8 @@ bool Lexer::lexFraction(std::size_t begin, std::size_t i, Token& token) {
       ++k;
     }
     if (k == digits) {
-      reporter_.report(diagnose(statement_->spanOf(begin, k), diag::MalformedNumber, text_.substr(begin, k - begin)));
+      reporter_.report(diagnose(statement_->spanOf(begin, k), diag::MalformedNumber,
+                                text_.substr(begin, k - begin)));
       return false;
     }
     i = k;
@@ -211,7 +229,8 @@ bool Lexer::lexFraction(std::size_t begin, std::size_t i, Token& token) {
     while (isSymbolChar(i)) {
       ++i;
     }
-    reporter_.report(diagnose(statement_->spanOf(begin, i), diag::MalformedNumber, text_.substr(begin, i - begin)));
+    reporter_.report(diagnose(statement_->spanOf(begin, i), diag::MalformedNumber,
+                              text_.substr(begin, i - begin)));
     return false;
   }
   if (peek(i) == '.' && dottedLength(i) == 0) {
@@ -229,7 +248,8 @@ bool Lexer::finishNumber(std::size_t begin, std::size_t end, Token& token) {
     return false;
   }
   const auto [next, error] = std::from_chars(text.data(), text.data() + text.size(), token.number);
-  const bool underflow = error == std::errc::result_out_of_range && text.find("E-") != std::string_view::npos;
+  const bool underflow =
+      error == std::errc::result_out_of_range && text.find("E-") != std::string_view::npos;
   if (underflow) {
     token.number = 0.0;
   } else if (error != std::errc{} || !std::isfinite(token.number)) {
@@ -257,7 +277,8 @@ bool Lexer::finishSymbol(std::size_t begin, Token& token) {
   return true;
 }
 
-/// IF ( ) THEN, ELSE, ENDIF, DO/, ENDDO, INCLUDE/: recognized by their place, so that they stay free as names.
+/// IF ( ) THEN, ELSE, ENDIF, DO/, ENDDO, INCLUDE/: recognized by their place, so that they stay
+/// free as names.
 void Lexer::retagBlocks(std::vector<Token>& tokens) const {
   std::size_t first = 0;
   if (tokens.size() > 2 && tokens[1].kind == TokenKind::rightParen) {
@@ -268,7 +289,8 @@ void Lexer::retagBlocks(std::vector<Token>& tokens) const {
     Token& last = tokens[tokens.size() >= 2 ? tokens.size() - 2 : 0];
     const TokenKind after = first + 1 < tokens.size() ? tokens[first + 1].kind : TokenKind::end;
     const bool elseIf = head.text == "ELSEIF" && after == TokenKind::leftParen;
-    if ((head.kind == TokenKind::ifWord || elseIf) && last.kind == TokenKind::symbol && last.text == "THEN") {
+    if ((head.kind == TokenKind::ifWord || elseIf) && last.kind == TokenKind::symbol &&
+        last.text == "THEN") {
       last.kind = TokenKind::then;
       head.kind = elseIf ? TokenKind::elseIf : head.kind;
     } else if (after == TokenKind::end) {
@@ -277,7 +299,9 @@ void Lexer::retagBlocks(std::vector<Token>& tokens) const {
                   : head.text == "ENDDO" ? TokenKind::endDo
                                          : head.kind;
     } else if (after == TokenKind::slash) {
-      head.kind = head.text == "DO" ? TokenKind::doWord : head.text == "INCLUDE" ? TokenKind::include : head.kind;
+      head.kind = head.text == "DO"        ? TokenKind::doWord
+                  : head.text == "INCLUDE" ? TokenKind::include
+                                           : head.kind;
     }
   }
 }

@@ -15,8 +15,8 @@ class Lexer {
   Lexer(const Vocabulary& vocabulary, const Options& options, Reporter& reporter)
       : vocabulary_(vocabulary), options_(options), reporter_(reporter) {}
 
-  /// Returns false when a token is malformed or a limit is reached; it was reported, and `tokens` holds
-  /// what was read before.
+  /// Returns false when a token is malformed or a limit is reached; it was reported, and `tokens`
+  /// holds what was read before.
   bool run(const StatementText& statement, std::vector<Token>& tokens);
 
  private:

@@ -6,12 +6,18 @@ namespace arelem::frontend {
 
 TokenKind kindOf(Word word) {
   switch (row(word).wordClass) {
-    case WordClass::geometry: return TokenKind::type;
-    case WordClass::function: return TokenKind::function;
-    case WordClass::ifWord: return TokenKind::ifWord;
-    case WordClass::call: return TokenKind::call;
-    case WordClass::macroBracket: return word == Word::MACRO ? TokenKind::macro : TokenKind::word;
-    default: return TokenKind::word;
+    case WordClass::geometry:
+      return TokenKind::type;
+    case WordClass::function:
+      return TokenKind::function;
+    case WordClass::ifWord:
+      return TokenKind::ifWord;
+    case WordClass::call:
+      return TokenKind::call;
+    case WordClass::macroBracket:
+      return word == Word::MACRO ? TokenKind::macro : TokenKind::word;
+    default:
+      return TokenKind::word;
   }
 }
 

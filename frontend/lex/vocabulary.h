@@ -10,9 +10,9 @@
 
 namespace arelem::frontend {
 
-/// The words of one program: the vocabulary, its synonyms, and without the words that yield to the program's
-/// own symbols. Extension words yield to a symbol of the same name that the program defines anywhere;
-/// outside apt360 so do the words that the old system reserved without a use.
+/// The words of one program: the vocabulary, its synonyms, and without the words that yield to the
+/// program's own symbols. Extension words yield to a symbol of the same name that the program
+/// defines anywhere; outside apt360 so do the words that the old system reserved without a use.
 class Vocabulary {
  public:
   explicit Vocabulary(Dialect dialect) : dialect_(dialect) {}

@@ -5,7 +5,8 @@ namespace arelem::frontend {
 namespace {
 using enum TokenKind;
 
-/// Reads what needs no recursion. Every function returns false as soon as the statement is not plain.
+/// Reads what needs no recursion. Every function returns false as soon as the statement is not
+/// plain.
 class PlainLane {
  public:
   PlainLane(std::span<const Token> tokens, StatementTree& tree) : tokens_(tokens), tree_(tree) {}
@@ -26,7 +27,9 @@ class PlainLane {
   }
 
  private:
-  [[nodiscard]] TokenKind at(std::size_t i) const { return i < tokens_.size() ? tokens_[i].kind : end; }
+  [[nodiscard]] TokenKind at(std::size_t i) const {
+    return i < tokens_.size() ? tokens_[i].kind : end;
+  }
 
   NodeId leaf(Node::Kind kind, const Token& token) {
     const NodeId id = tree_.add(kind, token.span);

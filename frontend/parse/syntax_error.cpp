@@ -7,8 +7,12 @@ namespace arelem::frontend {
 namespace {
 using enum TokenKind;
 
-bool isOperator(TokenKind k) { return k == plus || k == minus || k == star || k == slash || k == power; }
-bool isSign(TokenKind k) { return k == plus || k == minus || k == notOp; }
+bool isOperator(TokenKind k) {
+  return k == plus || k == minus || k == star || k == slash || k == power;
+}
+bool isSign(TokenKind k) {
+  return k == plus || k == minus || k == notOp;
+}
 
 /// The first `)` without `(`, or else the last `(` that stays open.
 std::optional<Diagnostic> unbalanced(std::span<const Token> tokens) {
@@ -31,10 +35,14 @@ std::optional<Diagnostic> unbalanced(std::span<const Token> tokens) {
   return std::nullopt;
 }
 
-std::string shown(const Token& t) { return t.kind == end ? "the end of the statement" : fmt::format("`{}`", t.text); }
+std::string shown(const Token& t) {
+  return t.kind == end ? "the end of the statement" : fmt::format("`{}`", t.text);
+}
 }  // namespace
 
-Diagnostic explainSyntaxError(std::span<const Token> tokens, std::size_t offending, const std::string& expected) {
+Diagnostic explainSyntaxError(std::span<const Token> tokens,
+                              std::size_t offending,
+                              const std::string& expected) {
   if (auto parens = unbalanced(tokens)) {
     return *std::move(parens);
   }
@@ -44,8 +52,9 @@ Diagnostic explainSyntaxError(std::span<const Token> tokens, std::size_t offendi
     return diagnose(bad.span, diag::BadStatementStart, bad.text);
   }
   if (bad.kind == end && before != nullptr) {
-    const bool dangling = before->kind == equals || before->kind == slash || isOperator(before->kind) ||
-                          before->kind == comma || before->kind == leftParen;
+    const bool dangling = before->kind == equals || before->kind == slash ||
+                          isOperator(before->kind) || before->kind == comma ||
+                          before->kind == leftParen;
     if (dangling) {
       return diagnose(before->span, diag::EndsWithPunctuation, before->text);
     }
@@ -56,12 +65,14 @@ Diagnostic explainSyntaxError(std::span<const Token> tokens, std::size_t offendi
   if (before != nullptr && isOperator(before->kind) && isOperator(bad.kind)) {
     return diagnose(join(before->span, bad.span), diag::AdjacentOperators, before->text, bad.text);
   }
-  if (before != nullptr && (isOperator(before->kind) || before->kind == leftParen || before->kind == equals) &&
+  if (before != nullptr &&
+      (isOperator(before->kind) || before->kind == leftParen || before->kind == equals) &&
       isWordKind(bad.kind)) {
     return diagnose(bad.span, diag::WordInExpression, bad.text);
   }
   const bool operand = bad.kind == number || bad.kind == symbol || bad.kind == leftParen;
-  if (before != nullptr && operand && (before->kind == rightParen || before->kind == number || before->kind == symbol)) {
+  if (before != nullptr && operand &&
+      (before->kind == rightParen || before->kind == number || before->kind == symbol)) {
     return diagnose(bad.span, diag::OperatorExpected, shown(bad));
   }
   Diagnostic d = diagnose(bad.span, diag::Misplaced, shown(bad));
@@ -82,11 +93,17 @@ std::optional<Diagnostic> checkShapeLimits(std::span<const Token> tokens, const 
     depth -= t.kind == rightParen && depth > 0 ? 1 : 0;
     signs = isSign(t.kind) ? signs + 1 : 0;
     const bool separator = t.kind == comma || t.kind == equals;
-    operators = separator ? 0 : operators + ((isOperator(t.kind) || t.kind == relation || t.kind == andOp ||
-                                              t.kind == orOp) ? 1 : 0);
-    powers = t.kind == power ? powers + 1 : (t.kind == number || t.kind == symbol || isSign(t.kind)) ? powers : 0;
+    operators = separator ? 0
+                          : operators + ((isOperator(t.kind) || t.kind == relation ||
+                                          t.kind == andOp || t.kind == orOp)
+                                             ? 1
+                                             : 0);
+    powers = t.kind == power                                            ? powers + 1
+             : (t.kind == number || t.kind == symbol || isSign(t.kind)) ? powers
+                                                                        : 0;
     if (depth > nesting || signs > nesting) {
-      return diagnose(t.span, diag::LimitReached, "nested parentheses or signs", nesting, "nesting");
+      return diagnose(t.span, diag::LimitReached, "nested parentheses or signs", nesting,
+                      "nesting");
     }
     if (powers > maxPowers) {
       return diagnose(t.span, diag::TooManyPowers, maxPowers);

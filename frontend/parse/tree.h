@@ -13,34 +13,41 @@ inline constexpr NodeId noNode = 0xFFFFFFFF;
 /// One node of a statement's syntax tree. Children hang on `first` and follow `next`.
 struct Node {
   enum class Kind : std::uint8_t {
-    omitted,     // empty parameter
-    number,      // number
-    name,        // text; children: the subscript list of name(...), if hasList
-    word,        // word
-    string,      // text
-    call,        // word: function; children: arguments
-    plus, negate,                             // 1 child
-    add, subtract, multiply, divide, power,   // 2 children
-    compare, conjunction, disjunction,        // 2 children; compare has `relation`
-    negation,                                 // 1 child: .NOT.
-    list,        // (x,y) or (x,y,z): 2 or more children
-    nestedAssign,// (name = expression): children name, value
-    definition,  // TYPE/ arguments; `target` when nested with a name
-    parameter,   // macro variable or CALL item: text, child value if present
-    label        // text: a jump target
+    omitted,  // empty parameter
+    number,   // number
+    name,     // text; children: the subscript list of name(...), if hasList
+    word,     // word
+    string,   // text
+    call,     // word: function; children: arguments
+    plus,
+    negate,  // 1 child
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,  // 2 children
+    compare,
+    conjunction,
+    disjunction,   // 2 children; compare has `relation`
+    negation,      // 1 child: .NOT.
+    list,          // (x,y) or (x,y,z): 2 or more children
+    nestedAssign,  // (name = expression): children name, value
+    definition,    // TYPE/ arguments; `target` when nested with a name
+    parameter,     // macro variable or CALL item: text, child value if present
+    label          // text: a jump target
   };
   Kind kind = Kind::omitted;
   Word word = Word::END;
   Relation relation = Relation::equal;
-  bool hasList = false;       ///< name: parentheses follow
-  bool parenthesized = false; ///< an expression that stood in parentheses
+  bool hasList = false;        ///< name: parentheses follow
+  bool parenthesized = false;  ///< an expression that stood in parentheses
   NodeId first = noNode;
   NodeId next = noNode;
-  NodeId target = noNode;     ///< definition: node of its name
+  NodeId target = noNode;  ///< definition: node of its name
   double number = 0.0;
   std::string_view text;
   Span span;
-  Span wordSpan;              ///< definition, call: of the word alone
+  Span wordSpan;  ///< definition, call: of the word alone
 };
 
 /// One statement. Which fields are set depends on the shape.
@@ -53,15 +60,18 @@ struct StatementTree {
     macro,    // target = MACRO/ parameters in `arguments`
     call,     // CALL/ items in `arguments`
     branch,   // IF (value) labels in `arguments`
-    ifBlock, elseIf, elseWord, endIf,   // value: condition
+    ifBlock,
+    elseIf,
+    elseWord,
+    endIf,    // value: condition
     doBlock,  // target, then from, to, step in `arguments`
     endDo,
-    include   // value: the string
+    include  // value: the string
   };
   Shape shape = Shape::empty;
   std::string_view label;
   Span labelSpan;
-  NodeId head = noNode;       ///< command: first word; further items follow `next`
+  NodeId head = noNode;  ///< command: first word; further items follow `next`
   bool slash = false;
   NodeId arguments = noNode;  ///< first of a chain
   NodeId target = noNode;

@@ -5,17 +5,17 @@
 #include <optional>
 #include <utility>
 
-#include "ir/diag/diagnostic.h"
 #include "frontend/read/characters.h"
 #include "frontend/read/columns.h"
 #include "frontend/read/encoding.h"
 #include "frontend/read/fast_lane.h"
+#include "ir/diag/diagnostic.h"
 
 namespace arelem::frontend {
 
 namespace {
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t wordLength = 6;  // of every fixed-field word
+constexpr std::size_t wordLength = 6;   // of every fixed-field word
 constexpr std::size_t rightShift = 66;  // print positions of TITLES RIGHT
 
 std::optional<Word> fixedWord(std::string_view six) {
@@ -24,11 +24,16 @@ std::optional<Word> fixedWord(std::string_view six) {
     name[i] = upper(six[i]);
   }
   const std::string_view text(name.data(), name.size());
-  if (text == "PARTNO") return Word::PARTNO;
-  if (text == "PPRINT") return Word::PPRINT;
-  if (text == "INSERT") return Word::INSERT;
-  if (text == "REMARK") return Word::REMARK;
-  if (text == "TITLES") return Word::TITLES;
+  if (text == "PARTNO")
+    return Word::PARTNO;
+  if (text == "PPRINT")
+    return Word::PPRINT;
+  if (text == "INSERT")
+    return Word::INSERT;
+  if (text == "REMARK")
+    return Word::REMARK;
+  if (text == "TITLES")
+    return Word::TITLES;
   return std::nullopt;
 }
 
@@ -40,9 +45,16 @@ std::string_view withoutTrailingBlanks(std::string_view text) {
 }
 }  // namespace
 
-CardReader::CardReader(const SourceMap& sources, BufferId buffer, const Options& options,
-                       Reporter& reporter, std::uint32_t& isn)
-    : text_(sources.text(buffer)), buffer_(buffer), options_(options), reporter_(reporter), isn_(isn) {
+CardReader::CardReader(const SourceMap& sources,
+                       BufferId buffer,
+                       const Options& options,
+                       Reporter& reporter,
+                       std::uint32_t& isn)
+    : text_(sources.text(buffer)),
+      buffer_(buffer),
+      options_(options),
+      reporter_(reporter),
+      isn_(isn) {
   if (text_.starts_with(byteOrderMark)) {
     position_ = byteOrderMark.size();
   }
@@ -113,11 +125,13 @@ void CardReader::next(StatementText& statement, bool fastLane) {
   }
   while (appendCard(line, statement) == CardEnd::continued) {
     if (!readLine(line)) {
-      reporter_.report(diagnose({buffer_, static_cast<std::uint32_t>(text_.size()), 0}, diag::NothingToContinue));
+      reporter_.report(diagnose({buffer_, static_cast<std::uint32_t>(text_.size()), 0},
+                                diag::NothingToContinue));
       break;
     }
   }
-  statement.kind = statement.text.empty() ? StatementText::Kind::empty : StatementText::Kind::tokens;
+  statement.kind =
+      statement.text.empty() ? StatementText::Kind::empty : StatementText::Kind::tokens;
   statement.span = statement.text.empty() ? Span{buffer_, offset, 0}
                                           : statement.spanOf(0, statement.text.size());
 }
@@ -139,14 +153,18 @@ bool CardReader::readFixed(const Line& line, StatementText& statement) {
     if (after != std::string_view::npos && line.text[after] == '=') {
       return false;  // left to the statement checker
     }
-    reporter_.report(diagnose({buffer_, static_cast<std::uint32_t>(line.offset + begin), wordLength},
-                              diag::FixedFieldPlace, spell(*word)));
+    reporter_.report(
+        diagnose({buffer_, static_cast<std::uint32_t>(line.offset + begin), wordLength},
+                 diag::FixedFieldPlace, spell(*word)));
   }
   keepFixed(line, begin, *word, statement);
   return true;
 }
 
-void CardReader::keepFixed(const Line& line, std::size_t wordBegin, Word word, StatementText& statement) {
+void CardReader::keepFixed(const Line& line,
+                           std::size_t wordBegin,
+                           Word word,
+                           StatementText& statement) {
   const CardFields fields = splitCard(line.text, options_.dialect);
   std::string_view text = line.text.substr(0, fields.fieldEnd).substr(wordBegin + wordLength);
   const std::string_view kept = withoutTrailingBlanks(text);
@@ -176,11 +194,14 @@ void CardReader::append(StatementText& statement, char c, std::size_t offset) {
   statement.offsets.push_back(static_cast<std::uint32_t>(offset));
 }
 
-std::size_t CardReader::appendQuoted(std::string_view field, std::size_t i, std::size_t base,
+std::size_t CardReader::appendQuoted(std::string_view field,
+                                     std::size_t i,
+                                     std::size_t base,
                                      StatementText& statement) {
   const std::size_t close = field.find('\'', i + 1);
   if (close == std::string_view::npos) {
-    reporter_.report(diagnose({buffer_, static_cast<std::uint32_t>(base + i), 1}, diag::UnclosedString));
+    reporter_.report(
+        diagnose({buffer_, static_cast<std::uint32_t>(base + i), 1}, diag::UnclosedString));
     return field.size();
   }
   for (; i <= close; ++i) {
@@ -196,7 +217,8 @@ void CardReader::reportOther(const Line& line, std::size_t i, StatementText& sta
   const std::size_t length = std::max<std::size_t>(1, utf8Length(line.text, i));
   const auto byte = static_cast<unsigned char>(line.text[i]);
   const bool printable = byte >= 0x20U && byte != 0x7FU && utf8Length(line.text, i) > 0;
-  const std::string shown = printable ? std::string(line.text.substr(i, length)) : fmt::format("0x{:02X}", byte);
+  const std::string shown =
+      printable ? std::string(line.text.substr(i, length)) : fmt::format("0x{:02X}", byte);
   reporter_.report(diagnose({statement.span.buffer, static_cast<std::uint32_t>(line.offset + i),
                              static_cast<std::uint32_t>(length)},
                             diag::IllegalCharacter, shown, line.offset + i));
@@ -213,7 +235,8 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
   std::size_t i = 0;
   while (i < field.size()) {
     const CharRow& c = classify(field[i]);
-    if (c.kind == CharClass::letter || c.kind == CharClass::digit || c.kind == CharClass::punctuation) {
+    if (c.kind == CharClass::letter || c.kind == CharClass::digit ||
+        c.kind == CharClass::punctuation) {
       append(statement, c.upper, line.offset + i);
     } else if (c.kind == CharClass::dollar) {
       std::size_t second = i + 1;
@@ -233,7 +256,8 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
     }
     ++i;
   }
-  statement.pieces.push_back({buffer_, static_cast<std::uint32_t>(line.offset), static_cast<std::uint32_t>(i)});
+  statement.pieces.push_back(
+      {buffer_, static_cast<std::uint32_t>(line.offset), static_cast<std::uint32_t>(i)});
   return ending;
 }
 

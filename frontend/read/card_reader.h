@@ -12,12 +12,16 @@ namespace arelem::frontend {
 class CardReader {
  public:
   /// `isn` is the number of the next statement; included texts count on in the same series.
-  CardReader(const SourceMap& sources, BufferId buffer, const Options& options, Reporter& reporter,
+  CardReader(const SourceMap& sources,
+             BufferId buffer,
+             const Options& options,
+             Reporter& reporter,
              std::uint32_t& isn);
 
   /// Reads the next statement into `statement`. `fastLane` allows Kind::numbers.
   void next(StatementText& statement, bool fastLane);
-  /// The next physical line as it stands, for decks inside the program; false at the end of the text.
+  /// The next physical line as it stands, for decks inside the program; false at the end of the
+  /// text.
   bool nextLine(std::string_view& line);
   [[nodiscard]] std::uint32_t offset() const { return static_cast<std::uint32_t>(position_); }
 
@@ -33,7 +37,10 @@ class CardReader {
   bool readFixed(const Line& line, StatementText& statement);
   void keepFixed(const Line& line, std::size_t wordBegin, Word word, StatementText& statement);
   CardEnd appendCard(const Line& line, StatementText& statement);
-  std::size_t appendQuoted(std::string_view field, std::size_t i, std::size_t base, StatementText& statement);
+  std::size_t appendQuoted(std::string_view field,
+                           std::size_t i,
+                           std::size_t base,
+                           StatementText& statement);
   void append(StatementText& statement, char c, std::size_t offset);
   void reportOther(const Line& line, std::size_t i, StatementText& statement);
 

@@ -42,10 +42,20 @@ inline constexpr std::array<CharRow, 256> charTable = detail::makeCharTable();
 [[nodiscard]] inline const CharRow& classify(char c) {
   return charTable[static_cast<unsigned char>(c)];
 }
-[[nodiscard]] inline bool isLetter(char c) { return classify(c).kind == CharClass::letter; }
-[[nodiscard]] inline bool isDigit(char c) { return classify(c).kind == CharClass::digit; }
-[[nodiscard]] inline bool isAlphanumeric(char c) { return isLetter(c) || isDigit(c); }
-[[nodiscard]] inline bool isBlank(char c) { return classify(c).kind == CharClass::blank; }
-[[nodiscard]] inline char upper(char c) { return classify(c).upper; }
+[[nodiscard]] inline bool isLetter(char c) {
+  return classify(c).kind == CharClass::letter;
+}
+[[nodiscard]] inline bool isDigit(char c) {
+  return classify(c).kind == CharClass::digit;
+}
+[[nodiscard]] inline bool isAlphanumeric(char c) {
+  return isLetter(c) || isDigit(c);
+}
+[[nodiscard]] inline bool isBlank(char c) {
+  return classify(c).kind == CharClass::blank;
+}
+[[nodiscard]] inline char upper(char c) {
+  return classify(c).upper;
+}
 
 }  // namespace arelem::frontend

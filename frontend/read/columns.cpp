@@ -45,8 +45,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool isSetApart(std::string_view field, std::string_view rest, bool exactlyEighty) {
-  const bool plain = std::all_of(rest.begin(), rest.end(),
-                                 [](char c) { return isAlphanumeric(c) || isBlank(c); });
+  const bool plain =
+      std::all_of(rest.begin(), rest.end(), [](char c) { return isAlphanumeric(c) || isBlank(c); });
   const char last = field.back();
   if (!plain || isAlphanumeric(last) || last == '.') {
     return false;
@@ -78,7 +78,8 @@ CardFields splitCard(std::string_view line, Dialect dialect) {
   if (!strict && trimmed(rest).empty() && withinCard) {
     return {field.byte, {}};
   }
-  if (strict || (withinCard && isSetApart(line.substr(0, field.byte), rest, card.columns == cardColumns))) {
+  if (strict ||
+      (withinCard && isSetApart(line.substr(0, field.byte), rest, card.columns == cardColumns))) {
     return {field.byte, trimmed(rest)};
   }
   return {line.size(), {}};

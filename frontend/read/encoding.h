@@ -6,9 +6,10 @@
 
 namespace arelem::frontend {
 
-/// Looks once over the bytes of a buffer and reports, with their offset, the first NUL or other control byte,
-/// the first byte that is not UTF-8, and the first character that changes the reading direction or has no
-/// width. Nothing is changed: bytes that are not UTF-8 are later read as Latin-1 where text is kept.
+/// Looks once over the bytes of a buffer and reports, with their offset, the first NUL or other
+/// control byte, the first byte that is not UTF-8, and the first character that changes the reading
+/// direction or has no width. Nothing is changed: bytes that are not UTF-8 are later read as
+/// Latin-1 where text is kept.
 void checkEncoding(std::string_view text, BufferId buffer, Reporter& reporter);
 
 /// Length in bytes of the UTF-8 character at `at`, or 0 when it is not valid there.

@@ -9,8 +9,8 @@
 
 namespace arelem::frontend {
 
-/// One logical statement as the card reader leaves it: cards joined, comments and blanks gone, letters
-/// in upper case. Reused from statement to statement.
+/// One logical statement as the card reader leaves it: cards joined, comments and blanks gone,
+/// letters in upper case. Reused from statement to statement.
 struct StatementText {
   enum class Kind : std::uint8_t {
     end,      ///< no more cards

@@ -1,11 +1,12 @@
 // The stable text of a program: symbols, then every block, one statement a line:
 //   index  isn  label)  statement
-// Numbers are in shortest round-trip form, expressions fully parenthesized, jump targets shown as @index.
-#include <fmt/format.h>
-
+// Numbers are in shortest round-trip form, expressions fully parenthesized, jump targets shown as
+// @index.
 #include <array>
 #include <ostream>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "ir/program/program.h"
 
@@ -15,12 +16,18 @@ namespace {
 
 std::string_view spellOperator(Expr::Kind kind) {
   switch (kind) {
-    case Expr::Kind::add: return " + ";
-    case Expr::Kind::subtract: return " - ";
-    case Expr::Kind::multiply: return " * ";
-    case Expr::Kind::divide: return " / ";
-    case Expr::Kind::power: return " ** ";
-    default: return " ? ";
+    case Expr::Kind::add:
+      return " + ";
+    case Expr::Kind::subtract:
+      return " - ";
+    case Expr::Kind::multiply:
+      return " * ";
+    case Expr::Kind::divide:
+      return " / ";
+    case Expr::Kind::power:
+      return " ** ";
+    default:
+      return " ? ";
   }
 }
 
@@ -75,20 +82,28 @@ class Printer {
   std::string text(ExprId id) const {
     const Expr& e = program_[id];
     switch (e.kind) {
-      case Expr::Kind::number: return fmt::format("{}", e.number);
-      case Expr::Kind::symbol: return text(e.target);
-      case Expr::Kind::assign: return fmt::format("({} = {})", text(e.target), text(e.left));
-      case Expr::Kind::negate: return fmt::format("(-{})", text(e.left));
-      case Expr::Kind::call: return fmt::format("{}({})", spell(e.function), list(e.arguments));
-      default: return fmt::format("({}{}{})", text(e.left), spellOperator(e.kind), text(e.right));
+      case Expr::Kind::number:
+        return fmt::format("{}", e.number);
+      case Expr::Kind::symbol:
+        return text(e.target);
+      case Expr::Kind::assign:
+        return fmt::format("({} = {})", text(e.target), text(e.left));
+      case Expr::Kind::negate:
+        return fmt::format("(-{})", text(e.left));
+      case Expr::Kind::call:
+        return fmt::format("{}({})", spell(e.function), list(e.arguments));
+      default:
+        return fmt::format("({}{}{})", text(e.left), spellOperator(e.kind), text(e.right));
     }
   }
 
   std::string text(const ElementRange& r) const {
-    std::string s = fmt::format("{}({},THRU,{}", program_[r.symbol].name, r.low.valid() ? text(r.low) : "1",
-                                r.high.valid() ? text(r.high) : "ALL");
+    std::string s =
+        fmt::format("{}({},THRU,{}", program_[r.symbol].name, r.low.valid() ? text(r.low) : "1",
+                    r.high.valid() ? text(r.high) : "ALL");
     if (r.step.valid() || r.descending) {
-      s += fmt::format(",{},{}", r.descending ? "DECR" : "INCR", r.step.valid() ? text(r.step) : "1");
+      s += fmt::format(",{},{}", r.descending ? "DECR" : "INCR",
+                       r.step.valid() ? text(r.step) : "1");
     }
     return s + ")";
   }
@@ -113,19 +128,25 @@ class Printer {
     return s;
   }
   std::string text(const LabelRef& l) const {
-    return l.name.empty() ? fmt::format("@{}", l.statement) : fmt::format("{}@{}", l.name, l.statement);
+    return l.name.empty() ? fmt::format("@{}", l.statement)
+                          : fmt::format("{}@{}", l.name, l.statement);
   }
 
-  std::string text(const Assign& a) const { return fmt::format("{} = {}", text(a.target), text(a.value)); }
+  std::string text(const Assign& a) const {
+    return fmt::format("{} = {}", text(a.target), text(a.value));
+  }
   std::string text(const Define& d) const {
     const std::string s = text(d.definition);
     return s.substr(1, s.size() - 2);
   }
   std::string text(const Branch& b) const {
-    return fmt::format("IF ({}) {}, {}, {}", text(b.value), text(b.negative), text(b.zero), text(b.positive));
+    return fmt::format("IF ({}) {}, {}, {}", text(b.value), text(b.negative), text(b.zero),
+                       text(b.positive));
   }
   std::string text(const Jump& j) const { return "JUMPTO/ " + text(j.label); }
-  std::string text(const Call& c) const { return fmt::format("CALL/ {} block {}", c.macro, c.block.index); }
+  std::string text(const Call& c) const {
+    return fmt::format("CALL/ {} block {}", c.macro, c.block.index);
+  }
   std::string text(const Obtain& o) const {
     std::string s = fmt::format("OBTAIN, {}/ {}", spell(o.type), text(o.source));
     for (const auto& t : o.targets) {
@@ -133,13 +154,19 @@ class Printer {
     }
     return s;
   }
-  std::string text(const Text& t) const { return fmt::format("{} {}", spell(t.word), quoted(t.text)); }
-  std::string text(const Locate& l) const { return fmt::format("{}/ {}", spell(l.word), list(l.arguments)); }
+  std::string text(const Text& t) const {
+    return fmt::format("{} {}", spell(t.word), quoted(t.text));
+  }
+  std::string text(const Locate& l) const {
+    return fmt::format("{}/ {}", spell(l.word), list(l.arguments));
+  }
   std::string text(const LocateNumbers& l) const {
-    return fmt::format("{}/ {}", spell(l.word), fmt::join(l.numbers.begin(), l.numbers.begin() + l.count, ", "));
+    return fmt::format("{}/ {}", spell(l.word),
+                       fmt::join(l.numbers.begin(), l.numbers.begin() + l.count, ", "));
   }
   std::string text(const SurfaceUse& u) const {
-    static constexpr std::array<std::string_view, 6> words = {"", "TO, ", "ON, ", "PAST, ", "TANTO, ", "PSTAN, "};
+    static constexpr std::array<std::string_view, 6> words = {"",       "TO, ",    "ON, ",
+                                                              "PAST, ", "TANTO, ", "PSTAN, "};
     return std::string(words[static_cast<std::size_t>(u.condition)]) + text(u.surface);
   }
   std::string feed(ExprId id) const { return id.valid() ? ", " + text(id) : std::string(); }
@@ -151,8 +178,10 @@ class Printer {
     return result + feed(s.feed);
   }
   std::string text(const Follow& f) const {
-    static constexpr std::array<std::string_view, 6> words = {"GOLFT", "GORGT", "GOFWD", "GOBACK", "GOUP", "GODOWN"};
-    std::string s = fmt::format("{}/ {}", words[static_cast<std::size_t>(f.heading)], text(f.drive));
+    static constexpr std::array<std::string_view, 6> words = {"GOLFT",  "GORGT", "GOFWD",
+                                                              "GOBACK", "GOUP",  "GODOWN"};
+    std::string s =
+        fmt::format("{}/ {}", words[static_cast<std::size_t>(f.heading)], text(f.drive));
     for (const CheckUse& c : f.checks) {
       s += ", " + (c.nth.valid() ? text(c.nth) + ", INTOF, " : std::string()) + text(c.use);
       s += c.label ? ", " + text(*c.label) : std::string();
@@ -174,6 +203,8 @@ class Printer {
 
 }  // namespace
 
-void print(std::ostream& out, const Program& program) { Printer(out, program).run(); }
+void print(std::ostream& out, const Program& program) {
+  Printer(out, program).run();
+}
 
 }  // namespace arelem::ir

@@ -14,7 +14,9 @@ TEST(Cards, BlanksHaveNoMeaning) {
   EXPECT_EQ(statement("G O T O/ 1 , 2 ,\t3"), "GOTO/ 1, 2, 3");
 }
 
-TEST(Cards, LettersFoldToUpperCase) { EXPECT_EQ(statement("p1=point/1,2,3"), "P1 = POINT/ 1, 2, 3"); }
+TEST(Cards, LettersFoldToUpperCase) {
+  EXPECT_EQ(statement("p1=point/1,2,3"), "P1 = POINT/ 1, 2, 3");
+}
 
 TEST(Cards, DollarContinuesAndDoubleDollarEnds) {
   EXPECT_EQ(statement("P1=POINT/1, $ rest of the card\n  2,3 $$ comment"), "P1 = POINT/ 1, 2, 3");
@@ -29,8 +31,10 @@ TEST(Cards, ACardOfDollarAndCommentChains) {
   EXPECT_EQ(statement("P1=POINT/1,$\n$ only a comment\n2,3"), "P1 = POINT/ 1, 2, 3");
 }
 
-TEST(Cards, NothingToContinueIsAnError) { EXPECT_EQ(compileText("FINI\n")->codes(), ""); 
-  EXPECT_EQ(compileText("A=1 $")->codes(), "E0113 E0289"); }
+TEST(Cards, NothingToContinueIsAnError) {
+  EXPECT_EQ(compileText("FINI\n")->codes(), "");
+  EXPECT_EQ(compileText("A=1 $")->codes(), "E0113 E0289");
+}
 
 TEST(Cards, StatementsAreNumberedWithBlankAndCommentCardsButNotContinuations) {
   const auto c = compileText("PARTNO X\n\n$$ comment\nA=1 $\n +2\nB=2\nFINI\n");
@@ -42,14 +46,16 @@ TEST(Cards, StatementsAreNumberedWithBlankAndCommentCardsButNotContinuations) {
 }
 
 TEST(Cards, ColumnsAfter72AreIdentification) {
-  const auto c = compileText(pad("A=1", 72) + "TEST0010\n" + pad("B=A+$", 72) + "TEST0020\n2\nFINI\n");
+  const auto c =
+      compileText(pad("A=1", 72) + "TEST0010\n" + pad("B=A+$", 72) + "TEST0020\n2\nFINI\n");
   ASSERT_EQ(c->codes(), "");
   EXPECT_EQ(c->block()[0], "A = 1  $$ TEST0010");
   EXPECT_EQ(c->block()[1], "B = (A + 2)  $$ TEST0020");
 }
 
 TEST(Cards, TextThatRunsAcrossColumn72StaysText) {
-  const std::string line = "GOTO/" + std::string(20, ' ') + "1.000000,2.000000," + std::string(25, ' ') + "12345.6789";
+  const std::string line =
+      "GOTO/" + std::string(20, ' ') + "1.000000,2.000000," + std::string(25, ' ') + "12345.6789";
   ASSERT_GT(line.size(), 72U);
   EXPECT_EQ(statement(line), "GOTO/ 1, 2, 12345.6789");
   EXPECT_EQ(statement(line, Dialect::cl), "GOTO/ 1, 2, 12345.6789");
@@ -74,7 +80,9 @@ TEST(Cards, FixedFieldTextIsKeptFromColumn7) {
   EXPECT_EQ(statement("pprint***Text***", Dialect::native), "PPRINT '***Text***'");
 }
 
-TEST(Cards, RemarkIsNotExecuted) { EXPECT_TRUE(statements("remarkin APT $ ' (").empty()); }
+TEST(Cards, RemarkIsNotExecuted) {
+  EXPECT_TRUE(statements("remarkin APT $ ' (").empty());
+}
 
 TEST(Cards, FixedFieldTextEndsAtColumn72) {
   EXPECT_EQ(statement(pad("PPRINT TEXT", 72) + "ID000010"), "PPRINT ' TEXT'  $$ ID000010");
@@ -100,7 +108,10 @@ TEST(Cards, LineEndsOfEverySystem) {
   EXPECT_EQ(compileText("A=1\r\nB=2\r\nFINI\r\n")->block().size(), 3U);
   EXPECT_EQ(compileText("A=1\rB=2\rFINI\r")->block().size(), 3U);
   EXPECT_EQ(compileText("A=1\nB=2\nFINI")->block().size(), 3U);
-  EXPECT_EQ(compileText("\xEF\xBB\xBF" "A=1\nFINI\n")->codes(), "");
+  EXPECT_EQ(compileText("\xEF\xBB\xBF"
+                        "A=1\nFINI\n")
+                ->codes(),
+            "");
   EXPECT_EQ(compileText("FINI\n\x1A")->codes(), "");
 }
 
@@ -112,7 +123,10 @@ TEST(Cards, BadBytesAreReportedWithTheirOffset) {
   EXPECT_EQ(latin->codes(), "W0103");
   EXPECT_EQ(latin->sink.all()[0].at.begin, 10U);
   EXPECT_EQ(latin->block()[0], "PARTNO ' CAF\xC3\xA9'");
-  EXPECT_EQ(compileText("$$ a\xE2\x80\xAE" "b\nFINI\n")->codes(), "W0104");
+  EXPECT_EQ(compileText("$$ a\xE2\x80\xAE"
+                        "b\nFINI\n")
+                ->codes(),
+            "W0104");
   EXPECT_EQ(errors("A=1;2"), "19");
 }
 
@@ -132,7 +146,8 @@ TEST(Cards, MissingFiniIsAnErrorExceptInClText) {
 TEST(Cards, LimitsOfLineAndFile) {
   Options options;
   options.limits.line = 100;
-  const auto line = compileText("A=1\n" + std::string(200, 'X') + "\nFINI\n", Dialect::automatic, options);
+  const auto line =
+      compileText("A=1\n" + std::string(200, 'X') + "\nFINI\n", Dialect::automatic, options);
   EXPECT_EQ(line->codes(), "E0820");
   EXPECT_EQ(line->block().size(), 2U);
   options.limits.bytes = 5;

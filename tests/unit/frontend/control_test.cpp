@@ -8,11 +8,13 @@ using Lines = std::vector<std::string>;
 
 TEST(Control, Loop) {
   EXPECT_EQ(statements("LOOPST\nI=1\n10)I=I+1\nIF(I-8)10,10,FIN\nFIN)LOOPND"),
-            (Lines{"LOOPST", "I = 1", "10) I = (I + 1)", "IF ((I - 8)) 10@2, 10@2, FIN@4", "FIN) LOOPND"}));
+            (Lines{"LOOPST", "I = 1", "10) I = (I + 1)", "IF ((I - 8)) 10@2, 10@2, FIN@4",
+                   "FIN) LOOPND"}));
 }
 
 TEST(Control, JumpToTheLabelOfLoopst) {
-  EXPECT_EQ(statements("ST)LOOPST\nJUMPTO/ST\nLOOPND"), (Lines{"ST) LOOPST", "JUMPTO/ ST@0", "LOOPND"}));
+  EXPECT_EQ(statements("ST)LOOPST\nJUMPTO/ST\nLOOPND"),
+            (Lines{"ST) LOOPST", "JUMPTO/ ST@0", "LOOPND"}));
 }
 
 TEST(Control, LabelsAreLocalToTheirLoop) {
@@ -24,7 +26,8 @@ TEST(Control, LabelsAreLocalToTheirLoop) {
 }
 
 TEST(Control, ALabelAloneIsAPlace) {
-  EXPECT_EQ(statements("LOOPST\nJUMPTO/7\n7)\nA=1\nLOOPND"), (Lines{"LOOPST", "JUMPTO/ 7@2", "7) A = 1", "LOOPND"}));
+  EXPECT_EQ(statements("LOOPST\nJUMPTO/7\n7)\nA=1\nLOOPND"),
+            (Lines{"LOOPST", "JUMPTO/ 7@2", "7) A = 1", "LOOPND"}));
 }
 
 TEST(Control, JumpsOutsideAreas) {
@@ -52,15 +55,17 @@ TEST(Control, BlockIf) {
   EXPECT_EQ(statements("A=1\nIF(A.LT.2)THEN\nB=1\nELSE\nB=2\nENDIF\nC=3"),
             (Lines{"A = 1", "IF ((A - 2)) @2, @4, @4", "B = 1", "JUMPTO/ @5", "B = 2", "C = 3"}));
   EXPECT_EQ(statements("A=1\nIF(A.EQ.2)THEN\nB=1\nELSE IF(A.GE.3)THEN\nB=2\nEND IF\nC=3"),
-            (Lines{"A = 1", "IF ((A - 2)) @4, @2, @4", "B = 1", "JUMPTO/ @6", "IF ((A - 3)) @6, @5, @5", "B = 2",
-                   "C = 3"}));
+            (Lines{"A = 1", "IF ((A - 2)) @4, @2, @4", "B = 1", "JUMPTO/ @6",
+                   "IF ((A - 3)) @6, @5, @5", "B = 2", "C = 3"}));
 }
 
 TEST(Control, ConditionsShortCut) {
-  EXPECT_EQ(statements("A=1\nIF(A.GT.0.AND.A.LT.9)THEN\nB=1\nENDIF\nC=3"),
-            (Lines{"A = 1", "IF ((A - 0)) @4, @4, @2", "IF ((A - 9)) @3, @4, @4", "B = 1", "C = 3"}));
-  EXPECT_EQ(statements("A=1\nIF(A.EQ.0.OR..NOT.A.LE.9)THEN\nB=1\nENDIF\nC=3"),
-            (Lines{"A = 1", "IF ((A - 0)) @2, @3, @2", "IF ((A - 9)) @4, @4, @3", "B = 1", "C = 3"}));
+  EXPECT_EQ(
+      statements("A=1\nIF(A.GT.0.AND.A.LT.9)THEN\nB=1\nENDIF\nC=3"),
+      (Lines{"A = 1", "IF ((A - 0)) @4, @4, @2", "IF ((A - 9)) @3, @4, @4", "B = 1", "C = 3"}));
+  EXPECT_EQ(
+      statements("A=1\nIF(A.EQ.0.OR..NOT.A.LE.9)THEN\nB=1\nENDIF\nC=3"),
+      (Lines{"A = 1", "IF ((A - 0)) @2, @3, @2", "IF ((A - 9)) @4, @4, @3", "B = 1", "C = 3"}));
   EXPECT_EQ(statements("A=1\nIF(1.NE.A)THEN\nB=1\nENDIF\nC=3"),
             (Lines{"A = 1", "IF ((1 - A)) @2, @3, @2", "B = 1", "C = 3"}));
 }

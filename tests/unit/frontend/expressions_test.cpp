@@ -32,7 +32,7 @@ TEST(Expressions, Errors) {
   EXPECT_EQ(errors("A=(1+2"), "10");
   EXPECT_EQ(errors("A=1+2)"), "9");
   EXPECT_EQ(errors("A=TO+1"), "61");
-  EXPECT_EQ(errors("A=SINF 30"), "101");          // SINF30 is a name
+  EXPECT_EQ(errors("A=SINF 30"), "101");  // SINF30 is a name
   EXPECT_EQ(errors("A=SINF+30"), "59");
   EXPECT_EQ(errors("A=SINF()"), "69");
   EXPECT_EQ(errors("A=SINF(1,2)"), "65");
@@ -59,13 +59,15 @@ TEST(Expressions, LimitsOfPowersOperatorsAndNesting) {
     sum += "+1";
   }
   EXPECT_EQ(reported(sum, Dialect::cl), "E0115");
-  EXPECT_EQ(reported("A=" + std::string(300, '(') + "1" + std::string(300, ')'), Dialect::cl), "E0820");
+  EXPECT_EQ(reported("A=" + std::string(300, '(') + "1" + std::string(300, ')'), Dialect::cl),
+            "E0820");
   EXPECT_EQ(reported("A=" + std::string(150, '(') + "1" + std::string(150, ')'), Dialect::cl), "");
   EXPECT_EQ(reported("A=" + std::string(5000, '-') + "1", Dialect::cl), "E0820");
 }
 
 TEST(Expressions, FunctionsOfEntities) {
-  EXPECT_EQ(statement("C1=CIRCLE/0,0,1\nA=ANGLF(C1,(POINT/2,-3))"), "A = ANGLF(C1, (POINT/ 2, -3))");
+  EXPECT_EQ(statement("C1=CIRCLE/0,0,1\nA=ANGLF(C1,(POINT/2,-3))"),
+            "A = ANGLF(C1, (POINT/ 2, -3))");
   EXPECT_EQ(statement("V=VECTOR/1,0,0\nA=DOTF(V,V)"), "A = DOTF(V, V)");
   EXPECT_EQ(statement("L1=LINE/XAXIS\nA=DISTF(L1,L1)"), "A = DISTF(L1, L1)");
 }
@@ -116,7 +118,9 @@ TEST(Subscripts, Reserv) {
 
 TEST(Subscripts, Lists) {
   const std::string p = "RESERV/P,9\nP(1)=POINT/0,0\n";
-  const auto list = [&](const std::string& s) { return statement(p + "T=TABCYL/NOZ,SPLINE," + s).substr(25); };
+  const auto list = [&](const std::string& s) {
+    return statement(p + "T=TABCYL/NOZ,SPLINE," + s).substr(25);
+  };
   EXPECT_EQ(list("P(2,THRU,5)"), "P(2,THRU,5)");
   EXPECT_EQ(list("P(2,THRU,5,INCR,2)"), "P(2,THRU,5,INCR,2)");
   EXPECT_EQ(list("P(2,THRU,ALL,DECR,2)"), "P(2,THRU,ALL,DECR,2)");
@@ -130,7 +134,8 @@ TEST(Subscripts, Lists) {
 }
 
 TEST(Nesting, Definitions) {
-  EXPECT_EQ(statement("L1=LINE/(POINT/1,2),(P2=POINT/3,4)"), "L1 = LINE/ (POINT/ 1, 2), (P2 = POINT/ 3, 4)");
+  EXPECT_EQ(statement("L1=LINE/(POINT/1,2),(P2=POINT/3,4)"),
+            "L1 = LINE/ (POINT/ 1, 2), (P2 = POINT/ 3, 4)");
   EXPECT_EQ(statement("L1=LINE/(POINT/1,2),(P2=POINT/3,4)\nGOTO/P2"), "GOTO/ P2");
   EXPECT_EQ(statement("L1=LINE/(1,2),(3,4,5)"), "L1 = LINE/ (POINT/ 1, 2), (POINT/ 3, 4, 5)");
   EXPECT_EQ(errors("GOTO/(1,2)"), "7");
@@ -141,11 +146,13 @@ TEST(Nesting, Definitions) {
 }
 
 TEST(Nesting, CanonWithoutAComma) {
-  EXPECT_EQ(statement("D3=1\nPL1=PLANE/(PLANE/0,0,1,D3)CANON"), "PL1 = PLANE/ (PLANE/ 0, 0, 1, D3), CANON");
+  EXPECT_EQ(statement("D3=1\nPL1=PLANE/(PLANE/0,0,1,D3)CANON"),
+            "PL1 = PLANE/ (PLANE/ 0, 0, 1, D3), CANON");
 }
 
 TEST(Nesting, EmptyParametersOnlyWhereAllowed) {
-  EXPECT_EQ(statement("PL1=PLANE/0,0,1,1\nPL2=PLANE/PL1,CANON,,,,2"), "PL2 = PLANE/ PL1, CANON, , , , 2");
+  EXPECT_EQ(statement("PL1=PLANE/0,0,1,1\nPL2=PLANE/PL1,CANON,,,,2"),
+            "PL2 = PLANE/ PL1, CANON, , , , 2");
   EXPECT_EQ(errors("P1=POINT/1,,2"), "7");
   EXPECT_EQ(errors("CUTTER/1,,2"), "7");
 }

@@ -1,8 +1,8 @@
 // The fast lanes give what the slow ones give.
 #include "frontend/lex/lexer.h"
 #include "frontend/parse/parse.h"
-#include "frontend/read/fast_lane.h"
 #include "frontend/read/card_reader.h"
+#include "frontend/read/fast_lane.h"
 #include "tests/unit/frontend/program_text.h"
 
 namespace arelem::frontend {
@@ -11,8 +11,8 @@ namespace {
 void print(const StatementTree& tree, NodeId id, std::string& out) {
   for (; id != noNode; id = tree[id].next) {
     const Node& n = tree[id];
-    out += fmt::format("[{} {} {} {} {}..{}", static_cast<int>(n.kind), static_cast<int>(n.word), n.number, n.text,
-                       n.span.begin, n.span.length);
+    out += fmt::format("[{} {} {} {} {}..{}", static_cast<int>(n.kind), static_cast<int>(n.word),
+                       n.number, n.text, n.span.begin, n.span.length);
     if (n.target != noNode) {
       print(tree, n.target, out += " target ");
     }
@@ -31,9 +31,21 @@ std::string shape(const StatementTree& tree) {
 }
 
 TEST(Lanes, PlainStatementsGiveTheTreeOfTheGrammar) {
-  const std::vector<std::string> texts = {"P1=POINT/1,2,3", "P1=POINT/-1,+A,INTOF", "A=1", "A=-B", "10)A=+B", "RAPID",
-                                          "RAPID,GOTO/1,-2,3", "TLON,TLONPS,GOLFT/L1,TO,L2", "X)", "CUTTER/1,2",
-                                          "PATERN/1,2", "GOTO/", "CUTTER,OPTION,1,2", "A=POINT/", "SPINDL/A,CIRCLE"};
+  const std::vector<std::string> texts = {"P1=POINT/1,2,3",
+                                          "P1=POINT/-1,+A,INTOF",
+                                          "A=1",
+                                          "A=-B",
+                                          "10)A=+B",
+                                          "RAPID",
+                                          "RAPID,GOTO/1,-2,3",
+                                          "TLON,TLONPS,GOLFT/L1,TO,L2",
+                                          "X)",
+                                          "CUTTER/1,2",
+                                          "PATERN/1,2",
+                                          "GOTO/",
+                                          "CUTTER,OPTION,1,2",
+                                          "A=POINT/",
+                                          "SPINDL/A,CIRCLE"};
   Options options;
   CollectingSink sink;
   Reporter reporter(sink, options.limits);
@@ -63,9 +75,9 @@ TEST(Lanes, PlainStatementsGiveTheTreeOfTheGrammar) {
 
 TEST(Lanes, NumberLinesGiveTheStatementOfTheParser) {
   const std::vector<std::string> lines = {
-      "GOTO/1,2,3",          "goto / 1.5 , -2.25,+3.",       "FROM/0,0,0,0,0,1",    "GOTO/1.5E-3,2.E2,.5",
-      "  GOTO/1,2",          "GOTO/1,2,3,4,5,6,7",           "GOTO/-0,0.1,100000",  "GOTO/123456789.123456,1,1",
-      "GOTO/1,2,3\t",        "FROM/1,2,3,100"};
+      "GOTO/1,2,3",   "goto / 1.5 , -2.25,+3.", "FROM/0,0,0,0,0,1",   "GOTO/1.5E-3,2.E2,.5",
+      "  GOTO/1,2",   "GOTO/1,2,3,4,5,6,7",     "GOTO/-0,0.1,100000", "GOTO/123456789.123456,1,1",
+      "GOTO/1,2,3\t", "FROM/1,2,3,100"};
   for (const std::string& line : lines) {
     FastLine fast;
     EXPECT_TRUE(readFastLine(line, fast)) << line;
@@ -80,10 +92,27 @@ TEST(Lanes, NumberLinesGiveTheStatementOfTheParser) {
 }
 
 TEST(Lanes, UnusualLinesAreLeftToTheParser) {
-  for (const std::string line : {"GOTO/1,2,A", "GOTO/1E5,2,3", "GOTO/1 2,3,4", "GOTO/1,2,3 $$", "GOTO/1,2,3,", "GOTO/1",
-                                 "GOTO/1,2,3,4,5", "GOTO/nan,1,2", "GOTO/inf,1,2", "GOTO/1.e999,1,2", "GOTO/--1,2,3",
-                                 "GOTO/+-1,2,3", "GOTO", "GOTO/", "GOTO/1,2,3,4,5,6,7,8", "A)GOTO/1,2,3", "GOTO=1",
-                                 "GOTO/1.2.3,4,5", "GOTO/12345678901234567.,1,2", "GOTO/0x10,1,2", "FROMX/1,2,3"}) {
+  for (const std::string line : {"GOTO/1,2,A",
+                                 "GOTO/1E5,2,3",
+                                 "GOTO/1 2,3,4",
+                                 "GOTO/1,2,3 $$",
+                                 "GOTO/1,2,3,",
+                                 "GOTO/1",
+                                 "GOTO/1,2,3,4,5",
+                                 "GOTO/nan,1,2",
+                                 "GOTO/inf,1,2",
+                                 "GOTO/1.e999,1,2",
+                                 "GOTO/--1,2,3",
+                                 "GOTO/+-1,2,3",
+                                 "GOTO",
+                                 "GOTO/",
+                                 "GOTO/1,2,3,4,5,6,7,8",
+                                 "A)GOTO/1,2,3",
+                                 "GOTO=1",
+                                 "GOTO/1.2.3,4,5",
+                                 "GOTO/12345678901234567.,1,2",
+                                 "GOTO/0x10,1,2",
+                                 "FROMX/1,2,3"}) {
     FastLine fast;
     EXPECT_FALSE(readFastLine(line, fast)) << line;
   }

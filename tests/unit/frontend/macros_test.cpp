@@ -11,8 +11,9 @@ using Lines = std::vector<std::string>;
 namespace fs = std::filesystem;
 
 TEST(Macros, BodiesAreInstancesWithTheirValues) {
-  const auto c = compileText("M=MACRO/X,Y=2,CO\nGOTO/X,Y,0\nCOOLNT/CO\nTERMAC\nCALL/M,X=1,CO=FLOOD\n"
-                             "CALL/M,CO=MIST,X=-1,Y=3\nCALL/M,CO=FLOOD,X=1\nFINI\n");
+  const auto c = compileText(
+      "M=MACRO/X,Y=2,CO\nGOTO/X,Y,0\nCOOLNT/CO\nTERMAC\nCALL/M,X=1,CO=FLOOD\n"
+      "CALL/M,CO=MIST,X=-1,Y=3\nCALL/M,CO=FLOOD,X=1\nFINI\n");
   EXPECT_EQ(c->codes(), "");
   EXPECT_EQ(c->block(0), (Lines{"CALL/ M block 1", "CALL/ M block 2", "CALL/ M block 1", "FINI"}));
   EXPECT_EQ(c->block(1), (Lines{"GOTO/ 1, 2, 0", "COOLNT/ FLOOD", "TERMAC"}));
@@ -27,23 +28,27 @@ TEST(Macros, BodyStatementsKeepTheirNumbers) {
 }
 
 TEST(Macros, ArrayNamesAndWordsAsValues) {
-  const auto c = compileText("RESERV/A,5\nA(3)=1\nM=MACRO/N,W\nB=N(3)\nW/1\nTERMAC\nCALL/M,N=A,W=DELAY\nFINI\n");
+  const auto c = compileText(
+      "RESERV/A,5\nA(3)=1\nM=MACRO/N,W\nB=N(3)\nW/1\nTERMAC\nCALL/M,N=A,W=DELAY\nFINI\n");
   EXPECT_EQ(c->codes(), "");
   EXPECT_EQ(c->block(1), (Lines{"B = A(3)", "DELAY/ 1", "TERMAC"}));
 }
 
 TEST(Macros, VariablesHideOuterNames) {
-  const auto c = compileText("P1=POINT/1,2\nM=MACRO/P1\nB=P1\nTERMAC\nCALL/M,P1=4\nGOTO/P1\nFINI\n");
+  const auto c =
+      compileText("P1=POINT/1,2\nM=MACRO/P1\nB=P1\nTERMAC\nCALL/M,P1=4\nGOTO/P1\nFINI\n");
   EXPECT_EQ(c->codes(), "");
   EXPECT_EQ(c->block(1)[0], "B = 4");
 }
 
 TEST(Macros, ANumberReplacesAVariableAsAValue) {
-  EXPECT_EQ(compileText("M=MACRO/X\nB=X**2\nTERMAC\nCALL/M,X=-5\nFINI\n")->block(1)[0], "B = (-5 ** 2)");
+  EXPECT_EQ(compileText("M=MACRO/X\nB=X**2\nTERMAC\nCALL/M,X=-5\nFINI\n")->block(1)[0],
+            "B = (-5 ** 2)");
 }
 
 TEST(Macros, LabelsAreLocalAndJumpsNeedNoLoop) {
-  const auto c = compileText("M=MACRO/X\n1)A=X\nIF(A)1,2,2\n2)TERMAC\nCALL/M,X=1\nCALL/M,X=2\nFINI\n");
+  const auto c =
+      compileText("M=MACRO/X\n1)A=X\nIF(A)1,2,2\n2)TERMAC\nCALL/M,X=1\nCALL/M,X=2\nFINI\n");
   EXPECT_EQ(c->codes(), "");
   EXPECT_EQ(c->block(2), (Lines{"1) A = 2", "IF (A) 1@0, 2@2, 2@2", "2) TERMAC"}));
 }
@@ -57,7 +62,8 @@ TEST(Macros, RecursionIsFiniteHere) {
 TEST(Macros, NestedCallsAreBounded) {
   std::string text;
   for (int i = 0; i < 100; ++i) {
-    text += "M" + std::to_string(i) + "=MACRO/\n" + (i > 0 ? "CALL/M" + std::to_string(i - 1) + "\n" : "A=1\n") + "TERMAC\n";
+    text += "M" + std::to_string(i) + "=MACRO/\n" +
+            (i > 0 ? "CALL/M" + std::to_string(i - 1) + "\n" : "A=1\n") + "TERMAC\n";
   }
   EXPECT_EQ(errors(text + "CALL/M50"), "");
   EXPECT_EQ(errors(text + "CALL/M99"), "231");
@@ -112,8 +118,11 @@ class Folder {
     fs::create_directories(path_ / "inner");
   }
   ~Folder() { fs::remove_all(path_); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
-  [[nodiscard]] std::unique_ptr<Compiled> compileFile(const std::string& name, const std::string& text) const {
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+  }
+  [[nodiscard]] std::unique_ptr<Compiled> compileFile(const std::string& name,
+                                                      const std::string& text) const {
     auto c = std::make_unique<Compiled>();
     Options options;
     options.libraryPath = {path_.string()};
@@ -129,12 +138,15 @@ class Folder {
 TEST(Includes, LibraryMacros) {
   const Folder folder;
   folder.write("strtup.apt", "$$ start\nSTRTUP=MACRO/D,F=10\nCUTTER/D\nFEDRAT/F\nTERMAC\n");
-  const auto c = folder.compileFile("main.apt", "LIBRY/STRTUP\nCALL/STRTUP,D=5\nGOTO/1,2,3\nFINI\n");
+  const auto c =
+      folder.compileFile("main.apt", "LIBRY/STRTUP\nCALL/STRTUP,D=5\nGOTO/1,2,3\nFINI\n");
   EXPECT_EQ(c->codes(), "");
   EXPECT_EQ(c->block(1), (Lines{"CUTTER/ 5", "FEDRAT/ 10", "TERMAC"}));
   EXPECT_EQ(c->program.blocks[0].statements[1].isn, 8U);  // the library's five cards are counted
   folder.write("empty.apt", "A=1\n");
-  EXPECT_EQ(folder.compileFile("main.apt", "LIBRY/EMPTY,NONE\nCALL/EMPTY\nCALL/NONE\nFINI\n")->legacy(), "31 31");
+  EXPECT_EQ(
+      folder.compileFile("main.apt", "LIBRY/EMPTY,NONE\nCALL/EMPTY\nCALL/NONE\nFINI\n")->legacy(),
+      "31 31");
   EXPECT_EQ(folder.compileFile("main.apt", "LIBRY/5\nFINI\n")->legacy(), "81");
 }
 
@@ -155,17 +167,20 @@ TEST(Includes, FilesInTheirJail) {
   EXPECT_EQ(folder.compileFile("inner/m.apt", "INCLUDE/'a.apt'\nFINI\n")->codes(), "");
   EXPECT_EQ(folder.compileFile("main.apt", "INCLUDE/'../../etc/passwd'\nFINI\n")->codes(), "E0244");
   EXPECT_EQ(folder.compileFile("main.apt", "INCLUDE/'/etc/passwd'\nFINI\n")->codes(), "E0244");
-  EXPECT_EQ(folder.compileFile("main.apt", "INCLUDE/'none.apt'\nINCLUDE/'inner'\nFINI\n")->codes(), "E0246 E0246");
+  EXPECT_EQ(folder.compileFile("main.apt", "INCLUDE/'none.apt'\nINCLUDE/'inner'\nFINI\n")->codes(),
+            "E0246 E0246");
   EXPECT_EQ(folder.compileFile("main.apt", "INCLUDE/'loop.apt'\nFINI\n")->codes(), "E0245");
 }
 
 TEST(Includes, Decks) {
-  const auto c = compileText("RESERV/Q,3\nREAD/1\nP1,0,POINT,3,1,2,3\nA,0,SCALAR,1,-4.5\nQ,2,POINT,3,1,1,1\nENDPCH\n"
-                             "GOTO/P1,A\nFINI\n");
+  const auto c = compileText(
+      "RESERV/Q,3\nREAD/1\nP1,0,POINT,3,1,2,3\nA,0,SCALAR,1,-4.5\nQ,2,POINT,3,1,1,1\nENDPCH\n"
+      "GOTO/P1,A\nFINI\n");
   EXPECT_EQ(c->codes(), "");
-  EXPECT_EQ(c->block(), (Lines{"P1 = POINT/ CANON, 1, 2, 3", "A = -4.5", "Q(2) = POINT/ CANON, 1, 1, 1", "GOTO/ P1, A",
-                               "FINI"}));
-  EXPECT_EQ(compileText("READ/1\nP1,0,POINT,4,1,2,3\nENDPCH\nFINI\n")->legacy().substr(0, 4), "2000");
+  EXPECT_EQ(c->block(), (Lines{"P1 = POINT/ CANON, 1, 2, 3", "A = -4.5",
+                               "Q(2) = POINT/ CANON, 1, 1, 1", "GOTO/ P1, A", "FINI"}));
+  EXPECT_EQ(compileText("READ/1\nP1,0,POINT,4,1,2,3\nENDPCH\nFINI\n")->legacy().substr(0, 4),
+            "2000");
   EXPECT_EQ(compileText("READ/1\nA,0,SCALAR,1,1\n")->legacy(), "2000 23");
 }
 

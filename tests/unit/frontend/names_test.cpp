@@ -50,24 +50,31 @@ TEST(Names, UnknownParametersOfPostWordsAreText) {
   EXPECT_EQ(errors("MACHIN/1"), "81");
 }
 
-TEST(Names, ErrorsOfAFileAreAllReported) { EXPECT_EQ(errors("A=\nB=(1\nGOTO/P9\nC=1"), "11 10 101"); }
+TEST(Names, ErrorsOfAFileAreAllReported) {
+  EXPECT_EQ(errors("A=\nB=(1\nGOTO/P9\nC=1"), "11 10 101");
+}
 
 TEST(Names, DefineReplacesTheFirstAssignment) {
   Options options;
   options.defines = {{"depth", 2.5}, {"EXTRA", 7.0}};
-  const auto c = compileText("DEPTH=1\nA=DEPTH+EXTRA\nDEPTH=9\nFINI\n", Dialect::automatic, options);
+  const auto c =
+      compileText("DEPTH=1\nA=DEPTH+EXTRA\nDEPTH=9\nFINI\n", Dialect::automatic, options);
   EXPECT_EQ(c->codes(), "");
-  EXPECT_EQ(c->block(), (std::vector<std::string>{"EXTRA = 7", "DEPTH = 2.5", "DEPTH = 2.5", "A = (DEPTH + EXTRA)",
-                                                  "DEPTH = 9", "FINI"}));
+  EXPECT_EQ(c->block(), (std::vector<std::string>{"EXTRA = 7", "DEPTH = 2.5", "DEPTH = 2.5",
+                                                  "A = (DEPTH + EXTRA)", "DEPTH = 9", "FINI"}));
   options.defines = {{"GOTO", 1.0}, {"1", 1.0}, {"P1", 2.0}};
-  EXPECT_EQ(compileText("P1=POINT/1,2\nFINI\n", Dialect::automatic, options)->codes(), "E0298 E0298 E0298");
+  EXPECT_EQ(compileText("P1=POINT/1,2\nFINI\n", Dialect::automatic, options)->codes(),
+            "E0298 E0298 E0298");
 }
 
 TEST(Names, Interrupt) {
   InterruptFlag flag{true};
   Options options;
   options.interrupted = &flag;
-  EXPECT_LT(compileText("A=1\nB=2\nFINI\n", Dialect::automatic, options)->program.blocks[0].statements.size(), 3U);
+  EXPECT_LT(compileText("A=1\nB=2\nFINI\n", Dialect::automatic, options)
+                ->program.blocks[0]
+                .statements.size(),
+            3U);
 }
 
 }  // namespace

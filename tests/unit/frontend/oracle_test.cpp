@@ -1,9 +1,11 @@
-// Every program that the old system accepted compiles, and its statement numbers agree with the old ones.
+// Every program that the old system accepted compiles, and its statement numbers agree with the old
+// ones.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
+
+#include <nlohmann/json.hpp>
 
 #include "tests/unit/frontend/program_text.h"
 
@@ -29,8 +31,8 @@ std::set<std::uint32_t> isnsOf(const ir::Program& program) {
   return isns;
 }
 
-/// Checks one program against the record numbers of its result. Words of post statements pin the number
-/// to the right statement.
+/// Checks one program against the record numbers of its result. Words of post statements pin the
+/// number to the right statement.
 void compare(const fs::path& source, const fs::path& result) {
   const auto c = compileText(readFile(source));
   std::string errors;
@@ -55,7 +57,8 @@ void compare(const fs::path& source, const fs::path& result) {
       for (const auto& block : c->program.blocks) {
         for (const auto& s : block.statements) {
           const auto* text = std::get_if<ir::Text>(&s.body);
-          found = found || (text != nullptr && static_cast<int>(s.isn) == isn && text->text == wanted);
+          found =
+              found || (text != nullptr && static_cast<int>(s.isn) == isn && text->text == wanted);
         }
       }
       EXPECT_TRUE(found) << source << " text at isn " << isn << ": " << record["text"];
@@ -65,7 +68,8 @@ void compare(const fs::path& source, const fs::path& result) {
 
 TEST(Oracle, CasesCompileWithTheOldStatementNumbers) {
   int count = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(ARELEM_SOURCE_DIR) / "tests/data/oracle/cases")) {
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(ARELEM_SOURCE_DIR) / "tests/data/oracle/cases")) {
     if (entry.path().extension() == ".apt") {
       compare(entry.path(), fs::path(entry.path()).replace_extension(".json"));
       ++count;
@@ -87,9 +91,11 @@ TEST(Oracle, ExamplesCompileWithTheOldStatementNumbers) {
   }
   int count = 0;
   for (const auto& entry : fs::directory_iterator(shared / "oracle/examples")) {
-    const fs::path source = shared / "corpus/aptos-apt360" / entry.path().filename().replace_extension(".apt");
+    const fs::path source =
+        shared / "corpus/aptos-apt360" / entry.path().filename().replace_extension(".apt");
     std::string text = fs::exists(source) ? readFile(source) : "";
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char ch) { return std::tolower(ch); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char ch) { return std::tolower(ch); });
     if (!text.empty() && text.find("\nlibry/") == std::string::npos) {
       compare(source, entry.path());
       ++count;
@@ -101,13 +107,15 @@ TEST(Oracle, ExamplesCompileWithTheOldStatementNumbers) {
 TEST(Oracle, BadProgramsGiveTheOldErrors) {
   const fs::path folder = fs::path(ARELEM_SOURCE_DIR) / "tests/data/oracle/bad";
   const std::vector<std::pair<std::string, std::string>> expected = {
-      {"b01_undefined_symbol", "101"}, {"b03_paren", "10"},      {"b14_no_fini", "23"},
-      {"b15_jumpto", "407"},           {"b16_macro_args", "230 233"}, {"b17_subscript", "104 104 108"},
+      {"b01_undefined_symbol", "101"}, {"b03_paren", "10"},
+      {"b14_no_fini", "23"},           {"b15_jumpto", "407"},
+      {"b16_macro_args", "230 233"},   {"b17_subscript", "104 104 108"},
       {"b21_dup_label", "6"}};
   for (const auto& [name, legacy] : expected) {
     EXPECT_EQ(compileText(readFile(folder / (name + ".apt")))->legacy(), legacy) << name;
   }
-  EXPECT_EQ(compileText(readFile(folder / "b02_name_too_long.apt"), Dialect::apt360)->legacy(), "1");
+  EXPECT_EQ(compileText(readFile(folder / "b02_name_too_long.apt"), Dialect::apt360)->legacy(),
+            "1");
 }
 
 }  // namespace

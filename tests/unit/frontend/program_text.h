@@ -1,10 +1,10 @@
 #pragma once
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "frontend/compile.h"
 
@@ -59,7 +59,8 @@ struct Compiled {
 };
 
 /// Compiles `text` as it stands.
-inline std::unique_ptr<Compiled> compileText(const std::string& text, Dialect dialect = Dialect::automatic,
+inline std::unique_ptr<Compiled> compileText(const std::string& text,
+                                             Dialect dialect = Dialect::automatic,
                                              Options options = {}) {
   auto c = std::make_unique<Compiled>();
   options.dialect = dialect;
@@ -69,7 +70,8 @@ inline std::unique_ptr<Compiled> compileText(const std::string& text, Dialect di
 }
 
 /// Compiles `body` with a FINI after it and returns its statements (without FINI).
-inline std::vector<std::string> statements(const std::string& body, Dialect dialect = Dialect::automatic) {
+inline std::vector<std::string> statements(const std::string& body,
+                                           Dialect dialect = Dialect::automatic) {
   const auto c = compileText(body + "\nFINI\n", dialect);
   EXPECT_EQ(c->codes(), "") << body;
   auto lines = c->block();

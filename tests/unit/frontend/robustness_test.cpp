@@ -20,13 +20,15 @@ std::string readFile(const fs::path& path) {
 
 std::vector<std::string> seeds() {
   std::vector<std::string> texts;
-  for (const auto& entry : fs::directory_iterator(fs::path(ARELEM_SOURCE_DIR) / "tests/data/oracle/cases")) {
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(ARELEM_SOURCE_DIR) / "tests/data/oracle/cases")) {
     if (entry.path().extension() == ".apt") {
       texts.push_back(readFile(entry.path()));
     }
   }
   std::sort(texts.begin(), texts.end());
-  texts.push_back("M=MACRO/X,Y=1\nIF(X)1,2,2\n1)CALL/M,X=Y\n2)TERMAC\nCALL/M,X=1\nDO/I=1,9\nENDDO\nFINI\n");
+  texts.push_back(
+      "M=MACRO/X,Y=1\nIF(X)1,2,2\n1)CALL/M,X=Y\n2)TERMAC\nCALL/M,X=1\nDO/I=1,9\nENDDO\nFINI\n");
   return texts;
 }
 
@@ -65,9 +67,11 @@ TEST(Robustness, RandomBytes) {
 }
 
 TEST(Robustness, RandomTokens) {
-  const std::vector<std::string> words = {"POINT", "/",  "(", ")", ",",  "=",   "A",    "B(", "1.5", "-",  "**",  "CANON", "GOTO",
-                                          "\n",    "$\n", "IF", "MACRO", "TERMAC", "CALL/", "LOOPST", "LOOPND", "THRU", "SINF",
-                                          ".LT.",  "THEN", "DO/", "ENDDO", "'x'", "RESERV/", "OBTAIN,", "SYN/", "1)", "TO", "L1"};
+  const std::vector<std::string> words = {
+      "POINT", "/",       "(",       ")",    ",",    "=",    "A",    "B(",    "1.5",
+      "-",     "**",      "CANON",   "GOTO", "\n",   "$\n",  "IF",   "MACRO", "TERMAC",
+      "CALL/", "LOOPST",  "LOOPND",  "THRU", "SINF", ".LT.", "THEN", "DO/",   "ENDDO",
+      "'x'",   "RESERV/", "OBTAIN,", "SYN/", "1)",   "TO",   "L1"};
   std::mt19937 random(7);
   for (int i = 0; i < 3000; ++i) {
     std::string text;
@@ -86,10 +90,17 @@ TEST(Robustness, MutatedPrograms) {
     for (unsigned n = 1 + random() % 8; n > 0 && !text.empty(); --n) {
       const std::size_t at = random() % text.size();
       switch (random() % 4) {
-        case 0: text.erase(at, 1 + random() % 5); break;
-        case 1: text.insert(at, text.substr(random() % text.size(), random() % 30)); break;
-        case 2: text[at] = "()=,/*$.\n"[random() % 9]; break;
-        default: text[at] = static_cast<char>(random() % 256);
+        case 0:
+          text.erase(at, 1 + random() % 5);
+          break;
+        case 1:
+          text.insert(at, text.substr(random() % text.size(), random() % 30));
+          break;
+        case 2:
+          text[at] = "()=,/*$.\n"[random() % 9];
+          break;
+        default:
+          text[at] = static_cast<char>(random() % 256);
       }
     }
     checkProgram(*compileText(text, dialects[i % 4]));
@@ -98,15 +109,18 @@ TEST(Robustness, MutatedPrograms) {
 
 TEST(Robustness, MacroValuesCannotMultiplyWithoutEnd) {
   // Every instance calls all rotations and swaps of its own values: 7! instances, each made once.
-  std::string text = "M=MACRO/A,B,C,D,E,F\nCALL/M,A=B,B=C,C=D,D=E,E=F,F=A\nCALL/M,A=B,B=A,C=C,D=D,E=E,F=F\nTERMAC\n"
-                     "CALL/M,A=1,B=2,C=3,D=4,E=5,F=6\nFINI\n";
+  std::string text =
+      "M=MACRO/A,B,C,D,E,F\nCALL/M,A=B,B=C,C=D,D=E,E=F,F=A\nCALL/"
+      "M,A=B,B=A,C=C,D=D,E=E,F=F\nTERMAC\n"
+      "CALL/M,A=1,B=2,C=3,D=4,E=5,F=6\nFINI\n";
   const auto c = compileText(text);
   EXPECT_LT(c->program.blocks.size(), 1000U);
 }
 
 TEST(Robustness, EveryFileOfTheCorpus) {
   const char* set = std::getenv("ARELEM_SHARED");
-  const fs::path corpus = (set != nullptr ? fs::path(set) : fs::path(ARELEM_SOURCE_DIR) / "../shared") / "corpus";
+  const fs::path corpus =
+      (set != nullptr ? fs::path(set) : fs::path(ARELEM_SOURCE_DIR) / "../shared") / "corpus";
   if (!fs::exists(corpus)) {
     GTEST_SKIP() << "no corpus at " << corpus << " (set ARELEM_SHARED)";
   }

@@ -6,11 +6,16 @@ namespace {
 
 using Lines = std::vector<std::string>;
 const std::string surfaces =
-    "P1=POINT/1,2\nV1=VECTOR/0,0,1\nL1=LINE/XAXIS\nC1=CIRCLE/0,0,1\nPL1=PLANE/0,0,1,0\nM1=MATRIX/SCALE,2\n"
+    "P1=POINT/1,2\nV1=VECTOR/0,0,1\nL1=LINE/XAXIS\nC1=CIRCLE/0,0,1\nPL1=PLANE/0,0,1,0\nM1=MATRIX/"
+    "SCALE,2\n"
     "PT1=PATERN/RANDOM,P1\nF=5\n";
 
-std::string with(const std::string& s) { return statement(surfaces + s); }
-std::string wrong(const std::string& s, Dialect d = Dialect::automatic) { return errors(surfaces + s, d); }
+std::string with(const std::string& s) {
+  return statement(surfaces + s);
+}
+std::string wrong(const std::string& s, Dialect d = Dialect::automatic) {
+  return errors(surfaces + s, d);
+}
 
 TEST(Statements, PointToPoint) {
   EXPECT_EQ(with("FROM/P1"), "FROM/ P1");
@@ -157,8 +162,9 @@ TEST(Statements, PostWords) {
 }
 
 TEST(Statements, RunControl) {
-  for (const char* s : {"NOPOST", "CLPRNT", "CLPRNT/ ON", "NOPLOT", "CLTV", "CLTV/ OPTION", "PTONLY/ 1", "PTONLY/ 3, 20",
-                        "DEBUG/ SEC1, ON", "DYNDMP/ 1, 2", "TUNEUP/ 1, 2, 3"}) {
+  for (const char* s :
+       {"NOPOST", "CLPRNT", "CLPRNT/ ON", "NOPLOT", "CLTV", "CLTV/ OPTION", "PTONLY/ 1",
+        "PTONLY/ 3, 20", "DEBUG/ SEC1, ON", "DYNDMP/ 1, 2", "TUNEUP/ 1, 2, 3"}) {
     EXPECT_EQ(statement(s), s);
   }
   EXPECT_EQ(errors("PTONLY/4"), "553");
@@ -175,7 +181,8 @@ TEST(Statements, DefinitionsWithoutAName) {
 
 TEST(Statements, ClText) {
   const auto cl = [](const std::string& s) { return statement(s, Dialect::cl); };
-  EXPECT_EQ(cl("TOOL  PATH / BOK_7, TOOL, R390-25A"), "TOOL PATH/ 'BOK_7', TOOL, 'R390-25A'  $$ foreign");
+  EXPECT_EQ(cl("TOOL  PATH / BOK_7, TOOL, R390-25A"),
+            "TOOL PATH/ 'BOK_7', TOOL, 'R390-25A'  $$ foreign");
   EXPECT_EQ(cl("END-OF-PATH"), "END-OF-PATH  $$ foreign");
   EXPECT_EQ(cl("PAINT/COLOR,186"), "PAINT/ 'COLOR', 186  $$ foreign");
   EXPECT_EQ(cl("SPINDL / RPM, 15915.5,  CLW"), "SPINDL/ RPM, 15915.5, CLW");

@@ -14,7 +14,7 @@ TEST(Tokens, Numbers) {
 TEST(Tokens, ALetterAfterDigitsMakesASymbol) {
   EXPECT_EQ(statement("3X=1\n1E5=3X"), "1E5 = 3X");
   EXPECT_EQ(statement("5E=2\nA=5E"), "A = 5E");
-  EXPECT_EQ(errors("A=1E5"), "101");          // a symbol, not 100000
+  EXPECT_EQ(errors("A=1E5"), "101");  // a symbol, not 100000
   EXPECT_EQ(statement("A=1.E5"), "A = 100000");
   EXPECT_EQ(statement("GOTO/1E2,2,3", Dialect::cl), "GOTO/ 100, 2, 3");
 }
@@ -46,7 +46,9 @@ TEST(Tokens, WordsWithDigits) {
   EXPECT_EQ(statement("A=ATAN2F(2,.5)"), "A = ATAN2F(2, 0.5)");
 }
 
-TEST(Tokens, TwoStarsWithBlanksBetweenArePower) { EXPECT_EQ(statement("A=2* *3"), "A = (2 ** 3)"); }
+TEST(Tokens, TwoStarsWithBlanksBetweenArePower) {
+  EXPECT_EQ(statement("A=2* *3"), "A = (2 ** 3)");
+}
 
 TEST(Tokens, AWordIsNotAName) {
   EXPECT_EQ(errors("TO=1"), "7");
