@@ -139,14 +139,8 @@ OracleCase readOracleCase(const std::filesystem::path& file) {
   return result;
 }
 
-std::vector<OracleCase> readOracleCases() {
-  const std::filesystem::path data = std::filesystem::path(ARELEM_SOURCE_DIR) / "tests/data/oracle";
-  std::vector<std::filesystem::path> folders = {data / "cases", data / "bad"};
-  const char* shared = std::getenv("ARELEM_SHARED");
-  const std::filesystem::path sharedFolder =
-      shared != nullptr ? std::filesystem::path(shared)
-                        : std::filesystem::path(ARELEM_SOURCE_DIR) / "../shared";
-  folders.push_back(sharedFolder / "oracle/examples");
+namespace {
+std::vector<OracleCase> readFolders(const std::vector<std::filesystem::path>& folders) {
   std::vector<std::filesystem::path> files;
   for (const auto& folder : folders) {
     std::error_code ignored;
@@ -165,6 +159,20 @@ std::vector<OracleCase> readOracleCases() {
     }
   }
   return cases;
+}
+}  // namespace
+
+std::vector<OracleCase> readOracleCases() {
+  const std::filesystem::path data = std::filesystem::path(ARELEM_SOURCE_DIR) / "tests/data/oracle";
+  return readFolders({data / "cases", data / "bad"});
+}
+
+std::vector<OracleCase> readOracleExamples() {
+  const char* shared = std::getenv("ARELEM_SHARED");
+  const std::filesystem::path folder = shared != nullptr
+                                           ? std::filesystem::path(shared)
+                                           : std::filesystem::path(ARELEM_SOURCE_DIR) / "../shared";
+  return readFolders({folder / "oracle/examples"});
 }
 
 }  // namespace arelem::test

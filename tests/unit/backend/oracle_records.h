@@ -20,8 +20,11 @@ struct OracleCase {
 /// One file; the records are empty when it has none.
 [[nodiscard]] OracleCase readOracleCase(const std::filesystem::path& file);
 
-/// All cases that have records: tests/data/oracle/{cases,bad} and, where present, the examples of
-/// the folder that ARELEM_SHARED names.
+/// All cases that have records, of tests/data/oracle/{cases,bad}.
 [[nodiscard]] std::vector<OracleCase> readOracleCases();
+
+/// The old system's own examples, which are not part of the project: of oracle/examples in the folder that the
+/// environment variable ARELEM_SHARED names, or in `../shared`. Empty where they are absent.
+[[nodiscard]] std::vector<OracleCase> readOracleExamples();
 
 }  // namespace arelem::test
