@@ -35,6 +35,9 @@ inline constexpr double curvatureJump = 1e-9;
 /// A whole number (a count, an index) may be off by this after arithmetic. Dimensionless.
 inline constexpr double wholeNumber = 1e-6;
 
+/// IF takes a difference this small against its right operand for zero: the rounding of a few thousand decimal
+/// steps. Dimensionless.
+inline constexpr double decimalStep = 1e-13;
 /// A tool nearer than this to a surface has no side of it. Part unit.
 inline constexpr double sameSide = 1e-9;
 /// A ray or path that went this far without meeting a surface never meets it. Part unit.

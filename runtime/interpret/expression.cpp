@@ -189,6 +189,21 @@ Result<double> power(double base, double exponent) {
   return result;
 }
 
+std::optional<double> compared(State& state, ir::ExprId id) {
+  const std::optional<double> value = scalar(state, id);
+  const Expr& expr = state.program[id];
+  if (!value || *value == 0.0 || (expr.kind != Kind::subtract && expr.kind != Kind::add)) {
+    return value;
+  }
+  // Large against what was subtracted: no need to look at the operand again.
+  if (std::abs(*value) > tolerance::coincidence) {
+    return value;
+  }
+  const std::optional<double> right = scalar(state, expr.right);
+  const bool rounding = right && std::abs(*value) <= tolerance::decimalStep * std::abs(*right);
+  return rounding ? 0.0 : value;
+}
+
 std::optional<double> scalar(State& state, ir::ExprId expr) {
   return Calculator(state).value(expr);
 }

@@ -145,7 +145,7 @@ void Interpreter::step(Frame& frame, const ir::Statement& statement) {
 
 void Interpreter::branch(Frame& frame, const ir::Branch& b) {
   // Without a value no way is the right one: execution goes on behind the IF.
-  if (const std::optional<double> value = scalar(state_, b.value)) {
+  if (const std::optional<double> value = compared(state_, b.value)) {
     jump(frame, *value < 0.0 ? b.negative : *value == 0.0 ? b.zero : b.positive);
   }
 }

@@ -307,9 +307,19 @@ class Follower {
   }
 
   std::optional<PathPoint> meetCheck(const PathPoint& a, const Segment& segment, const Met& met) {
+    const Vec3 near = segment.from + 0.5 * (met.hit.low + met.hit.high) * segment.direction;
+    if (!isArc()) {
+      for (Guide& g : path_.guides) {
+        g.rest = restGapAfter(*g.field, near, path_.axis, a.tangent, g.bend, g.inner, g.outer, exact_);
+      }
+    }
+    return meetAtRest(a, segment, met, near);
+  }
+
+  std::optional<PathPoint> meetAtRest(const PathPoint& a, const Segment& segment, const Met& met,
+                                      const Vec3& near) {
     const CheckWatch& watch = watches_[met.check];
     const Role role = met.check == 0 ? checkRole : secondCheckRole;
-    const Vec3 near = segment.from + 0.5 * (met.hit.low + met.hit.high) * segment.direction;
     const double rest = watch.isTangent() ? 0.0
                                           : restGap(*met.hit.field, near, path_.axis, state_.inner[role],
                                                     state_.outer[role], exact_);
@@ -329,7 +339,7 @@ class Follower {
     for (Guide& g : path_.guides) {
       g.rest = g.vertexGap();
     }
-    auto end = meetCheck(a, segment, met);
+    auto end = meetAtRest(a, segment, met, a.toolEnd);
     path_.guides[0].rest = rests[0];
     path_.guides[1].rest = rests[1];
     return end;

@@ -38,19 +38,36 @@ double curvatureAlong(Field& field, const Vec3& toolEnd, const AxisRule& axis, c
   return change.dot(t) / (2.0 * step);
 }
 
+namespace {
+/// Distance over which curvature is measured: a small share of the chords that the band allows.
+double probe(double band) { return 0.01 * std::sqrt(band); }
+
+double restOf(double curvature, double inner, double outer) {
+  const double band = inner + outer;
+  return curvature >= 0.0 ? outer - edgeShare * band : edgeShare * band - inner;
+}
+}  // namespace
+
 double restGap(Field& field, const Vec3& toolEnd, const AxisRule& axis, double inner, double outer,
                bool exact) {
   if (exact || field.flat()) {
     return 0.0;
   }
-  const double band = inner + outer;
-  const double step = 0.01 * std::sqrt(band);
+  const double step = probe(inner + outer);
   const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
-  const Vec3 t1 = normal.unitOrthogonal();
-  const Vec3 t2 = normal.cross(t1);
-  const double mean = curvatureAlong(field, toolEnd, axis, t1, step) +
-                      curvatureAlong(field, toolEnd, axis, t2, step);
-  return mean >= 0.0 ? outer - edgeShare * band : edgeShare * band - inner;
+  const Vec3 t = normal.unitOrthogonal();
+  return restOf(curvatureAlong(field, toolEnd, axis, t, step) +
+                    curvatureAlong(field, toolEnd, axis, normal.cross(t), step),
+                inner, outer);
+}
+
+double restGapAfter(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& along, double bend,
+                    double inner, double outer, bool exact) {
+  if (exact || field.flat()) {
+    return 0.0;
+  }
+  const Vec3 across = field.at(toolEnd, axis.at(toolEnd)).normal.cross(along).normalized();
+  return restOf(bend + curvatureAlong(field, toolEnd, axis, across, probe(inner + outer)), inner, outer);
 }
 
 Result<NamedSurface> named(const EntityPtr& entity) {

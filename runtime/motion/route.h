@@ -15,6 +15,11 @@ namespace arelem::motion {
 [[nodiscard]] double restGap(Field& field, const Vec3& toolEnd, const AxisRule& axis, double inner,
                              double outer, bool exact);
 
+/// The same at the end of a motion with unit tangent `along`, where the curvature along the last cut vector is
+/// known: near an inflection the side that was followed decides, not the one that would come.
+[[nodiscard]] double restGapAfter(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& along,
+                                  double bend, double inner, double outer, bool exact);
+
 /// Curvature of the field's zero surface along the unit tangent t, by a difference of contact normals;
 /// positive where it bends away from the tool.
 [[nodiscard]] double curvatureAlong(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t,
