@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "runtime/geometry/tabulated_cylinder.h"
+
 namespace arelem::surface {
 
 namespace {
@@ -22,48 +24,36 @@ Quadric quadricOf(const std::vector<double>& c) {
   return q;
 }
 
-/// Highest and lowest offset of a piece over its chord.
-void setRange(TabulatedCylinder::Piece& p) {
-  const auto height = [&](double x) { return ((p.a * x + p.b) * x + p.c) * x; };
-  p.lowY = p.highY = 0.0;
-  const double disc = 4.0 * p.b * p.b - 12.0 * p.a * p.c;
-  if (disc < 0.0) {
-    return;
-  }
-  const double root = std::sqrt(disc);
-  const double q = -0.5 * (2.0 * p.b + (p.b < 0.0 ? -root : root));
-  for (const double x : {p.a != 0.0 ? q / (3.0 * p.a) : 0.0, q != 0.0 ? p.c / q : 0.0}) {
-    if (x > 0.0 && x < p.length) {
-      p.lowY = std::min(p.lowY, height(x));
-      p.highY = std::max(p.highY, height(x));
-    }
-  }
-}
-
 AnySurface tabulatedOf(const std::vector<double>& c) {
+  const geometry::TabulatedCylinder view = geometry::TabulatedCylinder::of(c);
   auto curve = std::make_shared<TabulatedCylinder::Curve>();
-  const auto intervals = static_cast<std::size_t>(c[0]) - 1;  // c[0] counts the points, extensions included
-  curve->u = vec(c, 2);
-  curve->v = vec(c, 5);
-  curve->w = vec(c, 8);
-  for (std::size_t i = 0; i < intervals; ++i) {
-    const double* at = &c[11 + 7 * i];
-    const double* next = at + 7;
+  curve->u = view.frame.row(0).transpose();
+  curve->v = view.frame.row(1).transpose();
+  curve->w = view.frame.row(2).transpose();
+  for (std::size_t i = 0; i < view.intervals.size(); ++i) {
+    const auto& interval = view.intervals[i];
     TabulatedCylinder::Piece p{};
-    p.u = at[0];
-    p.v = at[1];
-    p.length = std::hypot(next[0] - at[0], next[1] - at[1]);
-    p.dirU = (next[0] - at[0]) / p.length;
-    p.dirV = (next[1] - at[1]) / p.length;
-    p.a = at[2];
-    p.b = at[3];
+    p.u = interval.start.x();
+    p.v = interval.start.y();
+    p.length = interval.length;
+    p.dirU = interval.along.x();
+    p.dirV = interval.along.y();
+    p.a = interval.a;
+    p.b = interval.b;
     p.c = -p.length * (p.a * p.length + p.b);
     p.openStart = i == 0;
-    p.openEnd = i + 1 == intervals;
-    setRange(p);
+    p.openEnd = i + 1 == view.intervals.size();
+    p.lowY = interval.lowest;
+    p.highY = interval.highest;
     curve->pieces.push_back(p);
   }
   return TabulatedCylinder(std::move(curve));
+}
+
+/// Canonical input may give a normal of any length.
+Plane planeOf(const std::vector<double>& c) {
+  const double length = vec(c, 0).norm();
+  return {vec(c, 0) / length, c[3] / length};
 }
 
 struct GeneratrixOf {
@@ -82,7 +72,7 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
   switch (entity.type) {
     case EntityType::line:
     case EntityType::plane:
-      return AnySurface(Plane{vec(c, 0), c[3]});
+      return AnySurface(planeOf(c));
     case EntityType::circle:
     case EntityType::cylinder:
       return AnySurface(Cylinder{vec(c, 0), vec(c, 3), c[6]});

@@ -256,7 +256,13 @@ class Follower {
       }
       const double factor = path_.fit(a, *b);
       if (factor < 1.0 - tolerance::coincidence) {
-        length *= std::max(factor * safety, 0.1);
+        // Past an inflection the surface bends the other way than it did: aim at the other edge of the band
+        // before shortening the chord.
+        if (i == 0 && learnTurn(a, *b)) {
+          length = std::min({plannedLength(a), cap, length});
+        } else {
+          length *= std::max(factor * safety, 0.3);
+        }
         continue;
       }
       const bool better = !best || (b->toolEnd - a.toolEnd).norm() > (best->toolEnd - a.toolEnd).norm();
@@ -269,6 +275,13 @@ class Follower {
       length = std::min({length * std::min(factor * safety, 2.0), cap, state_.longestVector});
     }
     return best;
+  }
+
+  /// Takes over the curvatures of a trial chord where their sign differs; true where one does.
+  bool learnTurn(const PathPoint& a, const PathPoint& b) {
+    const std::array before{part().bend, drive().bend};
+    learnBend(a, b);
+    return (part().bend >= 0.0) != (before[0] >= 0.0) || (drive().bend >= 0.0) != (before[1] >= 0.0);
   }
 
   void learnBend(const PathPoint& a, const PathPoint& b) {
