@@ -45,6 +45,19 @@ TEST(Control, BranchesOnTheSign) {
   EXPECT_TRUE(e.complete);
 }
 
+TEST(Control, DecimalStepsCountAsOnPaper) {
+  // I = .2 in steps of .03 reaches .5 at the tenth; IF(.5 - I) then finds zero and goes round once more.
+  Builder b;
+  const ir::SymbolId i = b.scalar("I"), n = b.scalar("N");
+  b.assign(i, b.num(0.2));
+  b.assign(n, b.num(0));
+  const auto top = b.assign(i, b.op(Kind::add, b.use(i), b.num(0.03)), "A");
+  b.assign(n, b.op(Kind::add, b.use(n), b.num(1)));
+  b.put(ir::Branch{b.op(Kind::subtract, b.num(0.5), b.use(i)), b.to(5), b.to(top), b.to(top)});
+  b.assign(b.scalar("END"), b.num(1), "B");
+  EXPECT_EQ(scalarOf(b.run(), "N"), 11.0);
+}
+
 TEST(Control, StepLimitNamesTheLoop) {
   Builder b;
   b.options.limits.steps = 1000;
