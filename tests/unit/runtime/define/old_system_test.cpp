@@ -37,8 +37,7 @@ Context contextOf(const nlohmann::json& row) {
 /// may be off by.
 double allowanceFor(const std::string& place) {
   static const std::map<std::string, double> known = {
-      {"g05_vectors V25",
-       3e-9},  // VECTOR/ATANGL beyond 90 degrees: its sine and cosine are off by 2.7e-9
+      {"g05_vectors V25", 3e-9},  // turned by 2.7e-9 radians
       {"g05_vectors V26", 3e-9},
   };
   const auto found = known.find(place);
