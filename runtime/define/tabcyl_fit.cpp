@@ -204,7 +204,7 @@ Result<std::vector<Interval>> cubics(const std::vector<CurveNode>& nodes, FitMet
     for (const CurveNode& node : nodes) {
       fixed.push_back(node.tangent.has_value());
     }
-    Result<std::vector<double>> solved = solveTangents(*chords, fixed, std::move(angles));
+    Result<std::vector<double>> solved = solveTangents(*chords, fixed, angles);
     if (!solved) {
       return solved.takeFailure();
     }

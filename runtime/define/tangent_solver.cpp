@@ -16,6 +16,7 @@ namespace arelem::define {
 namespace {
 
 constexpr int mostSteps = 100;
+constexpr int mostHalvings = 40;
 constexpr double degree = std::numbers::pi / 180.0;
 
 /// A curvature with its derivatives by the tangent angles at both ends of the chord.
@@ -55,43 +56,53 @@ class Solver {
   Solver(const std::vector<Chord>& chords, const std::vector<bool>& fixed)
       : chords_(chords), fixed_(fixed), size_(fixed.size()) {}
 
-  Result<std::vector<double>> run(std::vector<double> angles) {
-    if (!allowed(angles)) {
-      return refusal(angles);
+  Result<std::vector<double>> run(const std::vector<double>& guess) {
+    if (!allowed(guess)) {
+      return refusal(guess);
     }
-    double jump = evaluate(angles);
-    for (int step = 0; step < mostSteps; ++step) {
-      if (jump <= goal()) {
-        return angles;
-      }
-      const std::vector<double> change = solveTridiagonal();
-      double fraction = 1.0;
-      std::vector<double> trial;
-      double trialJump = jump;
-      for (int half = 0; half < 40; ++half, fraction *= 0.5) {
-        trial = angles;
-        for (std::size_t i = 0; i < size_; ++i) {
-          trial[i] -= fraction * change[i];
-        }
-        if (allowed(trial) && (trialJump = evaluate(trial)) < jump) {
-          break;
-        }
-      }
-      if (!(trialJump < jump)) {
-        break;
-      }
-      angles = std::move(trial);
-      jump = trialJump;
+    std::vector<double> angles = guess;
+    if (!newton(angles)) {
+      return fail(diag::CurveNotFitted, worstJump_, worst_ + 1)
+          .withHelp("give more points where the curve turns sharply, or slopes with TWOPT");
     }
-    if (jump <= tolerance::curvatureJump * largestCurvature_) {
-      return angles;
-    }
-    return fail(diag::CurveNotFitted, mostSteps, worstJump_, worst_ + 1);
+    return angles;
   }
 
  private:
-  /// Residuals are curvatures; a jump far below the curvatures' own rounding cannot be reached.
+  /// A jump far below the curvatures' own rounding cannot be reached.
   [[nodiscard]] double goal() const { return 8.0 * tolerance::rounding * largestCurvature_; }
+
+  /// Improves the angles until the curvature jumps vanish; false where it cannot.
+  bool newton(std::vector<double>& angles) {
+    double jump = evaluate(angles);
+    for (int step = 0; step < mostSteps && jump > goal(); ++step) {
+      if (!descend(angles, solveTridiagonal(), jump)) {
+        break;
+      }
+    }
+    return jump <= tolerance::curvatureJump * largestCurvature_;
+  }
+
+  /// The longest halved step along `change` that lessens the largest jump.
+  bool descend(std::vector<double>& angles, const std::vector<double>& change, double& jump) {
+    double fraction = 1.0;
+    for (int half = 0; half < mostHalvings; ++half, fraction *= 0.5) {
+      std::vector<double> trial = angles;
+      for (std::size_t i = 0; i < size_; ++i) {
+        trial[i] -= fraction * change[i];
+      }
+      if (!allowed(trial)) {
+        continue;
+      }
+      const double trialJump = evaluate(trial);
+      if (trialJump < jump) {
+        angles = std::move(trial);
+        jump = trialJump;
+        return true;
+      }
+    }
+    return false;
+  }
 
   [[nodiscard]] bool allowed(const std::vector<double>& angles) const {
     const double limit = largestTangentAngle * degree;
@@ -191,8 +202,8 @@ class Solver {
 
 Result<std::vector<double>> solveTangents(const std::vector<Chord>& chords,
                                           const std::vector<bool>& fixed,
-                                          std::vector<double> angles) {
-  return Solver(chords, fixed).run(std::move(angles));
+                                          const std::vector<double>& angles) {
+  return Solver(chords, fixed).run(angles);
 }
 
 }  // namespace arelem::define

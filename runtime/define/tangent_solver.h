@@ -16,7 +16,7 @@ struct Chord {
 /// chord. `angles` holds first guesses. Newton's method on the tridiagonal system, damped.
 [[nodiscard]] Result<std::vector<double>> solveTangents(const std::vector<Chord>& chords,
                                                         const std::vector<bool>& fixed,
-                                                        std::vector<double> angles);
+                                                        const std::vector<double>& angles);
 
 /// Tangents may be off a chord by less than this (degrees).
 inline constexpr int largestTangentAngle = 89;
