@@ -190,6 +190,39 @@ TabulatedCylinder extended(std::vector<Interval> intervals, const Vec2& last) {
   return result;
 }
 
+/// Guesses for sharp turns, where the tangent of the circle is far from the wanted one: between
+/// both chords.
+std::vector<double> betweenChords(const std::vector<CurveNode>& nodes,
+                                  const std::vector<Chord>& chords,
+                                  std::vector<double> angles) {
+  for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+    if (!nodes[i].tangent) {
+      angles[i] = 0.5 * (chords[i - 1].angle + chords[i].angle);
+    }
+  }
+  if (!nodes.front().tangent) {
+    angles.front() = 2.0 * chords.front().angle - angles[1];
+  }
+  if (!nodes.back().tangent) {
+    angles.back() = 2.0 * chords.back().angle - angles[nodes.size() - 2];
+  }
+  return angles;
+}
+
+Result<std::vector<double>> splineTangents(const std::vector<CurveNode>& nodes,
+                                           const std::vector<Chord>& chords,
+                                           const std::vector<double>& guess) {
+  std::vector<bool> fixed;
+  for (const CurveNode& node : nodes) {
+    fixed.push_back(node.tangent.has_value());
+  }
+  Result<std::vector<double>> solved = solveTangents(chords, fixed, guess);
+  if (solved) {
+    return solved;
+  }
+  return solveTangents(chords, fixed, betweenChords(nodes, chords, guess));
+}
+
 Result<std::vector<Interval>> cubics(const std::vector<CurveNode>& nodes, FitMethod method) {
   Result<std::vector<Chord>> chords = chordsOf(nodes);
   if (!chords) {
@@ -200,11 +233,7 @@ Result<std::vector<Interval>> cubics(const std::vector<CurveNode>& nodes, FitMet
   }
   std::vector<double> angles = firstTangents(nodes, *chords);
   if (method == FitMethod::spline) {
-    std::vector<bool> fixed;
-    for (const CurveNode& node : nodes) {
-      fixed.push_back(node.tangent.has_value());
-    }
-    Result<std::vector<double>> solved = solveTangents(*chords, fixed, angles);
+    Result<std::vector<double>> solved = splineTangents(nodes, *chords, angles);
     if (!solved) {
       return solved.takeFailure();
     }
