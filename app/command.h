@@ -29,5 +29,6 @@ int runDump(const Invocation& invocation);
 int runExplain(const Invocation& invocation);
 int runGeometry(const Invocation& invocation);
 int runTargets(const Invocation& invocation);
+int runVerify(const Invocation& invocation);
 
 }  // namespace arelem::app

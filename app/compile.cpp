@@ -7,6 +7,8 @@
 #include "app/output_plan.h"
 #include "app/output_set.h"
 #include "app/pipeline.h"
+#include "app/report.h"
+#include "app/stopwatch.h"
 
 namespace arelem::app {
 
@@ -32,6 +34,8 @@ void addOptions(CLI::App& app, CompileOptions& options) {
   app.add_option("--out-dir", options.outputs.folder,
                  "folder for the outputs, made if missing; names follow the inputs")
       ->type_name("DIR");
+  app.add_option("--report", options.outputs.report, "what each statement did, as JSON")
+      ->type_name("FILE");
   app.add_option("--decimals", options.decimals,
                  "decimals of lengths in text formats; default: exact")
       ->check(CLI::Range(1, 15))
@@ -60,16 +64,17 @@ std::size_t statementCount(const ir::Program& program) {
 }
 
 void printSummary(const PlannedJob& plan, const Compilation& job, const OutputSet& outputs) {
-  const double seconds = job.seconds.parse + job.seconds.evaluate + job.seconds.execute;
+  const auto& spent = job.seconds;
+  const double seconds = spent.parse + spent.evaluate + spent.execute + spent.write;
   std::cerr
       << fmt::format(
              "{}: {} statements, {} executed, {} motions, {} cut vectors, path length {:.6g}\n",
              plan.input == "-" ? "<stdin>" : plan.input, statementCount(job.program),
              job.evaluation.steps, job.motion.facts.size(), job.motion.cutVectors,
              pathLength(job.motion))
-      << fmt::format("   {:.1f} ms: parse {:.1f}, geometry {:.1f}, motion and output {:.1f}\n",
-                     seconds * 1e3, job.seconds.parse * 1e3, job.seconds.evaluate * 1e3,
-                     job.seconds.execute * 1e3);
+      << fmt::format("   {:.1f} ms: parse {:.1f}, geometry {:.1f}, motion {:.1f}, files {:.1f}\n",
+                     seconds * 1e3, spent.parse * 1e3, spent.evaluate * 1e3, spent.execute * 1e3,
+                     spent.write * 1e3);
   for (const OutputSet::Written& file : outputs.written()) {
     std::cerr << fmt::format("   {} ({} bytes)\n", file.path == "-" ? "standard output" : file.path,
                              file.bytes);
@@ -94,6 +99,7 @@ void produce(Compilation& job,
   }
   const bool whole = !needsMotion(plan) || execute(job, outputs, interrupted);
   if (whole || (options.keepGoing && !interrupted)) {
+    const Stopwatch watch(job.seconds.write);
     static_cast<void>(outputs.close(!whole));
   }
 }
@@ -105,6 +111,9 @@ ExitCode compileOne(const PlannedJob& plan,
   OutputSet outputs(job.log);
   if (load(job, plan.input, interrupted) && evaluate(job, interrupted)) {
     produce(job, outputs, plan, options, interrupted);
+  }
+  if (!plan.report.empty() && !interrupted) {
+    writeRunReport(job, plan.report, options.settings.verbose);
   }
   job.log.print(job.sources, job.main, options.settings);
   if (options.settings.verbose && !options.settings.quiet) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace arelem::app {
 
@@ -10,16 +9,7 @@ ExitCode exitCodeFor(const DiagRow& row) {
   if (row.severity != Severity::error) {
     return ExitCode::ok;
   }
-  // Rows whose hundreds tell something else.
-  constexpr std::array<std::pair<std::string_view, ExitCode>, 2> exceptions = {
-      {{"E0102", ExitCode::inputUnreadable},  // a control byte: not a text file
-       {"E0613", ExitCode::limitReached}}};   // records of a CL tape
-  for (const auto& [code, result] : exceptions) {
-    if (row.code == code) {
-      return result;
-    }
-  }
-  if (row.code.starts_with("E061")) {  // damaged CL tapes
+  if (row.code == "E0102") {  // a control byte: not a text file
     return ExitCode::inputUnreadable;
   }
   const std::string_view room = row.code.substr(0, 3);
@@ -31,6 +21,9 @@ ExitCode exitCodeFor(const DiagRow& row) {
   }
   if (room == "E07") {
     return ExitCode::inputUnreadable;
+  }
+  if (room == "E09") {
+    return ExitCode::verificationFailed;
   }
   if (room == "E08") {
     return ExitCode::limitReached;

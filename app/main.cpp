@@ -7,8 +7,9 @@
 
 #include "app/command.h"
 #include "app/messages.h"
-#include "app/temporary_files.h"
 #include "app/version.h"
+
+#include "backend/atomic_file.h"
 
 namespace arelem::app {
 namespace {
@@ -66,7 +67,7 @@ void reportOutOfMemory() {
 
 int guarded(int argc, char** argv) {
   InterruptWatch interrupt;
-  interrupt.setLastWill(removeTemporaries);
+  interrupt.setLastWill(backend::AtomicFile::removeTemporaries);
   ExitCode code = ExitCode::ok;
   try {
     code = static_cast<ExitCode>(run({argv + 1, argv + argc}, interrupt));

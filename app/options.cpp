@@ -120,6 +120,7 @@ void addMessageOptions(CLI::App& app, Settings& settings) {
                                                  {"never", ColorChoice::never}})
                       .description("WHEN"));
   app.add_option("--max-errors", settings.maxErrors, "errors shown for one input (20)")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   app.add_flag("-q,--quiet", settings.quiet, "no warnings, no summary");
   app.add_flag("-v,--verbose", settings.verbose, "a summary with times");

@@ -7,11 +7,9 @@
 
 namespace arelem::app {
 
-/// An output that is complete or absent.
-///  * A file is written beside its final place under a temporary name and renamed by `commit`.
-///  * Standard output is kept in memory until `commit`, so that nothing of a failed run gets out.
-///  * A device or pipe that exists already is kept in memory too and then written to in place.
-/// Destroyed without commit it leaves nothing behind.
+/// An output that is complete or absent. A file appears under its name when it is committed
+/// (backend/atomic_file.h); standard output is kept in memory until then, so that nothing of a
+/// failed run gets out. Destroyed without commit it leaves nothing behind.
 class OutputFile {
  public:
   virtual ~OutputFile() = default;

@@ -74,7 +74,7 @@ void planFolder(const std::string& folder,
 /// One spelling for every way to write the same place.
 std::string canonical(const std::string& path) {
   std::error_code error;
-  const fs::path whole = fs::weakly_canonical(path, error);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path), error);
   return error ? path : whole.string();
 }
 

@@ -1,29 +1,14 @@
 #include "app/pipeline.h"
 
-#include <chrono>
-
 #include "app/library_path.h"
 #include "app/source_file.h"
+#include "app/stopwatch.h"
 
 #include "runtime/path/transform.h"
 
 namespace arelem::app {
 
 namespace {
-/// Adds the time of its own life to a figure.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& seconds_;
-  Clock::time_point start_ = Clock::now();
-};
-
 frontend::Options frontendOptions(const Settings& settings, const InterruptFlag& interrupted) {
   frontend::Options options;
   options.dialect = settings.dialect;

@@ -23,7 +23,7 @@ struct Compilation {
   runtime::Evaluation evaluation;
   runtime::MotionOutcome motion;
   struct {
-    double parse = 0.0, evaluate = 0.0, execute = 0.0;  ///< wall time of each stage
+    double parse = 0.0, evaluate = 0.0, execute = 0.0, write = 0.0;  ///< wall time of each stage
   } seconds;
 };
 

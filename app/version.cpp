@@ -2,9 +2,13 @@
 
 namespace arelem::app {
 
+std::string releaseText() {
+  return ARELEM_VERSION;
+}
+
 std::string versionText() {
   const std::string commit = ARELEM_COMMIT;
-  return ARELEM_VERSION + (commit.empty() ? std::string{} : " (" + commit + ")");
+  return releaseText() + (commit.empty() ? std::string{} : " (" + commit + ")");
 }
 
 }  // namespace arelem::app

@@ -12,24 +12,22 @@
 #include <unistd.h>
 
 #include "backend/file_stream.h"
+#include "backend/temporary_file.h"
 
 namespace arelem::backend {
 
 struct AtomicFile::State {
   State(std::string targetPath, std::string temporaryPath, int fd)
       : target(std::move(targetPath)),
-        temporary(std::move(temporaryPath)),
+        temporary(temporaryPath),
         descriptor(fd),
         buffer(fd),
         out(&buffer) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-  ~State() {
-    close();
-    if (!temporary.empty()) {
-      ::unlink(temporary.c_str());
-    }
-  }
+  ~State() { close(); }
+  /// A FIFO, /dev/null or a stream of the process: no temporary.
+  [[nodiscard]] bool direct() const { return temporary.path().empty(); }
   /// errno of close, or 0.
   int close() {
     const int fd = descriptor;
@@ -38,7 +36,7 @@ struct AtomicFile::State {
   }
 
   std::string target;
-  std::string temporary;  ///< "" for what is written directly
+  TemporaryFile temporary;
   int descriptor;
   FileStreamBuffer buffer;
   std::ostream out;
@@ -173,31 +171,46 @@ std::ostream& AtomicFile::stream() {
   return state_->out;
 }
 
-std::optional<Failure> AtomicFile::commit() {
-  const std::unique_ptr<State> state = std::move(state_);  // removes the temporary on every way out
-  state->out.flush();
-  const bool direct = state->temporary.empty();
-  int error = state->buffer.error();
-  if (error == 0 && !state->out.good()) {
+Result<std::uint64_t> AtomicFile::complete() {
+  if (state_->descriptor < 0) {
+    return state_->buffer.written();
+  }
+  state_->out.flush();
+  int error = state_->buffer.error();
+  if (error == 0 && !state_->out.good()) {
     error = EIO;
   }
-  if (error == 0 && !direct && ::fsync(state->descriptor) != 0) {
+  if (error == 0 && !state_->direct() && ::fsync(state_->descriptor) != 0) {
     error = errno;
   }
-  const int closing = state->close();
+  const int closing = state_->close();
   error = error == 0 ? closing : error;
   if (error != 0) {
-    return fail(diag::OutputWrite, state->target, state->buffer.written(), words(error));
+    return fail(diag::OutputWrite, state_->target, state_->buffer.written(), words(error));
   }
-  if (direct) {
+  return state_->buffer.written();
+}
+
+std::optional<Failure> AtomicFile::commit(const std::string& suffix) {
+  Result<std::uint64_t> bytes = complete();
+  const std::unique_ptr<State> state = std::move(state_);  // removes the temporary on every way out
+  if (!bytes) {
+    return bytes.takeFailure();
+  }
+  if (state->direct()) {
     return std::nullopt;
   }
-  if (::rename(state->temporary.c_str(), state->target.c_str()) != 0) {
-    return fail(diag::OutputReplace, state->target, words(errno));
+  const std::string name = state->target + suffix;
+  if (::rename(state->temporary.path().c_str(), name.c_str()) != 0) {
+    return fail(diag::OutputReplace, name, words(errno));
   }
-  state->temporary.clear();
-  syncFolder(state->target);
+  state->temporary.release();
+  syncFolder(name);
   return std::nullopt;
+}
+
+void AtomicFile::removeTemporaries() {
+  TemporaryFile::removeAll();
 }
 
 }  // namespace arelem::backend

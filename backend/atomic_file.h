@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -26,8 +27,15 @@ class AtomicFile {
 
   /// Goes bad at the first byte that cannot be written; `commit` says why.
   [[nodiscard]] std::ostream& stream();
-  /// Once; afterwards the stream must not be used.
-  [[nodiscard]] std::optional<Failure> commit();
+  /// Brings every byte to the disk, still under the temporary name; the number of bytes. Afterwards
+  /// the stream must not be used. With several outputs all are completed before the first is
+  /// committed.
+  [[nodiscard]] Result<std::uint64_t> complete();
+  /// Once; completes the file if that was not done and gives it its name, followed by `suffix`.
+  [[nodiscard]] std::optional<Failure> commit(const std::string& suffix = "");
+  /// Removes the temporaries of all files that are open in this process, for an end without
+  /// unwinding. May be called from any thread.
+  static void removeTemporaries();
 
  private:
   struct State;

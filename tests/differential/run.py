@@ -109,7 +109,7 @@ def measure_bands(arelem, source, our_motions):
 
 def compare_diagnostics(oracle, code, messages):
     """A program that fails there must fail here, with the old numbers among ours."""
-    wanted = {str(d["number"]) for d in oracle["diagnostics"] if d["number"] > 0}
+    wanted = {str(d["number"]) for d in oracle["diagnostics"] if d.get("number", 0) > 0}
     told = {m["legacy"] for m in messages if m["legacy"]}
     wrong = [f"old number {number} is not reported" for number in sorted(wanted - told)]
     if wanted and code == 0:
@@ -220,7 +220,7 @@ def print_worst(outcomes):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--arelem", default=str(PROJECT / "build" / "arelem"))
+    parser.add_argument("--arelem", default=str(PROJECT / "build" / "arelem"), type=os.path.abspath)
     parser.add_argument("--only", help="programs whose name contains this")
     parser.add_argument("--table", action="store_true", help="every statement's deviations")
     options = parser.parse_args()

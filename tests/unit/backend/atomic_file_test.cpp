@@ -195,6 +195,31 @@ TEST_F(AtomicFileTest, ManyWritersOfOneName) {
   EXPECT_THAT(entries(), ::testing::ElementsAre("same"));
 }
 
+TEST_F(AtomicFileTest, CompleteKeepsTheOldFileAndSuffixKeepsTheName) {
+  put(path("a"), "old");
+  auto file = AtomicFile::create(path("a"));
+  ASSERT_TRUE(file.ok());
+  file->stream() << "half";
+  const auto bytes = file->complete();
+  ASSERT_TRUE(bytes.ok());
+  EXPECT_EQ(*bytes, 4U);
+  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(file->commit(".partial"), std::nullopt);
+  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(content(path("a.partial")), "half");
+  EXPECT_THAT(entries(), ::testing::UnorderedElementsAre("a", "a.partial"));
+}
+
+TEST_F(AtomicFileTest, TemporariesCanBeRemovedFromOutside) {
+  auto file = AtomicFile::create(path("a"));
+  ASSERT_TRUE(file.ok());
+  file->stream() << "half" << std::flush;
+  EXPECT_EQ(entries().size(), 1U);
+  AtomicFile::removeTemporaries();
+  EXPECT_THAT(entries(), ::testing::IsEmpty());
+  EXPECT_TRUE(file->commit().has_value());
+}
+
 TEST_F(AtomicFileTest, VeryLongNames) {
   const std::string name(255, 'n');
   auto file = AtomicFile::create(path(name));

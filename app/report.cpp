@@ -1,0 +1,124 @@
+#include "app/report.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "app/output_file.h"
+#include "app/version.h"
+
+#include "backend/report/report.h"
+
+namespace arelem::app {
+
+namespace {
+/// How a kind of statement is called in the counts.
+struct KindName {
+  std::string operator()(const ir::Assign&) const { return "assignment"; }
+  std::string operator()(const ir::Define&) const { return "definition"; }
+  std::string operator()(const ir::Branch&) const { return "IF"; }
+  std::string operator()(const ir::Jump&) const { return "JUMPTO"; }
+  std::string operator()(const ir::Call&) const { return "CALL"; }
+  std::string operator()(const ir::Obtain&) const { return "OBTAIN"; }
+  std::string operator()(const ir::Text& text) const { return std::string(spell(text.word)); }
+  std::string operator()(const ir::Locate& locate) const { return std::string(spell(locate.word)); }
+  std::string operator()(const ir::LocateNumbers& locate) const {
+    return std::string(spell(locate.word));
+  }
+  std::string operator()(const ir::Startup& startup) const {
+    return startup.offset ? "OFFSET" : "GO";
+  }
+  std::string operator()(const ir::Follow& follow) const {
+    constexpr std::array words = {"GOLFT", "GORGT", "GOFWD", "GOBACK", "GOUP", "GODOWN"};
+    return words.at(static_cast<std::size_t>(follow.heading));
+  }
+  std::string operator()(const ir::Transfer&) const { return "TRANTO"; }
+  std::string operator()(const ir::Fini&) const { return "FINI"; }
+  std::string operator()(const ir::Command& command) const {
+    return std::string(spell(command.word));
+  }
+  std::string operator()(const ir::ForeignCommand& command) const { return command.word; }
+};
+
+bool followsSurfaces(const std::string& statement) {
+  return statement.starts_with("GO") && statement != "GOTO" && statement != "GODLTA";
+}
+
+void widen(std::optional<backend::ReportedMotion::Deviation>& deviation,
+           double inner,
+           double outer) {
+  if (!deviation) {
+    deviation = {inner, outer};
+  }
+  deviation->inner = std::min(deviation->inner, inner);
+  deviation->outer = std::max(deviation->outer, outer);
+}
+
+void add(backend::ReportedMotion& entry, const runtime::MotionFact& fact) {
+  entry.executions += 1;
+  entry.cutVectors += fact.cutVectors;
+  entry.pathLength += fact.length;
+  entry.seconds += fact.seconds;
+  if (followsSurfaces(fact.statement)) {
+    widen(entry.drive, fact.driveInner, fact.driveOuter);
+    widen(entry.part, fact.partInner, fact.partOuter);
+  }
+}
+
+/// In order of first execution.
+std::vector<backend::ReportedMotion> motionsOf(const Compilation& job) {
+  std::vector<backend::ReportedMotion> entries;
+  std::map<Span, std::size_t> places;
+  for (const runtime::MotionFact& fact : job.motion.facts) {
+    const auto [place, isNew] = places.emplace(fact.origin, entries.size());
+    if (isNew) {
+      backend::ReportedMotion entry;
+      entry.place = {std::string(job.sources.name(fact.origin.buffer)),
+                     job.sources.locate(fact.origin.buffer, fact.origin.begin).line};
+      entry.isn = fact.isn;
+      entry.statement = fact.statement;
+      entry.executions = 0;
+      entries.push_back(std::move(entry));
+    }
+    add(entries[place->second], fact);
+  }
+  return entries;
+}
+
+backend::Report reportOf(const Compilation& job, bool timing) {
+  backend::Report report;
+  report.toolVersion = releaseText();
+  for (std::uint32_t i = 0; i < job.sources.size(); ++i) {
+    report.sources.emplace_back(job.sources.name({i}));
+  }
+  report.motions = motionsOf(job);
+  for (const ir::Block& block : job.program.blocks) {
+    for (const ir::Statement& statement : block.statements) {
+      ++report.statements[std::visit(KindName{}, statement.body)];
+    }
+  }
+  report.errors = job.log.errors();
+  report.warnings = job.log.warnings();
+  report.complete = job.evaluation.complete && job.motion.complete && job.log.errors() == 0;
+  if (timing) {
+    report.timing = {job.seconds.parse, job.seconds.evaluate, job.seconds.execute,
+                     job.seconds.write};
+  }
+  return report;
+}
+}  // namespace
+
+void writeRunReport(Compilation& job, const std::string& path, bool timing) {
+  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
+  if (!file) {
+    job.log.accept(file.takeFailure());
+    return;
+  }
+  writeReport((*file)->stream(), reportOf(job, timing));
+  Result<std::string> name = (*file)->commit(false);
+  if (!name) {
+    job.log.accept(name.takeFailure());
+  }
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,167 @@
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+#include "app/command.h"
+#include "app/options.h"
+#include "app/pipeline.h"
+#include "app/source_file.h"
+
+#include "backend/cltape/reader.h"
+#include "ir/diag/render_text.h"
+#include "ir/space/degrees.h"
+
+namespace arelem::app {
+
+namespace {
+/// One cutter location: where the tool end stands, and the axis where it was written.
+struct Location {
+  Vec3 point;
+  std::optional<Vec3> axis;
+  Span origin;
+};
+
+/// Keeps the locations of a stream of records and forgets the rest.
+class Path : public cl::RecordSink {
+ public:
+  void accept(const cl::Record& record) override {
+    const auto* motion = std::get_if<cl::Motion>(&record.body);
+    if (motion == nullptr) {
+      return;
+    }
+    for (std::size_t i = 0; i + motion->stride() <= motion->coordinates.size();
+         i += motion->stride()) {
+      const double* c = motion->coordinates.data() + i;
+      Location location{{c[0], c[1], c[2]}, std::nullopt, record.origin};
+      if (motion->withAxis) {
+        location.axis = Vec3(c[3], c[4], c[5]);
+      }
+      locations.push_back(location);
+    }
+  }
+  std::vector<Location> locations;
+};
+
+struct Allowed {
+  double distance = 1e-6;  ///< part unit
+  double degrees = 1e-4;
+};
+
+double degreesBetween(const Vec3& a, const Vec3& b) {
+  return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
+}
+
+/// The first difference ends the comparison: what follows a wrong location is seldom of use.
+std::optional<Diagnostic> firstDifference(const Path& wanted,
+                                          const Path& found,
+                                          const std::string& name,
+                                          const Allowed& allowed) {
+  const std::size_t count = std::min(wanted.locations.size(), found.locations.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Location& w = wanted.locations[i];
+    const Location& f = found.locations[i];
+    const double distance = (w.point - f.point).norm();
+    if (!(distance <= allowed.distance)) {
+      return diagnose(w.origin, diag::PathDiffers, i + 1, name, distance, allowed.distance);
+    }
+    const double turned = w.axis && f.axis ? degreesBetween(*w.axis, *f.axis) : 0.0;
+    if (!(turned <= allowed.degrees)) {
+      return diagnose(w.origin, diag::AxisDiffers, i + 1, name, turned, allowed.degrees);
+    }
+  }
+  if (wanted.locations.size() != found.locations.size()) {
+    return diagnose(nowhere, diag::PathLength, name, found.locations.size(),
+                    wanted.locations.size());
+  }
+  return std::nullopt;
+}
+
+/// Compiles a text to its path. The path of CL text is that of the program it is.
+bool pathOfText(Compilation& job,
+                const std::string& file,
+                std::string text,
+                Path& path,
+                const InterruptFlag& interrupted) {
+  return load(job, file, std::move(text), interrupted) && evaluate(job, interrupted) &&
+         execute(job, path, interrupted);
+}
+
+bool pathOfOutput(const std::string& file,
+                  std::string bytes,
+                  const Settings& settings,
+                  Path& path,
+                  const InterruptFlag& interrupted,
+                  ExitCode& result) {
+  Settings reading = settings;
+  reading.dialect = frontend::Dialect::cl;
+  Compilation job(reading);
+  bool good = false;
+  if (objectionToText(file, bytes)) {
+    job.main = job.sources.add(displayName(file), "");
+    std::istringstream in(std::move(bytes));
+    good = backend::readTape(in, path, job.log, settings.limits).complete && job.log.errors() == 0;
+  } else {
+    good = pathOfText(job, file, std::move(bytes), path, interrupted);
+  }
+  job.log.print(job.sources, job.main, settings);
+  result = worse(result, job.log.exitCode());
+  return good;
+}
+
+ExitCode verify(const std::string& output,
+                const std::string& program,
+                const Settings& settings,
+                const Allowed& allowed,
+                const InterruptFlag& interrupted) {
+  Compilation job(settings);
+  Result<std::string> text = readBytes(program, settings.limits);
+  Result<std::string> bytes = readBytes(output, settings.limits);
+  for (Result<std::string>* input : {&text, &bytes}) {
+    if (!*input) {
+      job.log.accept(input->takeFailure());
+    }
+  }
+  Path wanted;
+  Path found;
+  ExitCode result = ExitCode::ok;
+  if (text && bytes && pathOfText(job, program, *std::move(text), wanted, interrupted) &&
+      pathOfOutput(output, *std::move(bytes), settings, found, interrupted, result)) {
+    if (std::optional<Diagnostic> difference =
+            firstDifference(wanted, found, displayName(output), allowed)) {
+      job.log.accept(*std::move(difference));
+    } else if (!settings.quiet) {
+      std::cerr << fmt::format("arelem: `{}` has the {} locations of `{}`\n", displayName(output),
+                               found.locations.size(), displayName(program));
+    }
+  }
+  job.log.print(job.sources, job.main, settings);
+  return worse(result, job.log.exitCode());
+}
+}  // namespace
+
+int runVerify(const Invocation& invocation) {
+  CLI::App app(
+      "Reads an output again, with a reader that shares nothing with the writer, and compares "
+      "every location\n"
+      "with those that the part program gives. Reads CL text and CL tapes.",
+      "verify");
+  Settings settings;
+  Allowed allowed;
+  std::string output;
+  std::string program;
+  app.add_option("OUTPUT", output, "CL text or CL tape")->required();
+  app.add_option("--with", program, "the part program it was made from")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--tolerance", allowed.distance,
+                 "largest distance of a location, part unit (1e-6)")
+      ->check(CLI::NonNegativeNumber);
+  addSourceOptions(app, settings);
+  addMessageOptions(app, settings);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  return static_cast<int>(verify(output, program, settings, allowed, invocation.interrupt.flag()));
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Whole-process speed, memory and start-up time of arelem. The figures are of the machine that runs this."""
+import argparse
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+SPEED = HERE.parent / "tests" / "data" / "speed"
+REPEATS = 5
+
+# Program, what it measures, what the rate counts.
+CASES = [
+    (HERE / "sphere_ball_1e-4.apt", "sphere, ball cutter, tolerance 1e-4", "cut vectors"),
+    (SPEED / "sph_100k.apt", "sphere, ball cutter, 920 passes", "cut vectors"),
+    (SPEED / "sph_bull_10k.apt", "sphere, bull-nose cutter", "cut vectors"),
+    (SPEED / "qad_10k.apt", "general quadric", "cut vectors"),
+    (SPEED / "tab_100k.apt", "tabulated cylinder", "cut vectors"),
+    (SPEED / "circle2d_100k.apt", "circle in the plane", "cut vectors"),
+    (SPEED / "goto_loop_32k.apt", "interpreted loop: GOTO, IF, SINF, COSF", "points"),
+]
+
+
+class Run:
+    """One process: wall time, processor time, largest memory, what it told."""
+
+    def __init__(self, words):
+        with tempfile.TemporaryFile("w+") as err:
+            start = time.perf_counter()
+            process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=err)
+            _, status, usage = os.wait4(process.pid, 0)
+            self.seconds = time.perf_counter() - start
+            process.returncode = os.waitstatus_to_exitcode(status)
+            err.seek(0)
+            self.told = err.read()
+        self.code = process.returncode
+        self.megabytes = usage.ru_maxrss / 1024
+
+
+def median_run(words, repeats=REPEATS):
+    runs = [Run(words) for _ in range(repeats)]
+    for run in runs:
+        if run.code != 0:
+            return run
+    return sorted(runs, key=lambda r: r.seconds)[len(runs) // 2]
+
+
+def cut_vectors(told):
+    match = re.search(r"([\d]+) cut vectors", told)
+    return int(match.group(1)) if match else 0
+
+
+def cl_file(path, lines):
+    """A CL file as a CAM system writes it: a zigzag over a wavy surface."""
+    with path.open("w") as file:
+        file.write("PARTNO / BENCH\nUNITS / MM\nCUTTER / 10.0, 5.0\nFROM / 0.0, 0.0, 50.0\nFEDRAT / 800.0, MMPM\n")
+        for i in range(lines):
+            row, step = divmod(i, 500)
+            x = (step if row % 2 == 0 else 500 - step) * 0.2
+            file.write(f"GOTO / {x:.6f}, {row * 0.25:.6f}, {((i * 7919) % 10007) / 1000:.6f}\n")
+        file.write("FINI\n")
+
+
+def measure(arelem):
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        out = str(pathlib.Path(folder) / "out.cltape")
+        for program, what, unit in CASES:
+            run = median_run([arelem, "compile", str(program), "-v", "-o", out])
+            count = cut_vectors(run.told)
+            if run.code != 0:
+                reason = run.told.splitlines()[0] if run.told else ""
+                rows.append((what, f"exit {run.code}: {reason}"[:60], "", "", ""))
+                continue
+            rows.append((what, f"{count} {unit}", f"{run.seconds:.3f}", f"{count / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
+        lines = 200_000
+        source = pathlib.Path(folder) / "bench.cls"
+        cl_file(source, lines)
+        for target in ("cl", "cltape"):
+            run = median_run([arelem, "compile", str(source), "-o", out, "--to", target, "-v"])
+            what = f"CL text of {lines} lines to {target}"
+            if run.code != 0:
+                rows.append((what, f"exit {run.code}", "", "", ""))
+                continue
+            rows.append((what, f"{lines} statements", f"{run.seconds:.3f}", f"{lines / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
+        starts = [Run([arelem, "compile", str(SPEED / "empty.apt"), "-o", out]) for _ in range(25)]
+        start = statistics.median(r.seconds for r in starts)
+        rows.append(("start-up: PARTNO, FINI", "2 statements", f"{start:.4f}", "", f"{starts[0].megabytes:.0f}"))
+    return rows
+
+
+def table(rows):
+    head = ("case", "work", "seconds", "per second", "MB")
+    widths = [max(len(r[i]) for r in [head, *rows]) for i in range(5)]
+    line = lambda r: "| " + " | ".join(f"{c:<{w}}" if i < 2 else f"{c:>{w}}" for i, (c, w) in enumerate(zip(r, widths))) + " |"
+    rule = "|" + "|".join("-" * (w + 1) + ("-" if i < 2 else ":") for i, w in enumerate(widths)) + "|"
+    return "\n".join([line(head), rule, *(line(r) for r in rows)])
+
+
+def processor():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return "unknown processor"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--arelem", required=True, type=os.path.abspath)
+    parser.add_argument("--save", action="store_true", help="write bench/results.md")
+    options = parser.parse_args()
+    rows = measure(options.arelem)
+    print(table(rows))
+    if options.save:
+        version = subprocess.run([options.arelem, "--version"], capture_output=True, text=True, check=True).stdout.strip()
+        (HERE / "results.md").write_text(
+            f"# Speed of {version}\n\nMade by `./dev bench --save` on {processor()} with {os.cpu_count()} threads. Wall time of the "
+            f"whole process, median of {REPEATS}\nruns (start-up: of 25), output to a file with fsync; MB is the largest resident memory.\n\n"
+            f"{table(rows)}\n")
+    sys.exit(1 if any(r[1].startswith("exit") for r in rows) else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+"""Compiles every part program of examples/ to every output format: no error, no warning, no empty output."""
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--arelem", default=str(PROJECT / "build" / "arelem"), type=os.path.abspath)
+    arelem = parser.parse_args().arelem
+    listed = subprocess.run([arelem, "targets"], capture_output=True, text=True, check=True).stdout
+    targets = [line.split()[0] for line in listed.splitlines()]
+    programs = sorted((PROJECT / "examples").glob("*.apt"))
+    problems = [] if len(programs) >= 6 else ["fewer than six examples"]
+    for program in programs:
+        with tempfile.TemporaryDirectory() as folder:
+            words = [w for t in targets for w in ("--to", t)]
+            done = subprocess.run([arelem, "compile", str(program), "--out-dir", folder, *words], capture_output=True, text=True)
+            sizes = {p.suffix: p.stat().st_size for p in pathlib.Path(folder).iterdir()}
+        if done.returncode or done.stderr or len(sizes) != len(targets) or 0 in sizes.values():
+            problems.append(f"{program.name}: exit {done.returncode}, outputs {sizes}\n{done.stderr}")
+    print("\n".join([*problems, f"{len(programs)} examples, {len(targets)} formats, {len(problems)} problems"]))
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()

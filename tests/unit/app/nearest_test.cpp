@@ -1,0 +1,25 @@
+#include "app/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace arelem::app {
+namespace {
+
+const std::vector<std::string> options = {"--dialect", "--define", "--diagnostics", "--limits", "-o"};
+
+TEST(Nearest, FindsOneSlipOfTheFinger) {
+  EXPECT_EQ(nearest("--dialct", options), "--dialect");
+  EXPECT_EQ(nearest("--dialcet", options), "--dialect");
+  EXPECT_EQ(nearest("--limit", options), "--limits");
+  EXPECT_EQ(nearest("--defime", options), "--define");
+}
+
+TEST(Nearest, StaysSilentWhenNothingIsNear) {
+  EXPECT_EQ(nearest("--frobnicate", options), "");
+  EXPECT_EQ(nearest("", {}), "");
+}
+
+}  // namespace
+}  // namespace arelem::app
