@@ -65,13 +65,19 @@ void reportOutOfMemory() {
   std::fputs("arelem: error: out of memory; nothing was written (see --limits)\n", stderr);
 }
 
-int guarded(int argc, char** argv) {
+ExitCode runUnderWatch(int argc, char** argv) {
   InterruptWatch interrupt;
   interrupt.setLastWill(backend::AtomicFile::removeTemporaries);
+  const auto code = static_cast<ExitCode>(run({argv + 1, argv + argc}, interrupt));
+  std::cout.flush();
+  const ExitCode signal = interrupt.result();
+  return signal == ExitCode::ok ? code : signal;
+}
+
+int guarded(int argc, char** argv) {
   ExitCode code = ExitCode::ok;
   try {
-    code = static_cast<ExitCode>(run({argv + 1, argv + argc}, interrupt));
-    std::cout.flush();
+    code = runUnderWatch(argc, argv);
   } catch (const std::bad_alloc&) {
     reportOutOfMemory();
     code = ExitCode::limitReached;
@@ -83,8 +89,7 @@ int guarded(int argc, char** argv) {
               << versionText() << "; nothing was written\n";
     code = ExitCode::internalError;
   }
-  const ExitCode signal = interrupt.result();
-  return static_cast<int>(signal == ExitCode::ok ? code : signal);
+  return static_cast<int>(code);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <iostream>
+#include <numbers>
 #include <sstream>
 
 #include "app/command.h"
@@ -9,7 +10,6 @@
 
 #include "backend/cltape/reader.h"
 #include "ir/diag/render_text.h"
-#include "ir/space/degrees.h"
 
 namespace arelem::app {
 
@@ -48,7 +48,8 @@ struct Allowed {
 };
 
 double degreesBetween(const Vec3& a, const Vec3& b) {
-  return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
+  constexpr double degreesOfARadian = 180.0 / std::numbers::pi;
+  return degreesOfARadian * std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 /// The first difference ends the comparison: what follows a wrong location is seldom of use.

@@ -52,7 +52,7 @@ def measure_one(demand, role, isn, entities, before, points):
     surf = resolve(demand[role], entities, before)
     if surf is None:
         return f"statement {isn}: {role} surface {demand[role]}"
-    on = demand["side"] == "TLON" if role == "drive" else demand["on_part"]
+    on = demand["on"] if role == "drive" else demand["on_part"]
     if demand["cutter"] is None or (demand["option"] and not on):
         return f"statement {isn}: cutter"
     cutter = surfaces.Cutter(demand["cutter"])

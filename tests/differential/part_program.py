@@ -74,7 +74,8 @@ def surface_name(parameter):
 
 class State:
     def __init__(self):
-        self.side, self.on_part = "TLON", False
+        self.side, self.on_part = None, False  # no side: as the last startup found the tool
+        self.startup_on = True
         self.part = None  # the XY plane
         self.inner, self.outer, self.thick = [0.0] * 4, [0.0005] * 4, [0.0] * 4
         self.cutter, self.option = None, False
@@ -135,11 +136,13 @@ def demands(text, scalars):
         elif word == "AUTOPS":
             state.part = "AUTOPS"
         elif word in ("GO", "OFFSET"):
+            state.startup_on = parameters[0] == "ON"
             surfaces = [surface_name(p) for p in parameters if p not in CONDITIONS]
             if len(surfaces) > 1 and not re.fullmatch(r"[-+.\d]+", surfaces[1]):
                 state.part = surfaces[1]
         elif word in HEADINGS:
-            found[number] = {"drive": surface_name(parameters[0]), "side": state.side, "part": state.part,
+            on = state.startup_on if state.side is None else state.side == "TLON"
+            found[number] = {"drive": surface_name(parameters[0]), "on": on, "part": state.part,
                              "on_part": state.on_part, "inner": state.inner, "outer": state.outer,
                              "thick": state.thick, "cutter": state.cutter, "option": state.option, "word": word}
     return found

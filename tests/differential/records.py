@@ -22,7 +22,8 @@ def others(records):
     for r in records:
         if r["type"] in (5000, 13000):
             continue
-        found.append((r["type"], r["sub"], r["isn"], r["kind"], r.get("word"),
+        word = {"OPSKIP": "DELETE"}.get(r.get("word"), r.get("word"))  # one code, two names
+        found.append((r["type"], r["sub"], r["isn"], r["kind"], word,
                       text(r.get("text")), *flat({k: v for k, v in r.items() if k in FIELDS})))
     return found
 

@@ -52,9 +52,9 @@ class Arelem:
         code, out, _ = self.call("geometry", path, "--json", "-q", "--diagnostics=json")
         return code, json.loads(out) if out.strip() else []
 
-    def records(self, path):
-        code, out, err = self.call("compile", path, "--to", "json", "-o", "-", "--diagnostics=json", "-q",
-                                   "--max-errors", "100000")
+    def records(self, path, *options):
+        code, out, err = self.call("compile", path, "--to", "json", "-o", "-", "--diagnostics=json",
+                                   "--max-errors", "100000", *options)
         messages = [json.loads(line) for line in err.splitlines() if line.startswith("{")]
         return code, [json.loads(line) for line in out.splitlines()], messages
 
@@ -123,7 +123,8 @@ def compare(task):
     oracle = json.loads(result.read_text())
     outcome = {"name": name, "wrong": {}, "rows": [], "skipped": [], "vectors": (0, 0), "end": 0.0}
     try:
-        code, ours, messages = arelem.records(source)
+        strict = ["--dialect=apt360"] if oracle["status"] != "ok" else []
+        code, ours, messages = arelem.records(source, *strict)
     except (subprocess.TimeoutExpired, json.JSONDecodeError) as error:
         outcome["wrong"]["diagnostics"] = [f"{type(error).__name__}: {error}"[:200]]
         return outcome
@@ -131,7 +132,7 @@ def compare(task):
         outcome["wrong"]["diagnostics"] = compare_diagnostics(oracle, code, messages)
         return outcome
     if code != 0:
-        first = messages[0] if messages else {"code": "", "message": f"exit {code}", "range": None}
+        first = next((m for m in messages if m["severity"] == "error"), messages[0]) if messages else {"code": "", "message": f"exit {code}", "range": None}
         line = first["range"]["start"]["line"] if first["range"] else 0
         outcome["wrong"]["diagnostics"] = [f"exit {code}: line {line} {first['code']} {first['message']}"]
         return outcome

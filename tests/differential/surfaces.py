@@ -188,6 +188,9 @@ def surface(kind, canon):
     return KINDS[kind](canon) if kind in KINDS else None
 
 
+FRACTIONS = (1 / 1024, 1 / 256, 1 / 64, 1 / 16, 1 / 4, 1 / 2, 3 / 4)
+
+
 class Cutter:
     """The seven-parameter cutter: bottom line, corner arc and side line, turned about the axis; no top face."""
 
@@ -242,13 +245,26 @@ class Cutter:
             p = along(along(p, rho * math.cos(phi), across), rho * math.sin(phi), third)
             return sign * surf.distance(p)
 
-        grid = [(value(t / 4, phi * math.pi / 8), t / 4, phi * math.pi / 8) for t in range(13) for phi in range(16)]
+        # A search from inside each of the three pieces: at the pole of a ball, and where two pieces meet, no direction
+        # would be told apart.
+        return min(self.search(value, piece) for piece in range(3))
+
+    @staticmethod
+    def search(value, piece):
+        """The least value over one piece of the profile: the best of a grid, refined by halving steps.
+
+        The grid is dense towards the beginning of the piece, where the pole of a ball lies: there an angle that is off
+        by a quarter turn could not be mended by small steps.
+        """
+        low, high = float(piece), piece + 1.0
+        grid = [(value(piece + k, j * math.pi / 8), piece + k, j * math.pi / 8) for k in FRACTIONS for j in range(16)]
         best, t, phi = min(grid)
         dt, dphi = 0.25, math.pi / 8
         while dphi > 1e-6 or dt > 1e-6:
-            trials = [(value(min(max(t + i * dt, 0.0), 3.0), phi + j * dphi), min(max(t + i * dt, 0.0), 3.0),
-                       phi + j * dphi) for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))]
-            found = min(trials)
+            found = (best, t, phi)
+            for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1)):
+                place = (min(max(t + i * dt, low), high), phi + j * dphi)
+                found = min(found, (value(*place), *place))
             if found[0] < best - 1e-14:
                 best, t, phi = found
             else:

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -87,12 +88,20 @@ extern "C" int rename(const char* from, const char* to) noexcept {
   return next(from, to);
 }
 
-// operator new rather than malloc: the C library's own allocations before main are none of ours.
+// operator new rather than malloc, and only from the first call of pthread_sigmask on, with which main begins: what
+// libraries allocate before it can be caught by nobody.
 static long allocations = 0;
+static bool mainHasBegun = false;
+
+extern "C" int pthread_sigmask(int how, const sigset_t* set, sigset_t* old) {
+  static const auto next = original<int (*)(int, const sigset_t*, sigset_t*)>("pthread_sigmask");
+  mainHasBegun = true;
+  return next(how, set, old);
+}
 
 void* operator new(std::size_t size) {
   static const bool active = is("malloc:");
-  if (active && ++allocations == number()) {
+  if (active && mainHasBegun && ++allocations == number()) {
     throw std::bad_alloc();
   }
   void* place = std::malloc(size == 0 ? 1 : size);
