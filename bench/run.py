@@ -74,8 +74,8 @@ def measure(arelem):
             run = median_run([arelem, "compile", str(program), "-v", "-o", out])
             count = cut_vectors(run.told)
             if run.code != 0:
-                reason = run.told.splitlines()[0] if run.told else ""
-                rows.append((what, f"exit {run.code}: {reason}"[:60], "", "", ""))
+                code = re.search(r"error\[(\w+)\]", run.told)
+                rows.append((what, f"exit {run.code} {code.group(1) if code else ''}".rstrip(), "", "", ""))
                 continue
             rows.append((what, f"{count} {unit}", f"{run.seconds:.3f}", f"{count / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
         lines = 200_000
