@@ -48,11 +48,6 @@ Extremes extremes(const ChordProfile& c) {
 }
 }  // namespace
 
-ChordRange rangeOf(const ChordProfile& chord) {
-  const Extremes e = extremes(chord);
-  return {e.least, e.greatest};
-}
-
 double longestChord(double bend, double from, double to, double inner, double outer) {
   if (bend == 0.0) {
     return unlimited;
@@ -63,17 +58,22 @@ double longestChord(double bend, double from, double to, double inner, double ou
   return (std::sqrt(std::max(a, 0.0)) + std::sqrt(std::max(b, 0.0))) * std::sqrt(2.0 / std::abs(bend));
 }
 
-double fittingFactor(const ChordProfile& chord, double inner, double outer) {
-  const Extremes e = extremes(chord);
-  const auto line = [&](double x) { return chord.gapFrom + x * (chord.gapTo - chord.gapFrom); };
+double fittingFactor(const ChordProfile& first, const ChordProfile& second, double inner, double outer) {
+  const double whole = first.length + second.length;
+  const auto line = [&](double s) { return first.gapFrom + s / whole * (second.gapTo - first.gapFrom); };
   double factor = unlimited;
-  const double dip = line(e.leastAt) - e.least;
-  if (dip > 0.0) {
-    factor = std::min(factor, std::max(0.0, line(e.leastAt) + inner) / dip);
-  }
-  const double rise = e.greatest - line(e.greatestAt);
-  if (rise > 0.0) {
-    factor = std::min(factor, std::max(0.0, outer - line(e.greatestAt)) / rise);
+  double start = 0.0;
+  for (const ChordProfile* half : {&first, &second}) {
+    const Extremes e = extremes(*half);
+    const double lowLine = line(start + e.leastAt * half->length);
+    const double highLine = line(start + e.greatestAt * half->length);
+    if (lowLine - e.least > 0.0) {
+      factor = std::min(factor, std::max(0.0, lowLine + inner) / (lowLine - e.least));
+    }
+    if (e.greatest - highLine > 0.0) {
+      factor = std::min(factor, std::max(0.0, outer - highLine) / (e.greatest - highLine));
+    }
+    start += half->length;
   }
   return std::sqrt(factor);
 }

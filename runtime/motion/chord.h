@@ -11,17 +11,13 @@ struct ChordProfile {
   double length = 0.0;
 };
 
-/// Least and greatest gap over the chord by the cubic through both ends' values and slopes.
-struct ChordRange {
-  double least = 0.0, greatest = 0.0;
-};
-[[nodiscard]] ChordRange rangeOf(const ChordProfile& chord);
-
 /// Longest chord from gap `from` to gap `to` over a surface of constant curvature `bend` (positive:
 /// bending away, so that the chord dips) that stays in [-inner, outer].
 [[nodiscard]] double longestChord(double bend, double from, double to, double inner, double outer);
 
-/// Factor by which to scale a chord's length so that it just fits the band; above 1 where there is room.
-[[nodiscard]] double fittingFactor(const ChordProfile& chord, double inner, double outer);
+/// Factor by which to scale a chord's length so that it just fits the band; above 1 where there is room. `first` and
+/// `second` are the two halves of the chord: contacts that jump between them show in the middle.
+[[nodiscard]] double fittingFactor(const ChordProfile& first, const ChordProfile& second, double inner,
+                                   double outer);
 
 }  // namespace arelem::motion

@@ -102,25 +102,30 @@ std::optional<PathPoint> Path::step(const PathPoint& from, double along, const s
   return p;
 }
 
-ChordProfile Path::profile(const PathPoint& a, const PathPoint& b, std::size_t guide) {
+double Path::fit(const PathPoint& a, const PathPoint& b) {
   const Vec3 chord = b.toolEnd - a.toolEnd;
   const double length = chord.norm();
-  const Vec3 direction = length > 0.0 ? Vec3(chord / length) : a.tangent;
-  return {a.contacts[guide].gap, a.contacts[guide].normal.dot(direction), b.contacts[guide].gap,
-          b.contacts[guide].normal.dot(direction), length};
-}
-
-double Path::fit(const PathPoint& a, const PathPoint& b) const {
+  if (length <= 0.0) {
+    return tolerance::farAway;
+  }
+  const Vec3 direction = chord / length;
+  const Vec3 middle = a.toolEnd + 0.5 * chord;
+  const Vec3 middleAxis = axis.at(middle);
   double factor = tolerance::farAway;
   for (std::size_t i = 0; i < 2; ++i) {
     if (guides[i].flat()) {
       continue;
     }
-    const ChordProfile chord = profile(a, b, i);
+    const tool::Contact& from = a.contacts[i];
+    const tool::Contact& to = b.contacts[i];
+    const tool::Contact between = guides[i].field->at(middle, middleAxis);
+    const double slope = between.normal.dot(direction);
+    const ChordProfile first{from.gap, from.normal.dot(direction), between.gap, slope, 0.5 * length};
+    const ChordProfile second{between.gap, slope, to.gap, to.normal.dot(direction), 0.5 * length};
     // A start outside its band by the slack allowed there must not stop the motion.
-    const double inner = std::max({guides[i].inner, -chord.gapFrom, -chord.gapTo});
-    const double outer = std::max({guides[i].outer, chord.gapFrom, chord.gapTo});
-    factor = std::min(factor, fittingFactor(chord, inner, outer));
+    const double inner = std::max({guides[i].inner, -from.gap, -to.gap});
+    const double outer = std::max({guides[i].outer, from.gap, to.gap});
+    factor = std::min(factor, fittingFactor(first, second, inner, outer));
   }
   return factor;
 }

@@ -43,9 +43,8 @@ class Path {
                                               const std::array<double, 2>& gaps, double accept);
   [[nodiscard]] std::array<double, 2> rests() const { return {guides[0].rest, guides[1].rest}; }
   [[nodiscard]] bool flat() const { return guides[0].flat() && guides[1].flat(); }
-  [[nodiscard]] static ChordProfile profile(const PathPoint& a, const PathPoint& b, std::size_t guide);
   /// Factor by which the chord may grow, or must shrink, to fit both bands.
-  [[nodiscard]] double fit(const PathPoint& a, const PathPoint& b) const;
+  [[nodiscard]] double fit(const PathPoint& a, const PathPoint& b);
 
  private:
   [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards) const;

@@ -199,9 +199,23 @@ class Starter {
       found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
     }
     if (!found.ok) {
-      return fail(diag::StartupDiverges, found.worst, goals_[found.worstAt].surface.name, found.iterations);
+      return explain(found);
     }
     return found.toolEnd;
+  }
+
+  /// Why no position was found: a cutter inside a hollow that is too narrow for it, or nothing better to say.
+  [[nodiscard]] Failure explain(const Settled& found) const {
+    for (const Goal& goal : goals_) {
+      const auto* cylinder = std::get_if<surface::Cylinder>(&goal.surface.surface);
+      const auto* sphere = std::get_if<surface::Sphere>(&goal.surface.surface);
+      const double hollow = cylinder != nullptr ? cylinder->radius : sphere != nullptr ? sphere->radius : 0.0;
+      const bool inside = goal.side < 0.0 && goal.condition != ir::Condition::on && hollow > 0.0;
+      if (inside && state_.cutter->maxRadius() > hollow) {
+        return fail(diag::CutterDoesNotFit, state_.cutter->maxRadius(), goal.surface.name, hollow);
+      }
+    }
+    return fail(diag::StartupDiverges, found.worst, goals_[found.worstAt].surface.name, found.iterations);
   }
 
   /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to the part.
