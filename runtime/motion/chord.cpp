@@ -61,16 +61,18 @@ double longestChord(double bend, double from, double to, double inner, double ou
 double fittingFactor(const ChordProfile& first, const ChordProfile& second, double inner, double outer) {
   const double whole = first.length + second.length;
   const auto line = [&](double s) { return first.gapFrom + s / whole * (second.gapTo - first.gapFrom); };
+  // Ends lie on the line between them; rounding must not make a dip of that.
+  const double rounding = 1e-9 * (inner + outer);
   double factor = unlimited;
   double start = 0.0;
   for (const ChordProfile* half : {&first, &second}) {
     const Extremes e = extremes(*half);
     const double lowLine = line(start + e.leastAt * half->length);
     const double highLine = line(start + e.greatestAt * half->length);
-    if (lowLine - e.least > 0.0) {
+    if (lowLine - e.least > rounding) {
       factor = std::min(factor, std::max(0.0, lowLine + inner) / (lowLine - e.least));
     }
-    if (e.greatest - highLine > 0.0) {
+    if (e.greatest - highLine > rounding) {
       factor = std::min(factor, std::max(0.0, outer - highLine) / (e.greatest - highLine));
     }
     start += half->length;

@@ -318,7 +318,6 @@ class Machine {
     const auto since = std::chrono::steady_clock::now();
     needPosition();
     takeAutomaticPart();
-    putFeed(f.feed);
     motion::FollowRequest request;
     request.heading = f.heading;
     auto drive = motion::named(f.drive);
@@ -345,9 +344,7 @@ class Machine {
     for (Failure& warning : result->warnings) {
       report(std::move(warning));
     }
-    if (state_.output) {
-      putSequence(*f.drive);
-    }
+    putSequence(f);
     state_.toolEnd = result->toolEnd;
     state_.axis = result->axis;
     state_.forward = result->forward;
@@ -360,11 +357,18 @@ class Machine {
     return std::nullopt;
   }
 
-  void putSequence(const Entity& drive) {
-    if (drive.type == EntityType::circle || drive.type == EntityType::cylinder) {
+  /// The circle that the points run along, the feed from here on, the points.
+  void putSequence(const Follow& f) {
+    const Entity& drive = *f.drive;
+    const bool round = drive.type == EntityType::circle || drive.type == EntityType::cylinder;
+    if (state_.output && round) {
       cl::Surface s;
       s.surface = {drive.type, drive.name, drive.subscript, drive.canon};
       writer_.put(std::move(s));
+    }
+    putFeed(f.feed);
+    if (!state_.output) {
+      return;
     }
     writer_.startPoints(cl::Motion::Kind::go, drive.name, drive.subscript, state_.multax);
     for (const Location& p : points_) {
