@@ -16,9 +16,9 @@ using Json = nlohmann::json;
 
 std::optional<Json> resultsOf(const std::string& program) {
   const char* shared = std::getenv("ARELEM_SHARED");
-  std::ifstream file(std::string(shared != nullptr ? shared : "") + "/oracle/examples/" + program +
-                     ".json");
-  return shared != nullptr && file ? std::optional<Json>(Json::parse(file)) : std::nullopt;
+  std::ifstream file(std::string(shared != nullptr ? shared : ARELEM_SOURCE_DIR "/../shared") +
+                     "/oracle/examples/" + program + ".json");
+  return file ? std::optional<Json>(Json::parse(file)) : std::nullopt;
 }
 
 #define ARELEM_NEEDS_EXAMPLE(results)                                         \
