@@ -151,8 +151,14 @@ class TextRenderer {
     const std::string old =
         d.kind().legacy.empty() ? "" : fmt::format("[old APT number: {}]", d.kind().legacy);
     if (!d.help.empty()) {
-      out_ << "   " << paint(cyan) << "help: " << paint(reset) << displayText(d.help)
-           << (old.empty() ? "" : "      ") << old << '\n';
+      out_ << "   " << paint(cyan) << "help: " << paint(reset);
+      // A help may list forms, one a line.
+      std::string_view rest = d.help;
+      for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+        out_ << displayText(rest.substr(0, end)) << "\n         ";
+        rest.remove_prefix(end + 1);
+      }
+      out_ << displayText(rest) << (old.empty() ? "" : "      ") << old << '\n';
     } else if (!old.empty()) {
       out_ << "   " << old << '\n';
     }

@@ -6,11 +6,6 @@
 
 namespace arelem::motion {
 
-namespace {
-/// The old system's allowance for a start outside its band. Part unit.
-constexpr double bandAllowance = 5e-5;
-}  // namespace
-
 Vec3 ArcPlan::vertex(std::uint64_t k) const {
   const double angle = startAngle + static_cast<double>(k) * halfStep;
   return {centerX + radius * std::cos(angle), centerY + radius * std::sin(angle), z};
@@ -42,12 +37,9 @@ ArcPlan planArc(const surface::Cylinder& circle, const std::vector<Vec3>& walked
   plan.startAngle = std::atan2(y, x);
   // Share of the band, counted from its small radius, that lies below the start.
   const bool outside = start.normal.x() * x + start.normal.y() * y > 0.0;
-  double band = inner + outer;
-  double share = outside ? (start.gap + inner) / band : (outer - start.gap) / band;
-  if (share < 0.0 || share > 1.0) {
-    band += bandAllowance;
-    share = std::clamp(share, 0.0, 1.0);
-  }
+  const double band = inner + outer;
+  const double share =
+      std::clamp(outside ? (start.gap + inner) / band : (outer - start.gap) / band, 0.0, 1.0);
   plan.radius = rho + band * (1.0 - share);
   const double small = std::max(rho - band * share, 0.0);
   const double limit = std::acos(std::min(small / plan.radius, 1.0));

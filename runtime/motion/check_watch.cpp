@@ -24,11 +24,13 @@ double freeBeyond(double margin, double rate, double rest, const AxisRule& axis)
 }
 }  // namespace
 
-CheckWatch::CheckWatch(const NamedSurface& surface, ir::Condition condition, int nth, Tool tool, double band)
+CheckWatch::CheckWatch(const NamedSurface& surface, ir::Condition condition, int nth, Tool tool, double band,
+                       double pathBand)
     : surface_(surface),
       condition_(condition),
       nth_(nth),
       band_(band),
+      pathBand_(pathBand),
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
       pointTool_(tool.cutter == nullptr || (tool.cutter->isPoint() && tool.thick == 0.0)) {
   plus_ = makeField(surface.surface, 1.0, tool);
@@ -139,7 +141,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, const A
     for (Field* field : {plus_.get(), minus_.get()}) {
       const tool::Contact c = field->at(at, a);
       const double agreement = c.normal.dot(guideNormal);
-      const double out = std::abs(c.gap) - band_;
+      const double out = std::abs(c.gap) - band_ - pathBand_;
       if (out <= 0.0 && (agreement > agreeing)) {
         inside = field;
         turn = c.normal.dot(tangent);
@@ -153,6 +155,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, const A
     }
     if (inside != nullptr) {
       if (now_.armed && now_.bandField == inside && (turn > 0.0) != (now_.lastTurn > 0.0)) {
+        now_.lastTurn = turn;
+        now_.free = 0.0;
         return Hit{before, u, inside};
       }
       // A start at a tangency is not counted; it must be left first.

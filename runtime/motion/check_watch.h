@@ -1,7 +1,9 @@
 #pragma once
+#include <cmath>
 #include <limits>
 #include <optional>
 
+#include "ir/space/tolerance.h"
 #include "runtime/motion/axis.h"
 #include "runtime/motion/state.h"
 
@@ -27,14 +29,18 @@ class CheckWatch {
   };
 
   /// `cutter` null watches the tool end (ON, or a check of a tool without size). `drive` is the field
-  /// whose normal must agree at a tangency.
-  CheckWatch(const NamedSurface& surface, ir::Condition condition, int nth, Tool tool, double band);
+  /// whose normal must agree at a tangency. Cut vectors stray by up to `pathBand` from the path proper, so a
+  /// tangency is looked for that much beyond the band; whoever gets the hit checks the gap there (`touches`).
+  CheckWatch(const NamedSurface& surface, ir::Condition condition, int nth, Tool tool, double band,
+             double pathBand);
 
   /// Where the motion begins.
   void begin(const Vec3& toolEnd, const AxisRule& axis);
   /// `guide` is the field that a tangent check surface touches: the drive (TANTO) or part surface (PSTAN).
   [[nodiscard]] std::optional<Hit> scan(const Segment& segment, const AxisRule& axis, Field& guide);
 
+  /// True where a gap found at a tangency is contact within the tolerance.
+  [[nodiscard]] bool touches(double gap) const { return std::abs(gap) <= band_ * (1.0 + tolerance::wholeExponent); }
   [[nodiscard]] bool isTangent() const { return tangent_; }
   [[nodiscard]] bool usesPart() const { return condition_ == ir::Condition::pstan; }
   [[nodiscard]] const NamedSurface& surface() const { return surface_; }
@@ -74,6 +80,7 @@ class CheckWatch {
   ir::Condition condition_;
   int nth_;
   double band_;
+  double pathBand_;
   bool tangent_;
   bool pointTool_;
   std::unique_ptr<Field> plus_, minus_;

@@ -147,7 +147,8 @@ class Follower {
       if (!(band > 0.0)) {
         return fail(diag::NoBand, band);
       }
-      watches_.emplace_back(goal.surface, goal.condition, goal.nth, tool, band);
+      const double pathBand = state_.band(touchesPart ? partRole : driveRole);
+      watches_.emplace_back(goal.surface, goal.condition, goal.nth, tool, band, pathBand);
     }
     return std::nullopt;
   }
@@ -192,7 +193,7 @@ class Follower {
   }
 
   void warnWrongSide() {
-    if (!state_.driveRelation || toolOnDrive()) {
+    if (!state_.driveRelation || toolOnDrive() || cutterFor(state_, driveRole)->maxRadius() == 0.0) {
       return;
     }
     // The drive surface lies to the right of the motion when the tool is left of it.
@@ -404,11 +405,20 @@ class Follower {
       for (const CheckWatch& w : watches_) {
         before.push_back(w.progress());
       }
-      if (const auto met = scan(segment)) {
-        const auto end = meetCheck(a, segment, *met);
-        if (!end) {
+      auto met = scan(segment);
+      std::optional<PathPoint> end;
+      if (met) {
+        end = meetCheck(a, segment, *met);
+        const bool tangent = watches_[met->check].isTangent();
+        if (!end && !tangent) {
           return lost(a);
         }
+        // A near miss: nearest here, but beyond the tolerance.
+        if (tangent && !(end && watches_[met->check].touches(met->hit.field->at(end->toolEnd, end->axis).gap))) {
+          met.reset();
+        }
+      }
+      if (met) {
         const double factor = path_.fit(a, *end);
         if (factor >= 1.0 - fitShare || vectors + 1 >= limits_.points) {
           accept(*end);

@@ -41,6 +41,25 @@ TEST(Motion, ObroundByTangentStops) {
   }
 }
 
+TEST(Motion, TangencyIsNotPassedByAtAnyTolerance) {
+  // A quarter turn from one tangent line to the next, whatever way the cut vectors fall.
+  const auto right = P::line(50, 50, 50, -20), below = P::line(-50, -50, 50, -50);
+  const auto circle = P::circle(20, -20, 30);
+  for (const double tolerance : {0.05, 0.01, 0.003, 0.001, 0.0007, 0.0005, 0.0003, 0.0002, 0.0001, 0.00005}) {
+    for (const double diameter : {20.0, 10.0, 3.0}) {
+      MotionProgram p;
+      p.tolerance(0, tolerance).cutter({diameter}).from(70, 30, 0).go({{right, Condition::to}});
+      p.relation(Word::TLLFT);
+      p.follow(Heading::left, right, Condition::tanto, circle);
+      p.follow(Heading::forward, circle, Condition::tanto, below);
+      const auto paths = p.run();
+      ASSERT_EQ(p.diagnostics.errors(), 0u) << p.diagnostics.all()[0].message;
+      expectNear(paths.back().back(), {20, -50 - diameter / 2, 0}, 1e-9);
+      EXPECT_NEAR(p.outcome.facts.back().length, (30 + diameter / 2) * M_PI / 2, 0.2) << tolerance;
+    }
+  }
+}
+
 TEST(Motion, InsideCorners) {
   const auto l1 = P::line(0.25, 0.35, 7.45, -0.35), l2 = P::line(7.45, -0.35, 8.75, 5.85);
   const auto l3 = P::line(8.75, 5.85, 1.55, 6.15), l4 = P::line(1.55, 6.15, 0.25, 0.35);
