@@ -47,6 +47,41 @@ def measure(source, entities, scalars, motions):
     return rows, skipped
 
 
+def measure_by_names(records, entities):
+    """The same for programs with loops and calls, whose text is not followed: the drive surface is the one that the
+    records name, with the cutter and tolerances that stand before them. Nothing where records are transformed, and no
+    TABCYL: its distance takes too long here for the many points of such programs."""
+    rows = []
+    if any(r.get("word") in ("TRACUT", "COPY") for r in records):
+        return rows
+    entities = {name: e for name, e in entities.items() if e[0] != "TABCYL"}
+    cutter, inner, outer, last, run = None, 0.0, 0.0005, None, None
+
+    def close():
+        if run and len(run["points"]) > 1 and cutter and last:
+            demand = {"drive": run["name"], "on": cutter[0] == 0.0, "on_part": False, "cutter": cutter, "option": False,
+                      "thick": [0.0, 0.0], "inner": [inner, inner], "outer": [outer, outer], "word": "by name"}
+            row = measure_one(demand, "drive", run["isn"], entities, last, run["points"])
+            if not isinstance(row, str):
+                rows.append(row)
+
+    for record in records:
+        if record["kind"] == "CONT":
+            run["points"] += record["points"]
+            continue
+        close()
+        last = run["points"][-1] if run else last
+        run = None
+        if record["kind"] in ("GOTO", "FROM"):
+            run = {"name": record["name"], "isn": record["isn"], "points": list(record["points"])}
+        elif record["kind"] == "CUTTER":
+            cutter = record["values"]
+        elif record["kind"] in ("INTOL", "OUTTOL"):
+            inner, outer = (record["values"][0], outer) if record["kind"] == "INTOL" else (inner, record["values"][0])
+    close()
+    return rows
+
+
 def measure_one(demand, role, isn, entities, before, points):
     index = 1 if role == "drive" else 0
     surf = resolve(demand[role], entities, before)

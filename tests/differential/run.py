@@ -93,6 +93,11 @@ def compare_ends(ours, theirs, band):
     return wrong, worst
 
 
+def entities_of(rows):
+    name = lambda r: r["name"] if r["subscript"] == 0 else f"{r['name']}({r['subscript']})"
+    return {name(r): (r["type"], r["values"]) for r in rows if r["type"] != "SCALAR"}
+
+
 def measure_bands(arelem, source, our_motions):
     """Deviation rows and reasons for what was not measured."""
     text = source.read_text(errors="replace")
@@ -103,7 +108,7 @@ def measure_bands(arelem, source, our_motions):
         _, rows = arelem.geometry(file.name)
     name = lambda r: r["name"] if r["subscript"] == 0 else f"{r['name']}({r['subscript']})"
     scalars = {name(r): r["values"][0] for r in rows if r["type"] == "SCALAR"}
-    entities = {name(r): (r["type"], r["values"]) for r in rows if r["type"] != "SCALAR"}
+    entities = entities_of(rows)
     return bands.measure(named, entities, scalars, our_motions)
 
 
@@ -143,7 +148,8 @@ def compare(task):
     try:
         outcome["rows"], outcome["skipped"] = measure_bands(arelem, source, our_motions)
     except part_program.Unfollowed as reason:
-        outcome["skipped"] = [f"not followed: {reason}"]
+        outcome["rows"] = bands.measure_by_names(ours, entities_of(arelem.geometry(source)[1]))
+        outcome["skipped"] = [f"part surfaces, not followed: {reason}"]
     outcome["wrong"]["ends"], outcome["end"] = compare_ends(our_motions, records.motions(oracle["cl"]),
                                                             band_allowance(oracle["cl"]))
     counts = records.cut_vectors(ours), records.cut_vectors(oracle["cl"])
