@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <iostream>
@@ -37,20 +38,27 @@ std::pair<std::string, std::string> splitAssignment(const std::string& option,
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-void setLimit(Limits& limits, const std::string& text) {
-  const auto [name, value] = splitAssignment("--limits", text);
+std::string namesOfLimits() {
   std::vector<std::string> names;
   for (const LimitName& limit : limitNames) {
-    if (name == limit.name) {
-      if (!readNumber(value, limits.*limit.member)) {
-        throw CLI::ValidationError("--limits", "`" + value + "` is not a whole number");
-      }
-      return;
-    }
     names.emplace_back(limit.name);
   }
-  throw CLI::ValidationError(
-      "--limits", "there is no limit `" + name + "`; there are " + CLI::detail::join(names, ", "));
+  return CLI::detail::join(names, ", ");
+}
+
+void setLimit(Limits& limits, const std::string& text) {
+  const auto assignment = splitAssignment("--limits", text);
+  const std::string& name = assignment.first;
+  const std::string& value = assignment.second;
+  const auto limit = std::find_if(limitNames.begin(), limitNames.end(),
+                                  [&](const LimitName& known) { return name == known.name; });
+  if (limit == limitNames.end()) {
+    throw CLI::ValidationError("--limits",
+                               "there is no limit `" + name + "`; there are " + namesOfLimits());
+  }
+  if (!readNumber(value, limits.*limit->member)) {
+    throw CLI::ValidationError("--limits", "`" + value + "` is not a whole number");
+  }
 }
 
 void setDefine(std::map<std::string, double>& defines, const std::string& text) {
@@ -86,22 +94,25 @@ CLI::Option* addRepeated(CLI::App& app,
       ->allow_extra_args(false);
 }
 
-std::string unknownOption(const CLI::App& app, const std::vector<std::string>& remaining) {
-  for (const std::string& word : remaining) {
-    if (!word.starts_with('-')) {
-      continue;
+std::vector<std::string> longOptions(const CLI::App& app) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      known.push_back("--" + name);
     }
-    std::vector<std::string> known;
-    for (const CLI::Option* option : app.get_options()) {
-      for (const std::string& name : option->get_lnames()) {
-        known.push_back("--" + name);
-      }
-    }
-    const std::string guess = nearest(word.substr(0, word.find('=')), known);
-    return "unknown option `" + word + "`" +
-           (guess.empty() ? "" : "; did you mean `" + guess + "`?");
   }
-  return "`" + remaining.front() + "` is one word too many";
+  return known;
+}
+
+std::string unknownOption(const CLI::App& app, const std::vector<std::string>& remaining) {
+  const auto option = std::find_if(remaining.begin(), remaining.end(),
+                                   [](const std::string& word) { return word.starts_with('-'); });
+  if (option == remaining.end()) {
+    return "`" + remaining.front() + "` is one word too many";
+  }
+  const std::string guess = nearest(option->substr(0, option->find('=')), longOptions(app));
+  return "unknown option `" + *option + "`" +
+         (guess.empty() ? "" : "; did you mean `" + guess + "`?");
 }
 }  // namespace
 

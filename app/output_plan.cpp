@@ -71,6 +71,24 @@ void planFolder(const std::string& folder,
   }
 }
 
+/// The outputs of one input: of a folder, of -o, or standard output.
+Refusal planJob(const OutputChoice& choice,
+                const std::vector<const backend::Target*>& formats,
+                PlannedJob& job) {
+  if (!choice.folder.empty()) {
+    planFolder(choice.folder, formats.empty() ? std::vector{defaultFormat()} : formats, job);
+    return std::nullopt;
+  }
+  if (!choice.files.empty()) {
+    return planFiles(choice, formats, job);
+  }
+  if (formats.size() > 1) {
+    return PlanRefusal{ExitCode::wrongUse, "several --to need --out-dir"};
+  }
+  job.outputs.push_back({"-", formats.empty() ? defaultFormat() : formats.front()});
+  return std::nullopt;
+}
+
 /// One spelling for every way to write the same place.
 std::string canonical(const std::string& path) {
   std::error_code error;
@@ -113,7 +131,7 @@ Refusal objectionTo(const std::vector<PlannedJob>& jobs, const OutputChoice& cho
       all.push_back({job.report, backend::findTarget("json")});
     }
     for (const PlannedOutput& output : all) {
-      if (const Refusal refusal = objectionTo(output, choice)) {
+      if (Refusal refusal = objectionTo(output, choice)) {
         return refusal;
       }
       std::error_code error;
@@ -134,7 +152,7 @@ Refusal planOutputs(const std::vector<std::string>& inputs,
                     const OutputChoice& choice,
                     std::vector<PlannedJob>& jobs) {
   std::vector<const backend::Target*> formats;
-  if (const Refusal refusal = findFormats(choice.formats, formats)) {
+  if (Refusal refusal = findFormats(choice.formats, formats)) {
     return refusal;
   }
   if (!choice.files.empty() && !choice.folder.empty()) {
@@ -148,17 +166,8 @@ Refusal planOutputs(const std::vector<std::string>& inputs,
   }
   for (const std::string& input : inputs) {
     PlannedJob job{input, {}, choice.report};
-    if (!choice.folder.empty()) {
-      planFolder(choice.folder, formats.empty() ? std::vector{defaultFormat()} : formats, job);
-    } else if (!choice.files.empty()) {
-      if (const Refusal refusal = planFiles(choice, formats, job)) {
-        return refusal;
-      }
-    } else {
-      job.outputs.push_back({"-", formats.empty() ? defaultFormat() : formats.front()});
-      if (formats.size() > 1) {
-        return PlanRefusal{ExitCode::wrongUse, "several --to need --out-dir"};
-      }
+    if (Refusal refusal = planJob(choice, formats, job)) {
+      return refusal;
     }
     jobs.push_back(std::move(job));
   }

@@ -55,7 +55,8 @@ bool evaluate(Compilation& job, const InterruptFlag& interrupted) {
 
 bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& interrupted) {
   const Stopwatch watch(job.seconds.execute);
-  const auto transformer = path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
+  const auto transformer =
+      path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   job.motion = runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted},
                                 *transformer, job.log);
   transformer->finish();

@@ -125,7 +125,7 @@ std::vector<std::string> underline(std::vector<Placed> placed) {
 }
 }  // namespace
 
-Excerpt excerpt(std::string_view line, std::vector<Mark> marks, std::size_t width) {
+Excerpt excerpt(std::string_view line, const std::vector<Mark>& marks, std::size_t width) {
   const Mark focus = focusOf(marks);
   const Columns bytes = bytesNear(line, focus);
   const Layout layout(line.substr(bytes.begin, bytes.end - bytes.begin));

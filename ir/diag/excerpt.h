@@ -22,6 +22,8 @@ struct Excerpt {
 
 /// Shows at most `width` columns of the line round its first primary mark; `…` stands for what is
 /// cut off. Costs no more than the part that is shown, also on lines of many megabytes.
-[[nodiscard]] Excerpt excerpt(std::string_view line, std::vector<Mark> marks, std::size_t width);
+[[nodiscard]] Excerpt excerpt(std::string_view line,
+                              const std::vector<Mark>& marks,
+                              std::size_t width);
 
 }  // namespace arelem
