@@ -2,6 +2,7 @@
 
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/motion.h"
+#include "runtime/motion/direction.h"
 
 namespace arelem::runtime::interpret {
 
@@ -11,24 +12,6 @@ constexpr std::size_t mostChecks = 2;
 constexpr double mostIntersections = 1000000.0;
 constexpr std::string_view startupForms =
     "GO/[{TO|ON|PAST},]ds[,[{TO|ON|PAST},]ps[,[{TO|ON|PAST|TANTO},]cs]][,feed]";
-
-std::string_view spell(ir::Heading heading) {
-  switch (heading) {
-    case ir::Heading::left:
-      return "GOLFT";
-    case ir::Heading::right:
-      return "GORGT";
-    case ir::Heading::forward:
-      return "GOFWD";
-    case ir::Heading::back:
-      return "GOBACK";
-    case ir::Heading::up:
-      return "GOUP";
-    case ir::Heading::down:
-      return "GODOWN";
-  }
-  return "GOFWD";
-}
 
 bool isSurface(EntityType type) {
   return type != EntityType::point && type != EntityType::vector && type != EntityType::matrix &&
@@ -148,7 +131,7 @@ void execute(State& state, const ir::Startup& startup) {
 }
 
 void execute(State& state, const ir::Follow& follow, ir::BlockId block) {
-  const std::string_view word = spell(follow.heading);
+  const std::string_view word = motion::spell(follow.heading);
   const bool axial = follow.heading == ir::Heading::up || follow.heading == ir::Heading::down;
   state.meetImplied(word, axial, false);
   state.warnOfSystem();
