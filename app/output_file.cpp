@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "backend/atomic_file.h"
+#include "ir/diag/output.h"
 
 namespace arelem::app {
 

@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "ir/diag/files.h"
+
 namespace arelem::app {
 
 namespace {

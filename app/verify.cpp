@@ -1,3 +1,5 @@
+#include "ir/diag/verify.h"
+
 #include <cmath>
 #include <iostream>
 #include <numbers>

@@ -13,6 +13,7 @@
 
 #include "backend/file_stream.h"
 #include "backend/temporary_file.h"
+#include "ir/diag/output.h"
 
 namespace arelem::backend {
 

@@ -28,10 +28,11 @@ struct ListingItem {
 /// What a target may use beside the records.
 struct Context {
   const SourceMap* sources = nullptr;
-  const ir::Program* program = nullptr;      ///< null when the records were read from a file
-  std::vector<EntityPtr> entities;           ///< in order of definition
+  const ir::Program* program = nullptr;  ///< null when the records were read from a file
+  std::vector<EntityPtr> entities;       ///< in order of definition
   std::vector<ListingItem> printed;
-  int decimals = -1;  ///< of lengths in text targets, 1 to 15; -1: as many as read back to the same double
+  int decimals =
+      -1;  ///< of lengths in text targets, 1 to 15; -1: as many as read back to the same double
 };
 
 /// Writes one output format. `finish` is called once after the last record.
@@ -41,12 +42,14 @@ class Writer : public cl::RecordSink {
 };
 
 struct Target {
-  std::string_view name;                      ///< of --to
+  std::string_view name;  ///< of --to
   std::string_view summary;
-  std::vector<std::string_view> suffixes;     ///< with the dot; the first is the default
+  std::vector<std::string_view> suffixes;  ///< with the dot; the first is the default
   bool binary = false;
-  bool needsMotion = true;                    ///< false: made from program and context alone
-  std::unique_ptr<Writer> (*make)(std::ostream& out, const Context& context, DiagnosticSink& sink) = nullptr;
+  bool needsMotion = true;  ///< false: made from program and context alone
+  std::unique_ptr<Writer> (*make)(std::ostream& out,
+                                  const Context& context,
+                                  DiagnosticSink& sink) = nullptr;
 };
 
 /// THE list of targets.

@@ -7,9 +7,9 @@
 
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
+#include "ir/limits.h"
 #include "ir/program/program.h"
 #include "runtime/interpret/action.h"
-#include "ir/limits.h"
 
 namespace arelem::runtime {
 
@@ -21,20 +21,20 @@ struct Options {
 /// One item of what PRINT and TITLES ask for, in order of execution.
 struct Printed {
   int isn = 0;
-  int mode = 3;             ///< the number after PRINT/; 3 also for PRINT/ON
-  std::string title;        ///< TITLES text, or "" for a value
-  std::string name;         ///< "" for an unnamed entity
+  int mode = 3;       ///< the number after PRINT/; 3 also for PRINT/ON
+  std::string title;  ///< TITLES text, or "" for a value
+  std::string name;   ///< "" for an unnamed entity
   int subscript = 0;
-  EntityPtr entity;         ///< null for a scalar
+  EntityPtr entity;  ///< null for a scalar
   double scalar = 0.0;
-  bool undefined = false;   ///< the name had no value
+  bool undefined = false;  ///< the name had no value
 };
 
 /// A named scalar or entity in order of its (first) definition; scalars show their last value.
 struct Defined {
-  std::string name;         ///< "" for a nested unnamed definition
+  std::string name;  ///< "" for a nested unnamed definition
   int subscript = 0;
-  EntityPtr entity;         ///< null for a scalar
+  EntityPtr entity;  ///< null for a scalar
   double scalar = 0.0;
   Span definition;
 };
@@ -44,21 +44,23 @@ struct Evaluation {
   std::vector<Action> actions;
   std::vector<Printed> printed;
   std::vector<Defined> defined;
-  std::string deck;         ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
+  std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::uint64_t steps = 0;
-  bool complete = true;     ///< false after an interrupt or a limit
+  bool complete = true;  ///< false after an interrupt or a limit
 };
 
 /// Section 1: executes everything but motion. Errors go to the sink; evaluation goes on after them.
-[[nodiscard]] Evaluation evaluate(const ir::Program& program, const Options& options, DiagnosticSink& sink);
+[[nodiscard]] Evaluation evaluate(const ir::Program& program,
+                                  const Options& options,
+                                  DiagnosticSink& sink);
 
 /// What one motion statement did. Deviations are of the cut vectors' end points, positive outside.
 struct MotionFact {
   Span origin;
   int isn = 0;
-  std::string statement;        ///< "FROM", "GO", "GOFWD", ...
+  std::string statement;  ///< "FROM", "GO", "GOFWD", ...
   std::uint64_t cutVectors = 0;
-  double length = 0.0;          ///< of the path, part unit
+  double length = 0.0;                        ///< of the path, part unit
   double driveInner = 0.0, driveOuter = 0.0;  ///< extreme signed deviations from the drive surface
   double partInner = 0.0, partOuter = 0.0;    ///< and from the part surface
   double seconds = 0.0;
@@ -67,11 +69,13 @@ struct MotionFact {
 struct MotionOutcome {
   std::vector<MotionFact> facts;
   std::uint64_t cutVectors = 0;
-  bool complete = true;   ///< false after an error, an interrupt or a limit
+  bool complete = true;  ///< false after an error, an interrupt or a limit
 };
 
 /// Section 2 (ARELEM): actions to cutter-location records.
-[[nodiscard]] MotionOutcome execute(const std::vector<Action>& actions, const Options& options,
-                                    cl::RecordSink& records, DiagnosticSink& sink);
+[[nodiscard]] MotionOutcome execute(const std::vector<Action>& actions,
+                                    const Options& options,
+                                    cl::RecordSink& records,
+                                    DiagnosticSink& sink);
 
 }  // namespace arelem::runtime

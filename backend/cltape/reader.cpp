@@ -1,6 +1,7 @@
 #include "backend/cltape/reader.h"
 
 #include "backend/cltape/decode.h"
+#include "ir/diag/output.h"
 
 namespace arelem::backend {
 

@@ -39,7 +39,7 @@ class Scanner {
   /// Reports at most twenty of a kind; `summary` tells how many more there were.
   template <class... Args>
   void report(const DiagKind<Args...>& kind, const std::type_identity_t<Args>&... args) {
-    if (++reported_[kind.row] <= reportsOfAKind) {
+    if (++reported_[kind.row->code] <= reportsOfAKind) {
       sink_.accept(diagnose(Span{}, kind, args...));
     }
   }
@@ -56,7 +56,7 @@ class Scanner {
   DiagnosticSink& sink_;
   Limits limits_;
   TapeRecord record_;
-  std::map<std::uint16_t, std::uint64_t> reported_;
+  std::map<std::string_view, std::uint64_t> reported_;
   std::uint64_t offset_ = 0;
   std::uint64_t records_ = 0;
   bool ended_ = false;

@@ -2,6 +2,7 @@
 #include <istream>
 
 #include "backend/cltape/reader.h"
+#include "ir/diag/output.h"
 
 namespace arelem::backend::tape {
 
@@ -112,10 +113,9 @@ void Scanner::stop() {
 }
 
 void Scanner::summary() {
-  for (const auto& [kind, count] : reported_) {
+  for (const auto& [code, count] : reported_) {
     if (count > reportsOfAKind) {
-      sink_.accept(
-          diagnose(Span{}, diag::TapeMore, count - reportsOfAKind, diagnosticTable()[kind].code));
+      sink_.accept(diagnose(Span{}, diag::TapeMore, count - reportsOfAKind, code));
     }
   }
 }

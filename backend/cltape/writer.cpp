@@ -8,6 +8,7 @@
 #include "backend/cltape/encode.h"
 #include "backend/cltape/numbering.h"
 #include "backend/text/out_buffer.h"
+#include "ir/diag/output.h"
 
 namespace arelem::backend {
 

@@ -6,6 +6,7 @@
 
 #include "backend/cltext/statement.h"
 #include "backend/text/clean.h"
+#include "ir/diag/output.h"
 
 namespace arelem::backend {
 

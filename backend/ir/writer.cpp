@@ -2,6 +2,8 @@
 
 #include <ostream>
 
+#include "ir/diag/output.h"
+
 namespace arelem::backend {
 
 namespace {

@@ -1,4 +1,5 @@
 #include "frontend/check/values.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

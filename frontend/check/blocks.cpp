@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ir/diag/frontend.h"
+
 namespace arelem::frontend {
 
 std::uint32_t BlockWriter::emit(ir::Body body) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "ir/diag/frontend.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::frontend {

@@ -4,6 +4,7 @@
 
 #include "frontend/check/program_reader.h"
 #include "frontend/read/characters.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

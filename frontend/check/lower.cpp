@@ -1,6 +1,7 @@
 // From the tokens of one statement to the program: label, head, parse, and which checker takes it.
 #include "frontend/check/prescan.h"
 #include "frontend/check/program_reader.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

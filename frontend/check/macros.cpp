@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "frontend/check/program_reader.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

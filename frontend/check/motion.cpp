@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ir/diag/frontend.h"
+
 namespace arelem::frontend {
 
 namespace {

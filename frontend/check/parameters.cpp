@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "frontend/check/statements.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

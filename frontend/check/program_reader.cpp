@@ -5,6 +5,7 @@
 
 #include "frontend/check/prescan.h"
 #include "frontend/read/encoding.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

@@ -1,5 +1,7 @@
 #include "frontend/check/reporter.h"
 
+#include "ir/diag/limits.h"
+
 namespace arelem::frontend {
 
 void Reporter::report(Diagnostic diagnostic) {

@@ -31,7 +31,7 @@ class Reporter {
   DiagnosticSink& sink_;
   const Limits& limits_;
   std::vector<Span> calls_;
-  std::set<std::tuple<std::uint16_t, Span, std::string>> said_;
+  std::set<std::tuple<const DiagRow*, Span, std::string>> said_;
   std::uint64_t errors_ = 0;
 };
 

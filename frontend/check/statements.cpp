@@ -1,6 +1,7 @@
 #include "frontend/check/statements.h"
 
 #include "frontend/check/motion.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

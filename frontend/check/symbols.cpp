@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "frontend/check/values.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

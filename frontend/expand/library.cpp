@@ -4,6 +4,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "ir/diag/frontend.h"
+
 namespace arelem::frontend {
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "frontend/read/characters.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

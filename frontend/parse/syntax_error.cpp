@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "frontend/parse/parse.h"
+#include "ir/diag/frontend.h"
+#include "ir/diag/limits.h"
 
 namespace arelem::frontend {
 

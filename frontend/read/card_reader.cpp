@@ -10,6 +10,7 @@
 #include "frontend/read/encoding.h"
 #include "frontend/read/fast_lane.h"
 #include "ir/diag/diagnostic.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ir/diag/diagnostic.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 

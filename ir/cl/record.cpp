@@ -3,7 +3,9 @@
 namespace arelem::cl {
 
 namespace {
-TypeCode ofWord(Word word) { return {row(word).type, row(word).code}; }
+TypeCode ofWord(Word word) {
+  return {row(word).type, row(word).code};
+}
 
 struct CodeOf {
   TypeCode operator()(const Post& post) const {
@@ -24,6 +26,8 @@ struct CodeOf {
 };
 }  // namespace
 
-TypeCode typeCode(const Body& body) { return std::visit(CodeOf{}, body); }
+TypeCode typeCode(const Body& body) {
+  return std::visit(CodeOf{}, body);
+}
 
 }  // namespace arelem::cl

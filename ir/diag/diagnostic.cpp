@@ -21,7 +21,9 @@ bool sameIgnoringCase(std::string_view a, std::string_view b) {
 }
 }  // namespace
 
-std::span<const DiagRow> diagnosticTable() { return table; }
+std::span<const DiagRow> diagnosticTable() {
+  return table;
+}
 
 const DiagRow* findDiagnostic(std::string_view codeOrName) {
   for (const DiagRow& row : table) {

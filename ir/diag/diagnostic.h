@@ -1,16 +1,17 @@
 #pragma once
-#include <fmt/format.h>
-
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "ir/diag/kind.h"
 #include "ir/text/span.h"
 
 namespace arelem {
 
+/// All rows of all rooms, in the order of the rooms.
 [[nodiscard]] std::span<const DiagRow> diagnosticTable();
 /// The row with this code ("E0312", any case) or name, or nullptr.
 [[nodiscard]] const DiagRow* findDiagnostic(std::string_view codeOrName);
@@ -21,9 +22,10 @@ struct Label {
   std::string text;
 };
 
-/// An error that knows no source text: what geometry and motion return. The interpreter gives it a place.
+/// An error that knows no source text: what geometry and motion return. The interpreter gives it a
+/// place.
 struct Failure {
-  std::uint16_t row = 0;
+  const DiagRow* row = nullptr;
   std::string message;
   std::vector<std::string> notes;
   std::string help;
@@ -40,7 +42,7 @@ struct Failure {
 
 /// A failure with its place: what the user sees.
 struct Diagnostic {
-  std::uint16_t row = 0;
+  const DiagRow* row = nullptr;
   Span at;
   std::string message;
   std::vector<Label> labels;
@@ -48,7 +50,7 @@ struct Diagnostic {
   std::string help;
   std::vector<Span> calledFrom;  ///< innermost CALL first
 
-  [[nodiscard]] const DiagRow& kind() const { return diagnosticTable()[row]; }
+  [[nodiscard]] const DiagRow& kind() const { return *row; }
   [[nodiscard]] Severity severity() const { return kind().severity; }
 
   Diagnostic&& label(Span span, std::string text) && {
@@ -68,16 +70,17 @@ struct Diagnostic {
 template <class... Args>
 [[nodiscard]] Failure fail(const DiagKind<Args...>& kind,
                            const std::type_identity_t<Args>&... args) {
-  return {kind.row, fmt::format(fmt::runtime(kind.text), args...), {}, {}};
+  return {kind.row, fmt::format(fmt::runtime(kind.row->text), args...), {}, {}};
 }
 
 template <class... Args>
-[[nodiscard]] Diagnostic diagnose(Span at, const DiagKind<Args...>& kind,
+[[nodiscard]] Diagnostic diagnose(Span at,
+                                  const DiagKind<Args...>& kind,
                                   const std::type_identity_t<Args>&... args) {
   Diagnostic d;
   d.row = kind.row;
   d.at = at;
-  d.message = fmt::format(fmt::runtime(kind.text), args...);
+  d.message = fmt::format(fmt::runtime(kind.row->text), args...);
   return d;
 }
 

@@ -24,7 +24,7 @@ std::vector<Diagnostic> withoutRepetitions(std::vector<Diagnostic> all) {
     std::size_t index = 0;
     std::size_t repeated = 0;
   };
-  std::map<std::tuple<std::uint16_t, Span, std::string>, Seen> seen;
+  std::map<std::tuple<const DiagRow*, Span, std::string>, Seen> seen;
   std::vector<Diagnostic> kept;
   for (Diagnostic& d : all) {
     const auto [entry, isNew] = seen.try_emplace({d.row, d.at, d.message}, Seen{kept.size(), 0});

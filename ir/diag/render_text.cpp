@@ -154,7 +154,8 @@ class TextRenderer {
       out_ << "   " << paint(cyan) << "help: " << paint(reset);
       // A help may list forms, one a line.
       std::string_view rest = d.help;
-      for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+      for (std::size_t end = rest.find('\n'); end != std::string_view::npos;
+           end = rest.find('\n')) {
         out_ << displayText(rest.substr(0, end)) << "\n         ";
         rest.remove_prefix(end + 1);
       }

@@ -13,9 +13,26 @@ namespace arelem {
 
 /// The kinds of geometric entities; the numbers are the type codes of CL records.
 enum class EntityType : std::uint8_t {
-  point = 1, line = 2, plane = 3, circle = 4, cylinder = 5, ellipse = 6, hyperbola = 7, cone = 8,
-  gconic = 9, lconic = 10, vector = 11, matrix = 12, sphere = 13, quadric = 14, polyconic = 15,
-  pattern = 18, torus = 19, tabulatedCylinder = 50, mesh = 51, ruledSurface = 53
+  point = 1,
+  line = 2,
+  plane = 3,
+  circle = 4,
+  cylinder = 5,
+  ellipse = 6,
+  hyperbola = 7,
+  cone = 8,
+  gconic = 9,
+  lconic = 10,
+  vector = 11,
+  matrix = 12,
+  sphere = 13,
+  quadric = 14,
+  polyconic = 15,
+  pattern = 18,
+  torus = 19,
+  tabulatedCylinder = 50,
+  mesh = 51,
+  ruledSurface = 53
 };
 
 [[nodiscard]] std::string_view spell(EntityType type);  ///< "POINT", "CYLNDR", ...
@@ -33,19 +50,19 @@ struct PatternShape {
 /// A geometric definition reduced to its canonical numbers: all that survives a definition.
 /// Layout of `canon` by type, units of the part program, angles never stored:
 ///   POINT x y z · LINE, PLANE a b c d (ax+by+cz=d, unit normal) · CIRCLE, CYLNDR x y z i j k r
-///   CONE x y z i j k cos(half angle) · VECTOR i j k · MATRIX 12 by rows (p' = A p + t) · SPHERE x y z r
-///   ELLIPS HYPERB GCONIC LCONIC QADRIC a b c d f g h p q r
+///   CONE x y z i j k cos(half angle) · VECTOR i j k · MATRIX 12 by rows (p' = A p + t) · SPHERE x
+///   y z r ELLIPS HYPERB GCONIC LCONIC QADRIC a b c d f g h p q r
 ///     (ax²+by²+cz²+d+2fyz+2gxz+2hxy+2px+2qy+2rz=0) · PATERN 3n coordinates
-///   TABCYL n k m1..m9, then per interval u v a b len max min, then final u v · TORUS x y z i j k R r
-///   RLDSRF sub-forms one after another, see runtime/define/ruled.cpp
+///   TABCYL n k m1..m9, then per interval u v a b len max min, then final u v · TORUS x y z i j k R
+///   r RLDSRF sub-forms one after another, see runtime/define/ruled.cpp
 struct Entity {
   EntityType type = EntityType::point;
   std::vector<double> canon;
-  PatternShape pattern;        ///< only for PATERN
-  std::string name;            ///< "" when unnamed (nested)
-  int subscript = 0;           ///< 0 when not an array element
-  Span definition;             ///< where it was defined
-  std::string referenceSystem; ///< name of the REFSYS matrix in force, "" for the base system
+  PatternShape pattern;         ///< only for PATERN
+  std::string name;             ///< "" when unnamed (nested)
+  int subscript = 0;            ///< 0 when not an array element
+  Span definition;              ///< where it was defined
+  std::string referenceSystem;  ///< name of the REFSYS matrix in force, "" for the base system
 };
 
 using EntityPtr = std::shared_ptr<const Entity>;

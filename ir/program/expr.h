@@ -20,9 +20,9 @@ struct Target {
 /// name(a,THRU,b,INCR,c) and its short forms: several elements of an array.
 struct ElementRange {
   SymbolId symbol;
-  ExprId low;         ///< none: 1
-  ExprId high;        ///< none: the last element (ALL)
-  ExprId step;        ///< none: 1
+  ExprId low;               ///< none: 1
+  ExprId high;              ///< none: the last element (ALL)
+  ExprId step;              ///< none: 1
   bool descending = false;  ///< DECR
   Span span;
 };
@@ -46,12 +46,16 @@ struct Argument {
 /// A scalar expression. Nodes live in Program::exprs; `left` and `right` are none where unused.
 struct Expr {
   enum class Kind : std::uint8_t {
-    number,    // number
-    symbol,    // target (a scalar symbol or array element)
-    assign,    // (A = left): a nested scalar definition, stored in target
-    negate,    // left
-    add, subtract, multiply, divide, power,  // left, right
-    call       // function(arguments)
+    number,  // number
+    symbol,  // target (a scalar symbol or array element)
+    assign,  // (A = left): a nested scalar definition, stored in target
+    negate,  // left
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,  // left, right
+    call    // function(arguments)
   };
   Kind kind = Kind::number;
   Span span;

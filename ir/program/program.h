@@ -32,11 +32,14 @@ struct Program {
 
   [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols[id.index]; }
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs[id.index]; }
-  [[nodiscard]] const Definition& operator[](DefinitionId id) const { return definitions[id.index]; }
+  [[nodiscard]] const Definition& operator[](DefinitionId id) const {
+    return definitions[id.index];
+  }
   [[nodiscard]] const Block& operator[](BlockId id) const { return blocks[id.index]; }
 };
 
-/// The stable text of a program (`--to ir`): one statement a line, numbers in shortest round-trip form.
+/// The stable text of a program (`--to ir`): one statement a line, numbers in shortest round-trip
+/// form.
 void print(std::ostream& out, const Program& program);
 
 }  // namespace arelem::ir

@@ -9,9 +9,13 @@ BufferId SourceMap::add(std::string name, std::string text) {
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }
 
-std::string_view SourceMap::name(BufferId buffer) const { return buffers_.at(buffer.index).name; }
+std::string_view SourceMap::name(BufferId buffer) const {
+  return buffers_.at(buffer.index).name;
+}
 
-std::string_view SourceMap::text(BufferId buffer) const { return buffers_.at(buffer.index).text; }
+std::string_view SourceMap::text(BufferId buffer) const {
+  return buffers_.at(buffer.index).text;
+}
 
 std::string_view SourceMap::text(const Span& span) const {
   const std::string_view whole = text(span.buffer);

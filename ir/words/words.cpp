@@ -16,7 +16,9 @@ constexpr std::array table = {
 #undef ARELEM_EXTENSION
 };
 
-bool isPost(const WordRow& word) { return word.type == 2000; }
+bool isPost(const WordRow& word) {
+  return word.type == 2000;
+}
 
 template <class Accept>
 std::optional<Word> findCode(int code, Accept accept) {
@@ -29,7 +31,9 @@ std::optional<Word> findCode(int code, Accept accept) {
 }
 }  // namespace
 
-const WordRow& row(Word word) { return table[static_cast<std::size_t>(word)]; }
+const WordRow& row(Word word) {
+  return table[static_cast<std::size_t>(word)];
+}
 
 std::optional<Word> findWord(std::string_view text) {
   static const auto index = [] {
@@ -44,9 +48,12 @@ std::optional<Word> findWord(std::string_view text) {
 }
 
 std::optional<Word> findModifier(int code) {
-  return findCode(code, [](const WordRow& r) { return r.wordClass == WordClass::modifier && !r.extension; });
+  return findCode(
+      code, [](const WordRow& r) { return r.wordClass == WordClass::modifier && !r.extension; });
 }
 
-std::optional<Word> findPostWord(int code) { return findCode(code, isPost); }
+std::optional<Word> findPostWord(int code) {
+  return findCode(code, isPost);
+}
 
 }  // namespace arelem

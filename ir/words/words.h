@@ -7,10 +7,40 @@ namespace arelem {
 
 /// What a vocabulary word may do in a statement; the processing classes of the old Section 1.
 enum class WordClass : std::uint8_t {
-  fixedField, arelemValue, arelemSwitch, inputOutput, obtain, zsurf, call, refsys, ifWord, jumpto,
-  loopBracket, pocket, psis, macroBracket, debug, reserv, syn, fini, function, tranto,
-  transformation, postWithParameters, postWithoutParameters, geometry, runControl, motion,
-  toolPosition, canon, modifier, phase, unused, tuneup, libry, units
+  fixedField,
+  arelemValue,
+  arelemSwitch,
+  inputOutput,
+  obtain,
+  zsurf,
+  call,
+  refsys,
+  ifWord,
+  jumpto,
+  loopBracket,
+  pocket,
+  psis,
+  macroBracket,
+  debug,
+  reserv,
+  syn,
+  fini,
+  function,
+  tranto,
+  transformation,
+  postWithParameters,
+  postWithoutParameters,
+  geometry,
+  runControl,
+  motion,
+  toolPosition,
+  canon,
+  modifier,
+  phase,
+  unused,
+  tuneup,
+  libry,
+  units
 };
 
 /// A vocabulary word. Enumerators are spelt as the word, with W_ before a leading digit.
@@ -32,7 +62,9 @@ struct WordRow {
 };
 
 [[nodiscard]] const WordRow& row(Word word);
-[[nodiscard]] inline std::string_view spell(Word word) { return row(word).text; }
+[[nodiscard]] inline std::string_view spell(Word word) {
+  return row(word).text;
+}
 /// Looks up upper-case text.
 [[nodiscard]] std::optional<Word> findWord(std::string_view text);
 /// The word of class `modifier` with this code; the first one listed where two share a code.

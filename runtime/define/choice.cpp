@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::define {

@@ -1,6 +1,7 @@
 // CIRCLE definitions: vertical cylinders; z of given places is ignored.
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/planar.h"
 #include "runtime/define/resolve.h"

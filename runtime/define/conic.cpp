@@ -1,6 +1,7 @@
 // ELLIPS, HYPERB, GCONIC and QADRIC definitions.
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "runtime/define/planar.h"
 #include "runtime/define/resolve.h"
 #include "runtime/geometry/angle.h"

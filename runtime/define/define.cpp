@@ -7,6 +7,7 @@
 
 #include "ir/define/matcher.h"
 #include "ir/diag/diagnostic.h"
+#include "ir/diag/geometry.h"
 #include "runtime/define/resolve.h"
 
 namespace arelem::define {

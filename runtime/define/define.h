@@ -18,18 +18,22 @@ using Parameter = std::variant<Omitted, double, Word, EntityPtr>;
 struct Context {
   /// ZSURF plane a x + b y + c z = d that supplies an implicit z; c is not 0.
   double zsurfA = 0.0, zsurfB = 0.0, zsurfC = 1.0, zsurfD = 0.0;
-  [[nodiscard]] double z(double x, double y) const { return (zsurfD - zsurfA * x - zsurfB * y) / zsurfC; }
+  [[nodiscard]] double z(double x, double y) const {
+    return (zsurfD - zsurfA * x - zsurfB * y) / zsurfC;
+  }
 };
 
 /// Computes the canonical form. The entity's name, subscript and place are left to the caller.
-[[nodiscard]] Result<Entity> define(EntityType type, std::span<const Parameter> parameters,
+[[nodiscard]] Result<Entity> define(EntityType type,
+                                    std::span<const Parameter> parameters,
                                     const Context& context);
 
 /// The same entity moved by a 3x4 matrix (rows a b c t): what REFSYS does to an entity in use.
 [[nodiscard]] Result<Entity> transformed(const Entity& entity, std::span<const double, 12> matrix);
 
 /// Product and inverse of 3x4 affine matrices by rows.
-[[nodiscard]] std::vector<double> product(std::span<const double, 12> left, std::span<const double, 12> right);
+[[nodiscard]] std::vector<double> product(std::span<const double, 12> left,
+                                          std::span<const double, 12> right);
 [[nodiscard]] Result<std::vector<double>> inverse(std::span<const double, 12> matrix);
 
 }  // namespace arelem::define

@@ -2,6 +2,7 @@
 // says.
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/planar.h"
 #include "runtime/define/resolve.h"

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/resolve.h"
 #include "runtime/geometry/angle.h"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::define {

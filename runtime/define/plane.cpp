@@ -1,6 +1,7 @@
 // PLANE definitions.
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"

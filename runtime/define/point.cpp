@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/planar.h"
 #include "runtime/define/resolve.h"

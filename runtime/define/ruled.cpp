@@ -1,6 +1,7 @@
 // RLDSRF definitions.
 #include <array>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"

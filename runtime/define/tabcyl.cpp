@@ -1,6 +1,7 @@
 // TABCYL definitions: from the data of the statement to the nodes of a curve.
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"

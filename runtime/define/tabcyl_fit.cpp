@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/tangent_solver.h"
 

@@ -1,6 +1,7 @@
 // POINT, LINE and CIRCLE definitions that refer to a TABCYL.
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/planar.h"
 #include "runtime/define/resolve.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/polynomial.h"
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::define {

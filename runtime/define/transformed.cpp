@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/define.h"
 #include "runtime/geometry/shapes.h"

@@ -1,6 +1,7 @@
 // VECTOR definitions. A point counts as the vector from the origin to it.
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"

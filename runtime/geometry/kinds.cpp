@@ -2,12 +2,15 @@
 
 #include <cmath>
 
+#include "ir/diag/motion.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 
 namespace arelem::surface {
 
 namespace {
-Vec3 vec(const std::vector<double>& c, std::size_t i) { return {c[i], c[i + 1], c[i + 2]}; }
+Vec3 vec(const std::vector<double>& c, std::size_t i) {
+  return {c[i], c[i + 1], c[i + 2]};
+}
 
 Quadric quadricOf(const std::vector<double>& c) {
   Quadric q;
@@ -79,7 +82,8 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
     case EntityType::sphere:
       return AnySurface(Sphere{vec(c, 0), c[3]});
     case EntityType::cone:
-      return AnySurface(Cone{vec(c, 0), vec(c, 3), c[6], std::sqrt(std::max(0.0, 1.0 - c[6] * c[6]))});
+      return AnySurface(
+          Cone{vec(c, 0), vec(c, 3), c[6], std::sqrt(std::max(0.0, 1.0 - c[6] * c[6]))});
     case EntityType::torus:
       return AnySurface(Torus{vec(c, 0), vec(c, 3), c[6], c[7]});
     case EntityType::ellipse:
@@ -95,6 +99,8 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
   }
 }
 
-Vec3 generatrix(const AnySurface& surface) { return std::visit(GeneratrixOf{}, surface); }
+Vec3 generatrix(const AnySurface& surface) {
+  return std::visit(GeneratrixOf{}, surface);
+}
 
 }  // namespace arelem::surface

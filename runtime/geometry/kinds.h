@@ -22,7 +22,8 @@ using AnySurface = VariantOf<Plane, Sphere, Cylinder, Cone, Torus, Quadric, Tabu
 /// The surface of an entity's canonical form; fails for what is no surface (POINT, VECTOR, ...).
 [[nodiscard]] Result<AnySurface> surfaceOf(const Entity& entity);
 
-/// The direction along which the surface does not change (cylinders of any cross-section, planes: zero).
+/// The direction along which the surface does not change (cylinders of any cross-section, planes:
+/// zero).
 [[nodiscard]] Vec3 generatrix(const AnySurface& surface);
 
 }  // namespace arelem::surface

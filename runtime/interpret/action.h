@@ -13,7 +13,8 @@
 
 /// What Section 1 hands to Section 2: statements in order of execution with every value computed.
 /// Expressions, loops, macros and reference systems are gone; only motion, its parameters and the
-/// records that pass through remain. Lengths are in the unit of the part program, angles in degrees.
+/// records that pass through remain. Lengths are in the unit of the part program, angles in
+/// degrees.
 namespace arelem::runtime {
 
 /// A surface as a motion statement uses it, already in the base reference system.
@@ -30,17 +31,17 @@ struct Locate {
   std::optional<double> axial;
   std::optional<Vec3> axis;  ///< as written, not normalised
   std::optional<double> feed;
-  std::string name;          ///< of the point or pattern, "" when given by numbers
+  std::string name;  ///< of the point or pattern, "" when given by numbers
   int subscript = 0;
 };
 struct Startup {
-  bool offset = false;  ///< OFFSET/ instead of GO/
+  bool offset = false;               ///< OFFSET/ instead of GO/
   std::vector<SurfaceUse> surfaces;  ///< drive, part, check
   std::optional<double> feed;
 };
 struct CheckUse {
   SurfaceUse use;
-  int nth = 1;  ///< n, INTOF
+  int nth = 1;                         ///< n, INTOF
   std::optional<std::uint64_t> label;  ///< key of the Label action to continue at
 };
 struct Follow {
@@ -54,29 +55,53 @@ struct Direction {
   Word word = Word::INDIRV;
   std::array<std::optional<Vec3>, 3> values;
 };
-struct PartSurface { EntityPtr surface; };            ///< PSIS
-struct ToolRelation { Word word = Word::TLON; };      ///< TLLFT TLRGT TLON TLNDON TLONPS TLOFPS
-/// INTOL OUTTOL TOLER THICK (one to four values, not yet spread), MAXDP, NUMPTS, CUTTER (as written).
-struct Parameter { Word word = Word::CUTTER; std::vector<double> values; };
-/// CUTTER/OPTION,{1|2},{ra,hi|OFF}: a ring instead of the cutter for the part (1) or drive (2) surface.
-struct CutterOption { int surface = 1; std::optional<std::array<double, 2>> ring; };
+struct PartSurface {
+  EntityPtr surface;
+};  ///< PSIS
+struct ToolRelation {
+  Word word = Word::TLON;
+};  ///< TLLFT TLRGT TLON TLNDON TLONPS TLOFPS
+/// INTOL OUTTOL TOLER THICK (one to four values, not yet spread), MAXDP, NUMPTS, CUTTER (as
+/// written).
+struct Parameter {
+  Word word = Word::CUTTER;
+  std::vector<double> values;
+};
+/// CUTTER/OPTION,{1|2},{ra,hi|OFF}: a ring instead of the cutter for the part (1) or drive (2)
+/// surface.
+struct CutterOption {
+  int surface = 1;
+  std::optional<std::array<double, 2>> ring;
+};
 /// TLAXIS in all its forms.
 struct ToolAxis {
   enum class Kind : std::uint8_t { vector, keep, normalPart, normalDrive, parallel, angle };
   Kind kind = Kind::vector;
-  Vec3 vector = Vec3::UnitZ();      ///< vector; or the vector of the 4-axis form of `angle`
-  int surface = 1;                  ///< parallel, angle: 1 part, 2 drive surface
+  Vec3 vector = Vec3::UnitZ();  ///< vector; or the vector of the 4-axis form of `angle`
+  int surface = 1;              ///< parallel, angle: 1 part, 2 drive surface
   double alphaDegrees = 0.0;
   std::optional<double> cutAngleDegrees;  ///< CUTANG
-  bool fourAxis = false;            ///< angle with a vector
+  bool fourAxis = false;                  ///< angle with a vector
 };
 /// CUT DNTCUT MULTAX GOUGCK AUTOPS NDTEST NOPS 2DCALC 3DCALC.
-struct Toggle { Word word = Word::CUT; bool on = true; };
+struct Toggle {
+  Word word = Word::CUT;
+  bool on = true;
+};
 /// A record that motion does not change: post words, texts, units, CLPRNT, TRACUT, COPY, INDEX.
-struct Pass { cl::Body body; };
-struct Transfer { std::uint64_t label = 0; };  ///< TRANTO
-struct Label { std::uint64_t key = 0; };       ///< place of a labelled statement, for Transfer and checks
-struct Pocket { std::array<double, 8> parameters{}; std::vector<Vec3> points; };
+struct Pass {
+  cl::Body body;
+};
+struct Transfer {
+  std::uint64_t label = 0;
+};  ///< TRANTO
+struct Label {
+  std::uint64_t key = 0;
+};  ///< place of a labelled statement, for Transfer and checks
+struct Pocket {
+  std::array<double, 8> parameters{};
+  std::vector<Vec3> points;
+};
 struct Fini {};
 
 /// The CALL statements that are active, innermost first; shared between the actions of one call.
@@ -86,8 +111,21 @@ struct CallChain {
 };
 
 struct Action {
-  using Body = std::variant<Locate, Startup, Follow, Direction, PartSurface, ToolRelation, Parameter,
-                            CutterOption, ToolAxis, Toggle, Pass, Transfer, Label, Pocket, Fini>;
+  using Body = std::variant<Locate,
+                            Startup,
+                            Follow,
+                            Direction,
+                            PartSurface,
+                            ToolRelation,
+                            Parameter,
+                            CutterOption,
+                            ToolAxis,
+                            Toggle,
+                            Pass,
+                            Transfer,
+                            Label,
+                            Pocket,
+                            Fini>;
   Span origin;
   int isn = 0;
   std::string cardId;

@@ -1,5 +1,6 @@
 #include "runtime/interpret/command.h"
 
+#include "ir/diag/interpret.h"
 #include "runtime/interpret/printing.h"
 
 namespace arelem::runtime::interpret {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ir/diag/frontend.h"
+#include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/item.h"

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/motion.h"

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ir/diag/interpret.h"
+#include "ir/diag/limits.h"
 #include "ir/space/tolerance.h"
 #include "runtime/interpret/function.h"
 

@@ -9,8 +9,9 @@ namespace arelem::runtime::interpret {
 /// poisoned name is used). A result is always finite.
 [[nodiscard]] std::optional<double> scalar(State& state, ir::ExprId expr);
 
-/// The value on which an IF decides. A difference that only rounding keeps from zero (tolerance::decimalStep) is
-/// zero, so that a loop of decimal steps ends as it does on paper: ten steps of .03 from .2 reach .5.
+/// The value on which an IF decides. A difference that only rounding keeps from zero
+/// (tolerance::decimalStep) is zero, so that a loop of decimal steps ends as it does on paper: ten
+/// steps of .03 from .2 reach .5.
 [[nodiscard]] std::optional<double> compared(State& state, ir::ExprId expr);
 
 /// Stores a value under a scalar name; none where the name cannot take it.

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ir/diag/interpret.h"
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/motion.h"
 #include "runtime/motion/direction.h"

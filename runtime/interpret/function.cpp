@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/angle.h"
 #include "runtime/interpret/expression.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ir/diag/interpret.h"
+#include "ir/diag/limits.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/definition.h"
 #include "runtime/interpret/expression.h"

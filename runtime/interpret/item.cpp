@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ir/diag/interpret.h"
+#include "ir/diag/limits.h"
 #include "runtime/interpret/definition.h"
 #include "runtime/interpret/expression.h"
 

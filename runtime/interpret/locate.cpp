@@ -1,3 +1,4 @@
+#include "ir/diag/interpret.h"
 #include "runtime/interpret/motion.h"
 
 namespace arelem::runtime::interpret {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ir/diag/interpret.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/motion.h"
 

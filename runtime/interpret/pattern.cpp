@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "ir/diag/interpret.h"
 #include "runtime/interpret/motion.h"
 
 namespace arelem::runtime::interpret {

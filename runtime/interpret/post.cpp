@@ -1,3 +1,4 @@
+#include "ir/diag/interpret.h"
 #include "runtime/interpret/command.h"
 
 namespace arelem::runtime::interpret {

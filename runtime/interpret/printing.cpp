@@ -1,5 +1,7 @@
 #include "runtime/interpret/printing.h"
 
+#include "ir/diag/interpret.h"
+#include "ir/diag/limits.h"
 #include "runtime/interpret/expression.h"
 
 namespace arelem::runtime::interpret {

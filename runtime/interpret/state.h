@@ -82,7 +82,7 @@ class State {
   [[nodiscard]] bool assignedSomewhere(ir::SymbolId symbol);
 
   DiagnosticSink& sink_;
-  std::set<std::pair<std::uint16_t, Span>> reported_;
+  std::set<std::pair<const DiagRow*, Span>> reported_;
   std::vector<bool> assigned_;  // by symbol; empty until first needed
   std::vector<Ignored> ignored_;
   const ir::Statement* implied_ = nullptr;

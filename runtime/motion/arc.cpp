@@ -17,8 +17,11 @@ Vec3 ArcPlan::tangent(std::uint64_t k) const {
   return {-sense * std::sin(angle), sense * std::cos(angle), 0.0};
 }
 
-ArcPlan planArc(const surface::Cylinder& circle, const std::vector<Vec3>& walked,
-                const tool::Contact& start, double inner, double outer) {
+ArcPlan planArc(const surface::Cylinder& circle,
+                const std::vector<Vec3>& walked,
+                const tool::Contact& start,
+                double inner,
+                double outer) {
   ArcPlan plan;
   plan.centerX = circle.point.x();
   plan.centerY = circle.point.y();

@@ -10,21 +10,27 @@ namespace arelem::motion {
 namespace {
 /// Finest step, as a share of the tolerance band: what is narrower is contact within the tolerance.
 constexpr double fineShare = 0.25;
-/// A tangency passes through its band in a length of the order of sqrt(band); this share of it is one step.
+/// A tangency passes through its band in a length of the order of sqrt(band); this share of it is
+/// one step.
 constexpr double tangentShare = 0.05;
 /// Cosine of the angle within which contact normals count as agreeing at a tangency.
 constexpr double agreeing = 0.5;
-/// A changing tool axis adds to the change of a gap; the proof then keeps this share of the free path.
+/// A changing tool axis adds to the change of a gap; the proof then keeps this share of the free
+/// path.
 constexpr double turningAxisShare = 0.5;
-/// What is left of a free margin at the end of a segment, as path in any direction: the rate found on the
-/// segment holds for its direction only.
+/// What is left of a free margin at the end of a segment, as path in any direction: the rate found
+/// on the segment holds for its direction only.
 double freeBeyond(double margin, double rate, double rest, const AxisRule& axis) {
   const double left = std::max(0.0, margin - rate * rest);
   return axis.normalTo != nullptr ? turningAxisShare * left : left;
 }
 }  // namespace
 
-CheckWatch::CheckWatch(const NamedSurface& surface, ir::Condition condition, int nth, Tool tool, double band,
+CheckWatch::CheckWatch(const NamedSurface& surface,
+                       ir::Condition condition,
+                       int nth,
+                       Tool tool,
+                       double band,
                        double pathBand)
     : surface_(surface),
       condition_(condition),
@@ -44,7 +50,9 @@ void CheckWatch::note(double distance, const Vec3& place) {
   }
 }
 
-CheckWatch::Measure CheckWatch::measure(const Vec3& at, const AxisRule& axis, const Vec3& direction) {
+CheckWatch::Measure CheckWatch::measure(const Vec3& at,
+                                        const AxisRule& axis,
+                                        const Vec3& direction) {
   const Vec3 a = axis.at(at);
   const tool::Contact p = plus_->at(at, a);
   Measure m;
@@ -75,7 +83,9 @@ void CheckWatch::begin(const Vec3& toolEnd, const AxisRule& axis) {
   nearest_ = std::numeric_limits<double>::infinity();
 }
 
-std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, const AxisRule& axis, Field& guide) {
+std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment,
+                                                const AxisRule& axis,
+                                                Field& guide) {
   if (now_.free > segment.length) {
     now_.free -= segment.length;
     return std::nullopt;
@@ -102,11 +112,13 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s, const 
     } else if ((m.value > 0.0) != now_.positive) {
       now_.positive = !now_.positive;
       ++now_.seen;
-      // Order of the positions: TO, PAST, TO, PAST from a remote start, PAST, TO, ... from a violation.
+      // Order of the positions: TO, PAST, TO, PAST from a remote start, PAST, TO, ... from a
+      // violation.
       const bool past = condition_ == ir::Condition::past;
       const int wanted = both ? nth_ : 2 * nth_ - (past == now_.startedRemote ? 0 : 1);
       if (now_.seen == wanted) {
-        // The gap that vanishes there: entering, the one that was open before; leaving, the one that opens.
+        // The gap that vanishes there: entering, the one that was open before; leaving, the one
+        // that opens.
         Field* field = m.value > 0.0 ? m.field : outsideBefore;
         if (both) {
           field = (m.value > 0.0) == past ? plus_.get() : minus_.get();
@@ -125,7 +137,9 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s, const 
   }
 }
 
-std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, const AxisRule& axis, Field& guide) {
+std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s,
+                                                       const AxisRule& axis,
+                                                       Field& guide) {
   const double finest = std::max(tangentShare * std::sqrt(band_), tolerance::sameSide);
   double before = 0.0;
   double u = now_.free;
@@ -133,7 +147,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, const A
     const Vec3 at = s.from + u * s.direction;
     const Vec3 a = axis.at(at);
     const Vec3 guideNormal = guide.at(at, a).normal;
-    const Vec3 tangent = s.tangentFrom + u / std::max(s.length, finest) * (s.tangentTo - s.tangentFrom);
+    const Vec3 tangent =
+        s.tangentFrom + u / std::max(s.length, finest) * (s.tangentTo - s.tangentFrom);
     Field* inside = nullptr;
     double turn = 0.0;
     double away = tolerance::farAway;
@@ -147,7 +162,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, const A
         turn = c.normal.dot(tangent);
       } else if (std::abs(out) < away) {
         away = std::abs(out);
-        rate = field->flat() && axis.normalTo == nullptr ? std::abs(c.normal.dot(s.direction)) : 1.0;
+        rate =
+            field->flat() && axis.normalTo == nullptr ? std::abs(c.normal.dot(s.direction)) : 1.0;
       }
       if (agreement > agreeing) {
         note(std::abs(c.gap), at);

@@ -55,12 +55,18 @@ double longestChord(double bend, double from, double to, double inner, double ou
   // The parabola over a chord touches the band's edge where the two square roots meet.
   const double a = bend > 0.0 ? from + inner : outer - from;
   const double b = bend > 0.0 ? to + inner : outer - to;
-  return (std::sqrt(std::max(a, 0.0)) + std::sqrt(std::max(b, 0.0))) * std::sqrt(2.0 / std::abs(bend));
+  return (std::sqrt(std::max(a, 0.0)) + std::sqrt(std::max(b, 0.0))) *
+         std::sqrt(2.0 / std::abs(bend));
 }
 
-double fittingFactor(const ChordProfile& first, const ChordProfile& second, double inner, double outer) {
+double fittingFactor(const ChordProfile& first,
+                     const ChordProfile& second,
+                     double inner,
+                     double outer) {
   const double whole = first.length + second.length;
-  const auto line = [&](double s) { return first.gapFrom + s / whole * (second.gapTo - first.gapFrom); };
+  const auto line = [&](double s) {
+    return first.gapFrom + s / whole * (second.gapTo - first.gapFrom);
+  };
   // Ends lie on the line between them; rounding must not make a dip of that.
   const double rounding = 1e-9 * (inner + outer);
   double factor = unlimited;

@@ -4,12 +4,14 @@
 #include <numbers>
 #include <optional>
 
+#include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::motion {
 
 namespace {
-/// Cosine of 88 degrees, as the old system has it: nearer to square than this a GO word does not decide.
+/// Cosine of 88 degrees, as the old system has it: nearer to square than this a GO word does not
+/// decide.
 constexpr double leastCosine = 0.0349;
 }  // namespace
 
@@ -31,7 +33,9 @@ std::string_view spell(ir::Heading heading) {
   return "";
 }
 
-Result<Vec3> wantedDirection(ir::Heading heading, const std::optional<Vec3>& forward, const Vec3& axis) {
+Result<Vec3> wantedDirection(ir::Heading heading,
+                             const std::optional<Vec3>& forward,
+                             const Vec3& axis) {
   if (heading == ir::Heading::up) {
     return axis;
   }
@@ -55,7 +59,9 @@ Result<Vec3> wantedDirection(ir::Heading heading, const std::optional<Vec3>& for
   }
 }
 
-Result<Vec3> startDirection(ir::Heading heading, const Vec3& wanted, const Vec3& partNormal,
+Result<Vec3> startDirection(ir::Heading heading,
+                            const Vec3& wanted,
+                            const Vec3& partNormal,
                             const Vec3& driveNormal) {
   const Vec3 common = partNormal.cross(driveNormal);
   if (common.norm() <= tolerance::nullDirection) {

@@ -6,12 +6,15 @@
 namespace arelem::motion {
 
 /// The wanted direction W of a GO word, from the sense of direction and the tool axis (spec 4.5).
-[[nodiscard]] Result<Vec3> wantedDirection(ir::Heading heading, const std::optional<Vec3>& forward,
+[[nodiscard]] Result<Vec3> wantedDirection(ir::Heading heading,
+                                           const std::optional<Vec3>& forward,
                                            const Vec3& axis);
 
-/// The start direction: the tangent common to both surfaces, turned towards W; W itself where the normals
-/// are parallel. Fails within 2 degrees of square to W.
-[[nodiscard]] Result<Vec3> startDirection(ir::Heading heading, const Vec3& wanted, const Vec3& partNormal,
+/// The start direction: the tangent common to both surfaces, turned towards W; W itself where the
+/// normals are parallel. Fails within 2 degrees of square to W.
+[[nodiscard]] Result<Vec3> startDirection(ir::Heading heading,
+                                          const Vec3& wanted,
+                                          const Vec3& partNormal,
                                           const Vec3& driveNormal);
 
 [[nodiscard]] std::string_view spell(ir::Heading heading);  ///< "GOLFT", ...

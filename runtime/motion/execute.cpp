@@ -1,6 +1,8 @@
 #include <chrono>
 #include <unordered_map>
 
+#include "ir/diag/limits.h"
+#include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/direction.h"
 #include "runtime/motion/follow.h"
@@ -14,7 +16,8 @@ namespace arelem::runtime {
 namespace {
 using motion::State;
 
-/// Spreads one to four values over part, drive, check and second check surface: the last one repeats.
+/// Spreads one to four values over part, drive, check and second check surface: the last one
+/// repeats.
 std::array<double, 4> spread(const std::vector<double>& values) {
   std::array<double, 4> all{};
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -25,7 +28,9 @@ std::array<double, 4> spread(const std::vector<double>& values) {
 
 class Machine {
  public:
-  Machine(const std::vector<Action>& actions, const Options& options, cl::RecordSink& records,
+  Machine(const std::vector<Action>& actions,
+          const Options& options,
+          cl::RecordSink& records,
           DiagnosticSink& sink)
       : actions_(actions), options_(options), writer_(records), sink_(sink) {
     for (std::size_t i = 0; i < actions.size(); ++i) {
@@ -63,10 +68,11 @@ class Machine {
     return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
   }
 
-  // ---- diagnostics --------------------------------------------------------------------------------
+  // ---- diagnostics
+  // --------------------------------------------------------------------------------
 
   void report(Failure failure) {
-    const DiagRow& row = diagnosticTable()[failure.row];
+    const DiagRow& row = *failure.row;
     const bool isError = row.severity == Severity::error;
     if (row.code == "E0890") {
       stop_ = true;
@@ -109,7 +115,8 @@ class Machine {
     return list;
   }
 
-  // ---- positions ----------------------------------------------------------------------------------
+  // ---- positions
+  // ----------------------------------------------------------------------------------
 
   void put(const Vec3& toolEnd, cl::Motion::Kind kind, const std::string& name, int subscript) {
     if (!state_.output) {
@@ -128,7 +135,8 @@ class Machine {
 
   void moveTo(const Vec3& toolEnd) {
     const Vec3 step = toolEnd - state_.toolEnd;
-    const bool axial = step.cross(state_.axis).norm() <= tolerance::nullDirection * (1.0 + step.norm());
+    const bool axial =
+        step.cross(state_.axis).norm() <= tolerance::nullDirection * (1.0 + step.norm());
     if (!axial) {
       state_.forward = step;
     }
@@ -143,7 +151,10 @@ class Machine {
     }
   }
 
-  void fact(const char* statement, std::uint64_t vectors, double length, const motion::FollowResult* r,
+  void fact(const char* statement,
+            std::uint64_t vectors,
+            double length,
+            const motion::FollowResult* r,
             std::chrono::steady_clock::time_point since) {
     MotionFact f;
     f.origin = action().origin;
@@ -252,7 +263,8 @@ class Machine {
     }
   }
 
-  // ---- continuous motion --------------------------------------------------------------------------
+  // ---- continuous motion
+  // --------------------------------------------------------------------------
 
   /// The check surface that the next motion implies (spec 4.8), or why there is none.
   Result<motion::CheckGoal> impliedCheck() {
@@ -272,7 +284,8 @@ class Machine {
     return fail(diag::ImpliedCheckPending);
   }
 
-  static Result<motion::CheckGoal> impliedBy(const Follow& next, const std::optional<Word>& relation) {
+  static Result<motion::CheckGoal> impliedBy(const Follow& next,
+                                             const std::optional<Word>& relation) {
     if (next.heading == ir::Heading::up || next.heading == ir::Heading::down) {
       return fail(diag::ImpliedCheckUpDown, motion::spell(next.heading));
     }
@@ -332,11 +345,14 @@ class Machine {
     consumeOneShots();
   }
 
-  std::optional<Failure> runFollow(const Follow& f, const motion::FollowRequest& request,
+  std::optional<Failure> runFollow(const Follow& f,
+                                   const motion::FollowRequest& request,
                                    std::chrono::steady_clock::time_point since) {
     // Points wait until the motion is known to succeed: a failed motion puts out none.
     points_.clear();
-    const auto keep = [&](const Vec3& toolEnd, const Vec3& axis) { points_.push_back({toolEnd, axis}); };
+    const auto keep = [&](const Vec3& toolEnd, const Vec3& axis) {
+      points_.push_back({toolEnd, axis});
+    };
     auto result = motion::follow(state_, request, keep, options_.limits, options_.interrupted);
     if (!result) {
       return result.takeFailure();
@@ -397,7 +413,8 @@ class Machine {
 
   void perform(const Transfer& t) { jump(t.label); }
 
-  // ---- modal statements ---------------------------------------------------------------------------
+  // ---- modal statements
+  // ---------------------------------------------------------------------------
 
   void perform(const Direction& d) {
     auto& target = d.word == Word::SRFVCT ? state_.surfaceVector : state_.direction;
@@ -575,7 +592,9 @@ class Machine {
 };
 }  // namespace
 
-MotionOutcome execute(const std::vector<Action>& actions, const Options& options, cl::RecordSink& records,
+MotionOutcome execute(const std::vector<Action>& actions,
+                      const Options& options,
+                      cl::RecordSink& records,
                       DiagnosticSink& sink) {
   return Machine(actions, options, records, sink).run();
 }

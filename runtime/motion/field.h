@@ -7,9 +7,9 @@
 
 namespace arelem::motion {
 
-/// The gap between the tool and one side of one surface as a function of where the tool is: 1-Lipschitz in
-/// the tool end, with the contact normal as gradient. Remembers the last contact to start the next search,
-/// so one Field belongs to one motion of one thread.
+/// The gap between the tool and one side of one surface as a function of where the tool is:
+/// 1-Lipschitz in the tool end, with the contact normal as gradient. Remembers the last contact to
+/// start the next search, so one Field belongs to one motion of one thread.
 class Field {
  public:
   virtual ~Field() = default;
@@ -32,7 +32,9 @@ struct Tool {
 };
 
 /// `side` is +1 or -1: the side of the surface, by its own normal, on which the tool stands.
-[[nodiscard]] std::unique_ptr<Field> makeField(const surface::AnySurface& surface, double side, Tool tool);
+[[nodiscard]] std::unique_ptr<Field> makeField(const surface::AnySurface& surface,
+                                               double side,
+                                               Tool tool);
 
 /// Signed distance of a point to a surface, by the surface's own normal.
 [[nodiscard]] surface::Foot footOn(const surface::AnySurface& surface, const Vec3& point);

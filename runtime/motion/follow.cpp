@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/diag/limits.h"
+#include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/arc.h"
 #include "runtime/motion/direction.h"
@@ -13,7 +15,8 @@
 namespace arelem::motion {
 
 namespace {
-/// Share of the band, beside a fixed length, by which the start may lie outside its band (502, 503).
+/// Share of the band, beside a fixed length, by which the start may lie outside its band (502,
+/// 503).
 constexpr double startShare = 0.2;
 constexpr double startLength = 5e-5;
 /// Interior cut vectors end within this share of the band of the gap aimed at.
@@ -35,7 +38,10 @@ struct Met {
 
 class Follower {
  public:
-  Follower(const State& state, const FollowRequest& request, const EmitPoint& emit, const Limits& limits,
+  Follower(const State& state,
+           const FollowRequest& request,
+           const EmitPoint& emit,
+           const Limits& limits,
            const InterruptFlag* interrupted)
       : state_(state), request_(request), emit_(emit), limits_(limits), interrupted_(interrupted) {}
 
@@ -82,7 +88,8 @@ class Follower {
     }
     path_.axis.fixed = state_.axis;
     const auto kind = state_.axisRule.kind;
-    if (kind == runtime::ToolAxis::Kind::normalPart || kind == runtime::ToolAxis::Kind::normalDrive) {
+    if (kind == runtime::ToolAxis::Kind::normalPart ||
+        kind == runtime::ToolAxis::Kind::normalDrive) {
       const NamedSurface& s = kind == runtime::ToolAxis::Kind::normalPart ? part : request_.drive;
       axisField_ = makeField(s.surface, sideAlongAxis(s), {});
       path_.axis.normalTo = axisField_.get();
@@ -133,7 +140,8 @@ class Follower {
   std::optional<Failure> setChecks() {
     for (std::size_t i = 0; i < request_.checks.size(); ++i) {
       const CheckGoal& goal = request_.checks[i];
-      const bool tangent = goal.condition == ir::Condition::tanto || goal.condition == ir::Condition::pstan;
+      const bool tangent =
+          goal.condition == ir::Condition::tanto || goal.condition == ir::Condition::pstan;
       const bool touchesPart = goal.condition == ir::Condition::pstan;
       const NamedSurface& partner = touchesPart ? *part_ : request_.drive;
       if (tangent && goal.surface.isPlane() && partner.isPlane()) {
@@ -160,8 +168,9 @@ class Follower {
       const double gap = g.field->at(state_.toolEnd, axis).gap;
       const double slack = startShare * (g.inner + g.outer) + startLength;
       if (gap > g.outer + slack || gap < -g.inner - slack) {
-        return role == partRole ? fail(diag::OffPartSurface, gap, g.surface.name, -g.inner, g.outer)
-                                : fail(diag::OffDriveSurface, gap, g.surface.name, -g.inner, g.outer);
+        return role == partRole
+                   ? fail(diag::OffPartSurface, gap, g.surface.name, -g.inner, g.outer)
+                   : fail(diag::OffDriveSurface, gap, g.surface.name, -g.inner, g.outer);
       }
     }
     auto wanted = wantedDirection(request_.heading, state_.forward, axis);
@@ -169,8 +178,8 @@ class Follower {
       return wanted.takeFailure();
     }
     start_ = path_.look(state_.toolEnd, *wanted);
-    auto direction =
-        startDirection(request_.heading, *wanted, start_.contacts[0].normal, start_.contacts[1].normal);
+    auto direction = startDirection(request_.heading, *wanted, start_.contacts[0].normal,
+                                    start_.contacts[1].normal);
     if (!direction) {
       return direction.takeFailure();
     }
@@ -193,14 +202,16 @@ class Follower {
   }
 
   void warnWrongSide() {
-    if (!state_.driveRelation || toolOnDrive() || cutterFor(state_, driveRole)->maxRadius() == 0.0) {
+    if (!state_.driveRelation || toolOnDrive() ||
+        cutterFor(state_, driveRole)->maxRadius() == 0.0) {
       return;
     }
     // The drive surface lies to the right of the motion when the tool is left of it.
     const double q = start_.tangent.cross(Vec3(-start_.contacts[1].normal)).dot(start_.axis);
     const bool left = *state_.driveRelation == Word::TLLFT;
     if (left ? q > tolerance::coincidence : q < -tolerance::coincidence) {
-      result_.warnings.push_back(fail(diag::WrongSide, spell(*state_.driveRelation), request_.drive.name));
+      result_.warnings.push_back(
+          fail(diag::WrongSide, spell(*state_.driveRelation), request_.drive.name));
     }
   }
 
@@ -246,7 +257,8 @@ class Follower {
   /// The next cut vector from `a`, as long as its bands allow but not longer than `cap`.
   std::optional<PathPoint> advance(const PathPoint& a, double cap) {
     double length = std::min(plannedLength(a), cap);
-    const double accept = aimShare * std::min(part().inner + part().outer, drive().inner + drive().outer);
+    const double accept =
+        aimShare * std::min(part().inner + part().outer, drive().inner + drive().outer);
     std::optional<PathPoint> best;
     for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
       const std::array gaps{part().vertexGap(), drive().vertexGap()};
@@ -257,8 +269,8 @@ class Follower {
       }
       const double factor = path_.fit(a, *b);
       if (factor < 1.0 - tolerance::coincidence) {
-        // Past an inflection the surface bends the other way than it did: aim at the other edge of the band
-        // before shortening the chord.
+        // Past an inflection the surface bends the other way than it did: aim at the other edge of
+        // the band before shortening the chord.
         if (i == 0 && learnTurn(a, *b)) {
           length = std::min({plannedLength(a), cap, length});
         } else {
@@ -266,11 +278,13 @@ class Follower {
         }
         continue;
       }
-      const bool better = !best || (b->toolEnd - a.toolEnd).norm() > (best->toolEnd - a.toolEnd).norm();
+      const bool better =
+          !best || (b->toolEnd - a.toolEnd).norm() > (best->toolEnd - a.toolEnd).norm();
       if (better) {
         best = b;
       }
-      if (!better || factor < goodFit || length >= cap * safety || length >= state_.longestVector || i > 4) {
+      if (!better || factor < goodFit || length >= cap * safety || length >= state_.longestVector ||
+          i > 4) {
         break;
       }
       length = std::min({length * std::min(factor * safety, 2.0), cap, state_.longestVector});
@@ -282,7 +296,8 @@ class Follower {
   bool learnTurn(const PathPoint& a, const PathPoint& b) {
     const std::array before{part().bend, drive().bend};
     learnBend(a, b);
-    return (part().bend >= 0.0) != (before[0] >= 0.0) || (drive().bend >= 0.0) != (before[1] >= 0.0);
+    return (part().bend >= 0.0) != (before[0] >= 0.0) ||
+           (drive().bend >= 0.0) != (before[1] >= 0.0);
   }
 
   void learnBend(const PathPoint& a, const PathPoint& b) {
@@ -324,19 +339,22 @@ class Follower {
     const Vec3 near = segment.from + 0.5 * (met.hit.low + met.hit.high) * segment.direction;
     if (!isArc()) {
       for (Guide& g : path_.guides) {
-        g.rest = restGapAfter(*g.field, near, path_.axis, a.tangent, g.bend, g.inner, g.outer, exact_);
+        g.rest =
+            restGapAfter(*g.field, near, path_.axis, a.tangent, g.bend, g.inner, g.outer, exact_);
       }
     }
     return meetAtRest(a, segment, met, near);
   }
 
-  std::optional<PathPoint> meetAtRest(const PathPoint& a, const Segment& segment, const Met& met,
+  std::optional<PathPoint> meetAtRest(const PathPoint& a,
+                                      const Segment& segment,
+                                      const Met& met,
                                       const Vec3& near) {
     const CheckWatch& watch = watches_[met.check];
     const Role role = met.check == 0 ? checkRole : secondCheckRole;
     const double rest = watch.isTangent() ? 0.0
-                                          : restGap(*met.hit.field, near, path_.axis, state_.inner[role],
-                                                    state_.outer[role], exact_);
+                                          : restGap(*met.hit.field, near, path_.axis,
+                                                    state_.inner[role], state_.outer[role], exact_);
     auto end = meet(path_, a, segment, watch, met.hit, rest);
     if (end) {
       result_.check = met.check;
@@ -371,22 +389,26 @@ class Follower {
       const std::string& partner = w.usesPart() ? part_->name : request_.drive.name;
       return fail(diag::NoTangency, partner, w.surface().name, w.band(), w.nearest());
     }
-    return fail(diag::CheckNotReached, w.surface().name, "as asked", w.nearest(), p.x(), p.y(), p.z());
+    return fail(diag::CheckNotReached, w.surface().name, "as asked", w.nearest(), p.x(), p.y(),
+                p.z());
   }
 
-  [[nodiscard]] std::optional<Failure> beyondLimits(const PathPoint& a, std::uint64_t vectors) const {
+  [[nodiscard]] std::optional<Failure> beyondLimits(const PathPoint& a,
+                                                    std::uint64_t vectors) const {
     if (interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed)) {
       return fail(diag::Interrupted);
     }
-    const double most = path_.flat() || exact_ ? static_cast<double>(limits_.points)
-                                               : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
+    const double most = path_.flat() || exact_
+                            ? static_cast<double>(limits_.points)
+                            : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
     if (static_cast<double>(vectors) >= most) {
       return fail(diag::CutVectorLimit, most, a.toolEnd.x(), a.toolEnd.y(), a.toolEnd.z());
     }
     return std::nullopt;
   }
 
-  /// Walks the path chord by chord until a check surface is met; `accept` gets every cut vector's end.
+  /// Walks the path chord by chord until a check surface is met; `accept` gets every cut vector's
+  /// end.
   template <class Accept>
   std::optional<Failure> runChords(Accept accept) {
     PathPoint a = last_ = start_;
@@ -414,7 +436,8 @@ class Follower {
           return lost(a);
         }
         // A near miss: nearest here, but beyond the tolerance.
-        if (tangent && !(end && watches_[met->check].touches(met->hit.field->at(end->toolEnd, end->axis).gap))) {
+        if (tangent && !(end && watches_[met->check].touches(
+                                    met->hit.field->at(end->toolEnd, end->axis).gap))) {
           met.reset();
         }
       }
@@ -424,7 +447,8 @@ class Follower {
           accept(*end);
           return finish(*end);
         }
-        if (const auto edge = endAtEdge(a, segment, *met); edge && path_.fit(a, *edge) >= 1.0 - fitShare) {
+        if (const auto edge = endAtEdge(a, segment, *met);
+            edge && path_.fit(a, *edge) >= 1.0 - fitShare) {
           accept(*edge);
           return finish(*edge);
         }
@@ -461,7 +485,8 @@ class Follower {
 
   // ---- circles ----------------------------------------------------------------------------------
 
-  /// A circle on a plane: finds the stop on chords that are not put out, then divides the arc evenly.
+  /// A circle on a plane: finds the stop on chords that are not put out, then divides the arc
+  /// evenly.
   std::optional<Failure> runArc() {
     std::vector<Vec3> walked{start_.toolEnd};
     auto bad = runChords([&](const PathPoint& p) { walked.push_back(p.toolEnd); });
@@ -503,8 +528,11 @@ class Follower {
 };
 }  // namespace
 
-Result<FollowResult> follow(const State& state, const FollowRequest& request, const EmitPoint& emit,
-                            const Limits& limits, const InterruptFlag* interrupted) {
+Result<FollowResult> follow(const State& state,
+                            const FollowRequest& request,
+                            const EmitPoint& emit,
+                            const Limits& limits,
+                            const InterruptFlag* interrupted) {
   return Follower(state, request, emit, limits, interrupted).run();
 }
 

@@ -6,7 +6,8 @@
 #include "runtime/motion/check_watch.h"
 #include "runtime/motion/state.h"
 
-/// One motion along a drive and a part surface up to a check surface (ARLM3 and ARLM2 of the old system).
+/// One motion along a drive and a part surface up to a check surface (ARLM3 and ARLM2 of the old
+/// system).
 namespace arelem::motion {
 
 struct CheckGoal {
@@ -24,8 +25,8 @@ struct FollowRequest {
 struct FollowResult {
   Vec3 toolEnd = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
-  Vec3 forward = Vec3::UnitX();   ///< of the last cut vector
-  std::size_t check = 0;          ///< index of the check surface that was met
+  Vec3 forward = Vec3::UnitX();  ///< of the last cut vector
+  std::size_t check = 0;         ///< index of the check surface that was met
   std::uint64_t cutVectors = 0;
   double length = 0.0;
   double driveInner = 0.0, driveOuter = 0.0, partInner = 0.0, partOuter = 0.0;
@@ -36,8 +37,10 @@ struct FollowResult {
 using EmitPoint = std::function<void(const Vec3& toolEnd, const Vec3& axis)>;
 
 /// Runs the motion from the state's tool position; does not change the state.
-[[nodiscard]] Result<FollowResult> follow(const State& state, const FollowRequest& request,
-                                          const EmitPoint& emit, const Limits& limits,
+[[nodiscard]] Result<FollowResult> follow(const State& state,
+                                          const FollowRequest& request,
+                                          const EmitPoint& emit,
+                                          const Limits& limits,
                                           const InterruptFlag* interrupted);
 
 }  // namespace arelem::motion

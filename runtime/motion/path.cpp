@@ -73,7 +73,9 @@ PathPoint Path::look(const Vec3& toolEnd, const Vec3& towards) {
   return p;
 }
 
-std::optional<PathPoint> Path::step(const PathPoint& from, double along, const std::array<double, 2>& gaps,
+std::optional<PathPoint> Path::step(const PathPoint& from,
+                                    double along,
+                                    const std::array<double, 2>& gaps,
                                     double accept) {
   // Second-order prediction: the path bends by -bend along each contact normal.
   const Vec3& n0 = from.contacts[0].normal;
@@ -86,7 +88,8 @@ std::optional<PathPoint> Path::step(const PathPoint& from, double along, const s
     const double r1 = gaps[1] - from.contacts[1].gap - 0.5 * along * along * guides[1].bend;
     guess += ((r0 - c * r1) * n0 + (r1 - c * r0) * n1) / det;
   }
-  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]}, Wanted{guides[1].field.get(), gaps[1]}};
+  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
+                          Wanted{guides[1].field.get(), gaps[1]}};
   const std::array across{Constraint{from.tangent, from.toolEnd + along * from.tangent}};
   const Settled settled = settle(guess, axis, wanted, across, accept);
   if (!settled.ok) {
@@ -120,7 +123,8 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     const tool::Contact& to = b.contacts[i];
     const tool::Contact between = guides[i].field->at(middle, middleAxis);
     const double slope = between.normal.dot(direction);
-    const ChordProfile first{from.gap, from.normal.dot(direction), between.gap, slope, 0.5 * length};
+    const ChordProfile first{from.gap, from.normal.dot(direction), between.gap, slope,
+                             0.5 * length};
     const ChordProfile second{between.gap, slope, to.gap, to.normal.dot(direction), 0.5 * length};
     // A start outside its band by the slack allowed there must not stop the motion.
     const double inner = std::max({guides[i].inner, -from.gap, -to.gap});
@@ -130,8 +134,12 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   return factor;
 }
 
-std::optional<PathPoint> meet(Path& path, const PathPoint& from, const Segment& segment,
-                              const CheckWatch& watch, const CheckWatch::Hit& hit, double checkRest) {
+std::optional<PathPoint> meet(Path& path,
+                              const PathPoint& from,
+                              const Segment& segment,
+                              const CheckWatch& watch,
+                              const CheckWatch::Hit& hit,
+                              double checkRest) {
   const double middle = 0.5 * (hit.low + hit.high);
   const Vec3 guess = segment.from + middle * segment.direction;
   if (!watch.isTangent()) {
@@ -139,11 +147,13 @@ std::optional<PathPoint> meet(Path& path, const PathPoint& from, const Segment& 
                             Wanted{path.guides[1].field.get(), path.guides[1].rest},
                             Wanted{hit.field, checkRest}};
     const Settled settled = settle(guess, path.axis, wanted, {});
-    const double bands = watch.band() + path.guides[0].outer + path.guides[0].inner + path.guides[1].outer +
-                         path.guides[1].inner;
+    const double bands = watch.band() + path.guides[0].outer + path.guides[0].inner +
+                         path.guides[1].outer + path.guides[1].inner;
     const PathPoint there = path.look(settled.toolEnd, from.tangent);
-    const double steepness = std::max(std::abs(settled.contacts[2].normal.dot(there.tangent)), 0.02);
-    if (settled.ok && (settled.toolEnd - guess).norm() <= hit.high - hit.low + 4.0 * bands / steepness) {
+    const double steepness =
+        std::max(std::abs(settled.contacts[2].normal.dot(there.tangent)), 0.02);
+    if (settled.ok &&
+        (settled.toolEnd - guess).norm() <= hit.high - hit.low + 4.0 * bands / steepness) {
       return there;
     }
   }

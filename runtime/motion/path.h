@@ -1,8 +1,8 @@
 #pragma once
 #include <array>
 
-#include "runtime/motion/chord.h"
 #include "runtime/motion/check_watch.h"
+#include "runtime/motion/chord.h"
 #include "runtime/motion/settle.h"
 
 namespace arelem::motion {
@@ -11,9 +11,9 @@ namespace arelem::motion {
 struct Guide {
   std::unique_ptr<Field> field;
   NamedSurface surface;
-  double inner = 0.0, outer = 0.0;  ///< the gap may lie in [-inner, outer]
-  double rest = 0.0;                ///< gap at stops
-  double bend = 0.0;                ///< present estimate of the curvature along the path
+  double inner = 0.0, outer = 0.0;        ///< the gap may lie in [-inner, outer]
+  double rest = 0.0;                      ///< gap at stops
+  double bend = 0.0;                      ///< present estimate of the curvature along the path
   double gapInner = 0.0, gapOuter = 0.0;  ///< extreme gaps of the cut vectors so far
 
   [[nodiscard]] bool flat() const { return field->flat(); }
@@ -21,7 +21,8 @@ struct Guide {
   [[nodiscard]] double vertexGap() const { return flat() ? rest : bend >= 0.0 ? outer : -inner; }
 };
 
-/// A place on the path: tool position, contacts with part (0) and drive (1) surface, and the direction.
+/// A place on the path: tool position, contacts with part (0) and drive (1) surface, and the
+/// direction.
 struct PathPoint {
   Vec3 toolEnd = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
@@ -37,10 +38,12 @@ class Path {
 
   /// Contacts and tangent at a tool position; the tangent goes with `towards`.
   [[nodiscard]] PathPoint look(const Vec3& toolEnd, const Vec3& towards);
-  /// The place at distance `along` from `from`, measured on its tangent, with the given gaps. None where the
-  /// path cannot be followed so far.
-  [[nodiscard]] std::optional<PathPoint> step(const PathPoint& from, double along,
-                                              const std::array<double, 2>& gaps, double accept);
+  /// The place at distance `along` from `from`, measured on its tangent, with the given gaps. None
+  /// where the path cannot be followed so far.
+  [[nodiscard]] std::optional<PathPoint> step(const PathPoint& from,
+                                              double along,
+                                              const std::array<double, 2>& gaps,
+                                              double accept);
   [[nodiscard]] std::array<double, 2> rests() const { return {guides[0].rest, guides[1].rest}; }
   [[nodiscard]] bool flat() const { return guides[0].flat() && guides[1].flat(); }
   /// Factor by which the chord may grow, or must shrink, to fit both bands.
@@ -51,8 +54,11 @@ class Path {
 };
 
 /// Where on the path a check surface is met, from a bracket on the chord after `from`.
-[[nodiscard]] std::optional<PathPoint> meet(Path& path, const PathPoint& from, const Segment& segment,
-                                            const CheckWatch& watch, const CheckWatch::Hit& hit,
+[[nodiscard]] std::optional<PathPoint> meet(Path& path,
+                                            const PathPoint& from,
+                                            const Segment& segment,
+                                            const CheckWatch& watch,
+                                            const CheckWatch::Hit& hit,
                                             double checkRest);
 
 }  // namespace arelem::motion

@@ -4,7 +4,9 @@ namespace arelem::motion {
 
 namespace {
 /// A minus zero would print as one.
-double plain(double x) { return x == 0.0 ? 0.0 : x; }
+double plain(double x) {
+  return x == 0.0 ? 0.0 : x;
+}
 }  // namespace
 
 void RecordWriter::begin(const runtime::Action& action) {
@@ -28,7 +30,10 @@ void RecordWriter::put(cl::Body body) {
   ++count_;
 }
 
-void RecordWriter::startPoints(cl::Motion::Kind kind, const std::string& name, int subscript, bool withAxis) {
+void RecordWriter::startPoints(cl::Motion::Kind kind,
+                               const std::string& name,
+                               int subscript,
+                               bool withAxis) {
   points_.isn = record_.isn;
   points_.cardId = record_.cardId;
   points_.origin = record_.origin;
@@ -69,6 +74,8 @@ void RecordWriter::flush() {
   motion.kind = cl::Motion::Kind::continuation;
 }
 
-void RecordWriter::finishPoints() { flush(); }
+void RecordWriter::finishPoints() {
+  flush();
+}
 
 }  // namespace arelem::motion

@@ -10,7 +10,9 @@ namespace {
 /// Share of the band that stays between a stop and the band's edge (the old system's 10 %).
 constexpr double edgeShare = 0.1;
 
-bool isVertical(const Vec3& axis) { return std::abs(axis.z()) >= 1.0 - tolerance::rounding; }
+bool isVertical(const Vec3& axis) {
+  return std::abs(axis.z()) >= 1.0 - tolerance::rounding;
+}
 
 /// A vertical plane or a vertical circular cylinder.
 bool isUpright(const NamedSurface& s) {
@@ -22,7 +24,9 @@ bool isUpright(const NamedSurface& s) {
 }
 }  // namespace
 
-bool isPlaneRoute(const State& state, const NamedSurface& drive, const NamedSurface& part,
+bool isPlaneRoute(const State& state,
+                  const NamedSurface& drive,
+                  const NamedSurface& part,
                   const NamedSurface* check) {
   const auto* plane = std::get_if<surface::Plane>(&part.surface);
   return !state.multax && !state.alwaysIterate && isVertical(state.axis) &&
@@ -31,16 +35,20 @@ bool isPlaneRoute(const State& state, const NamedSurface& drive, const NamedSurf
          (check == nullptr || isUpright(*check));
 }
 
-double curvatureAlong(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t, double step) {
+double curvatureAlong(
+    Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t, double step) {
   const Vec3 ahead = toolEnd + step * t;
   const Vec3 behind = toolEnd - step * t;
-  const Vec3 change = field.at(ahead, axis.at(ahead)).normal - field.at(behind, axis.at(behind)).normal;
+  const Vec3 change =
+      field.at(ahead, axis.at(ahead)).normal - field.at(behind, axis.at(behind)).normal;
   return change.dot(t) / (2.0 * step);
 }
 
 namespace {
 /// Distance over which curvature is measured: a small share of the chords that the band allows.
-double probe(double band) { return 0.01 * std::sqrt(band); }
+double probe(double band) {
+  return 0.01 * std::sqrt(band);
+}
 
 double restOf(double curvature, double inner, double outer) {
   const double band = inner + outer;
@@ -48,7 +56,11 @@ double restOf(double curvature, double inner, double outer) {
 }
 }  // namespace
 
-double restGap(Field& field, const Vec3& toolEnd, const AxisRule& axis, double inner, double outer,
+double restGap(Field& field,
+               const Vec3& toolEnd,
+               const AxisRule& axis,
+               double inner,
+               double outer,
                bool exact) {
   if (exact || field.flat()) {
     return 0.0;
@@ -61,13 +73,20 @@ double restGap(Field& field, const Vec3& toolEnd, const AxisRule& axis, double i
                 inner, outer);
 }
 
-double restGapAfter(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& along, double bend,
-                    double inner, double outer, bool exact) {
+double restGapAfter(Field& field,
+                    const Vec3& toolEnd,
+                    const AxisRule& axis,
+                    const Vec3& along,
+                    double bend,
+                    double inner,
+                    double outer,
+                    bool exact) {
   if (exact || field.flat()) {
     return 0.0;
   }
   const Vec3 across = field.at(toolEnd, axis.at(toolEnd)).normal.cross(along).normalized();
-  return restOf(bend + curvatureAlong(field, toolEnd, axis, across, probe(inner + outer)), inner, outer);
+  return restOf(bend + curvatureAlong(field, toolEnd, axis, across, probe(inner + outer)), inner,
+                outer);
 }
 
 Result<NamedSurface> named(const EntityPtr& entity) {

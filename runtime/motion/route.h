@@ -4,33 +4,47 @@
 
 namespace arelem::motion {
 
-/// True where the motion is plane geometry: vertical tool of plain side, lines and circles as drive and
-/// check surfaces on a part plane that is not vertical. Then positions are exact; elsewhere they lie in the
-/// tolerance band, on the side that leaves the next chord room (spec 4.7, 4.8).
-[[nodiscard]] bool isPlaneRoute(const State& state, const NamedSurface& drive, const NamedSurface& part,
+/// True where the motion is plane geometry: vertical tool of plain side, lines and circles as drive
+/// and check surfaces on a part plane that is not vertical. Then positions are exact; elsewhere
+/// they lie in the tolerance band, on the side that leaves the next chord room (spec 4.7, 4.8).
+[[nodiscard]] bool isPlaneRoute(const State& state,
+                                const NamedSurface& drive,
+                                const NamedSurface& part,
                                 const NamedSurface* check);
 
-/// The gap at which a stop is placed in the band [-inner, outer]: 0 where exact or flat, a tenth of the band
-/// inside its outer edge on convex surfaces, inside its inner edge on concave ones.
-[[nodiscard]] double restGap(Field& field, const Vec3& toolEnd, const AxisRule& axis, double inner,
-                             double outer, bool exact);
+/// The gap at which a stop is placed in the band [-inner, outer]: 0 where exact or flat, a tenth of
+/// the band inside its outer edge on convex surfaces, inside its inner edge on concave ones.
+[[nodiscard]] double restGap(Field& field,
+                             const Vec3& toolEnd,
+                             const AxisRule& axis,
+                             double inner,
+                             double outer,
+                             bool exact);
 
-/// The same at the end of a motion with unit tangent `along`, where the curvature along the last cut vector is
-/// known: near an inflection the side that was followed decides, not the one that would come.
-[[nodiscard]] double restGapAfter(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& along,
-                                  double bend, double inner, double outer, bool exact);
+/// The same at the end of a motion with unit tangent `along`, where the curvature along the last
+/// cut vector is known: near an inflection the side that was followed decides, not the one that
+/// would come.
+[[nodiscard]] double restGapAfter(Field& field,
+                                  const Vec3& toolEnd,
+                                  const AxisRule& axis,
+                                  const Vec3& along,
+                                  double bend,
+                                  double inner,
+                                  double outer,
+                                  bool exact);
 
-/// Curvature of the field's zero surface along the unit tangent t, by a difference of contact normals;
-/// positive where it bends away from the tool.
-[[nodiscard]] double curvatureAlong(Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t,
-                                    double step);
+/// Curvature of the field's zero surface along the unit tangent t, by a difference of contact
+/// normals; positive where it bends away from the tool.
+[[nodiscard]] double curvatureAlong(
+    Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t, double step);
 
 /// The part surface in force: PSIS, a startup, AUTOPS, or the XY plane.
 [[nodiscard]] NamedSurface partSurface(const State& state);
 [[nodiscard]] Result<NamedSurface> named(const EntityPtr& entity);
 [[nodiscard]] const tool::Profile* cutterFor(const State& state, Role role);
 
-/// The point from which the side of a surface is judged: on the axis, at half the height or the radius.
+/// The point from which the side of a surface is judged: on the axis, at half the height or the
+/// radius.
 [[nodiscard]] Vec3 sidePoint(const State& state, const Vec3& toolEnd, const Vec3& axis);
 
 }  // namespace arelem::motion

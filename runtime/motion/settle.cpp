@@ -1,9 +1,10 @@
 #include "runtime/motion/settle.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <Eigen/Dense>
 
 namespace arelem::motion {
 
@@ -13,8 +14,8 @@ constexpr int iterationLimit = 60;
 constexpr double relativeRest = 4e-16;
 constexpr double absoluteRest = 2e-15;
 
-/// Shortest solution of rows * step = rhs for one, two or three rows; falls back to least squares where
-/// the rows are nearly dependent.
+/// Shortest solution of rows * step = rhs for one, two or three rows; falls back to least squares
+/// where the rows are nearly dependent.
 Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, std::size_t count) {
   if (count == 3) {
     const Vec3 c = rows[1].cross(rows[2]);
@@ -38,8 +39,11 @@ Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, st
 }
 }  // namespace
 
-Settled settle(const Vec3& start, const AxisRule& axis, std::span<const Wanted> wanted,
-               std::span<const Constraint> constraints, double accept) {
+Settled settle(const Vec3& start,
+               const AxisRule& axis,
+               std::span<const Wanted> wanted,
+               std::span<const Constraint> constraints,
+               double accept) {
   Settled out;
   out.toolEnd = start;
   std::array<Vec3, 3> rows;

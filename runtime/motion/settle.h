@@ -4,7 +4,8 @@
 
 #include "runtime/motion/axis.h"
 
-/// Positioning: the tool end that satisfies up to three conditions (CENTR and CENTR2 of the old system).
+/// Positioning: the tool end that satisfies up to three conditions (CENTR and CENTR2 of the old
+/// system).
 namespace arelem::motion {
 
 /// field(tool end) = target.
@@ -23,15 +24,19 @@ struct Settled {
   bool ok = false;
   Vec3 toolEnd = Vec3::Zero();
   int iterations = 0;
-  double worst = 0.0;      ///< largest remaining residual, part unit
-  std::size_t worstAt = 0;  ///< index into the wanted fields
-  Vec3 axis = Vec3::UnitZ();               ///< tool axis at toolEnd
-  std::array<tool::Contact, 3> contacts;   ///< of the wanted fields at toolEnd
+  double worst = 0.0;                     ///< largest remaining residual, part unit
+  std::size_t worstAt = 0;                ///< index into the wanted fields
+  Vec3 axis = Vec3::UnitZ();              ///< tool axis at toolEnd
+  std::array<tool::Contact, 3> contacts;  ///< of the wanted fields at toolEnd
 };
 
-/// Newton from `start`. Where fewer than three equations are given each step is the shortest one, so that the
-/// tool moves in the span of the contact normals. Ends when no residual is above `accept` (0: rounding).
-[[nodiscard]] Settled settle(const Vec3& start, const AxisRule& axis, std::span<const Wanted> wanted,
-                             std::span<const Constraint> constraints, double accept = 0.0);
+/// Newton from `start`. Where fewer than three equations are given each step is the shortest one,
+/// so that the tool moves in the span of the contact normals. Ends when no residual is above
+/// `accept` (0: rounding).
+[[nodiscard]] Settled settle(const Vec3& start,
+                             const AxisRule& axis,
+                             std::span<const Wanted> wanted,
+                             std::span<const Constraint> constraints,
+                             double accept = 0.0);
 
 }  // namespace arelem::motion

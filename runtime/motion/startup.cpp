@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/route.h"
 #include "runtime/motion/settle.h"
@@ -14,7 +15,8 @@ constexpr int pierceLimit = 500;
 /// Share of the way to the first surface that a directed startup goes before it iterates.
 constexpr double approachShare = 0.75;
 
-/// One surface of the startup: where it is, on which side the tool ends up, and the gap field there.
+/// One surface of the startup: where it is, on which side the tool ends up, and the gap field
+/// there.
 struct Goal {
   NamedSurface surface;
   ir::Condition condition = ir::Condition::to;
@@ -37,8 +39,8 @@ class Starter {
       }
     }
     setAxis();
-    exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() && state_.thick[partRole] == 0.0 &&
-             !state_.direction[1] &&
+    exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() &&
+             state_.thick[partRole] == 0.0 && !state_.direction[1] &&
              isPlaneRoute(state_, goals_[0].surface, goals_[*partIndex_].surface, nullptr);
     return startup_.offset ? runOffset() : runGo();
   }
@@ -81,8 +83,8 @@ class Starter {
     return std::nullopt;
   }
 
-  /// The side on which the tool ends up: TO the present one, PAST the other one; SRFVCT points from the one
-  /// to the other.
+  /// The side on which the tool ends up: TO the present one, PAST the other one; SRFVCT points from
+  /// the one to the other.
   std::optional<Failure> chooseSide(Goal& goal) {
     const auto index = static_cast<std::size_t>(&goal - goals_.data());
     const Vec3 from = sidePoint(state_, state_.toolEnd, state_.axis);
@@ -99,7 +101,8 @@ class Starter {
     }
     goal.side = goal.condition == ir::Condition::past ? -present : present;
     const tool::Profile* cutter = on ? nullptr : cutterFor(state_, goal.role);
-    goal.field = makeField(goal.surface.surface, goal.side, {cutter, on ? 0.0 : state_.thick[goal.role]});
+    goal.field =
+        makeField(goal.surface.surface, goal.side, {cutter, on ? 0.0 : state_.thick[goal.role]});
     return std::nullopt;
   }
 
@@ -115,7 +118,9 @@ class Starter {
   }
 
   /// Distance along v from the side point to the surface, none where the ray misses.
-  [[nodiscard]] std::optional<double> pierce(const Goal& goal, const Vec3& from, const Vec3& v) const {
+  [[nodiscard]] std::optional<double> pierce(const Goal& goal,
+                                             const Vec3& from,
+                                             const Vec3& v) const {
     const auto field = makeField(goal.surface.surface, 1.0, {});
     double s = 0.0;
     for (int i = 0; i < pierceLimit; ++i) {
@@ -204,21 +209,26 @@ class Starter {
     return found.toolEnd;
   }
 
-  /// Why no position was found: a cutter inside a hollow that is too narrow for it, or nothing better to say.
+  /// Why no position was found: a cutter inside a hollow that is too narrow for it, or nothing
+  /// better to say.
   [[nodiscard]] Failure explain(const Settled& found) const {
     for (const Goal& goal : goals_) {
       const auto* cylinder = std::get_if<surface::Cylinder>(&goal.surface.surface);
       const auto* sphere = std::get_if<surface::Sphere>(&goal.surface.surface);
-      const double hollow = cylinder != nullptr ? cylinder->radius : sphere != nullptr ? sphere->radius : 0.0;
+      const double hollow = cylinder != nullptr ? cylinder->radius
+                            : sphere != nullptr ? sphere->radius
+                                                : 0.0;
       const bool inside = goal.side < 0.0 && goal.condition != ir::Condition::on && hollow > 0.0;
       if (inside && state_.cutter->maxRadius() > hollow) {
         return fail(diag::CutterDoesNotFit, state_.cutter->maxRadius(), goal.surface.name, hollow);
       }
     }
-    return fail(diag::StartupDiverges, found.worst, goals_[found.worstAt].surface.name, found.iterations);
+    return fail(diag::StartupDiverges, found.worst, goals_[found.worstAt].surface.name,
+                found.iterations);
   }
 
-  /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to the part.
+  /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to
+  /// the part.
   Result<Vec3> runOffset() {
     if (!state_.direction[0] || state_.direction[1] || state_.direction[2]) {
       return fail(diag::OffsetNeedsDirection);
@@ -226,14 +236,16 @@ class Starter {
     const auto hit = pierce(goals_[0], sidePoint(state_, state_.toolEnd, state_.axis),
                             state_.direction[0]->normalized());
     if (!hit) {
-      return fail(diag::StartupDiverges, std::abs(footOn(goals_[0].surface.surface, state_.toolEnd).distance),
+      return fail(diag::StartupDiverges,
+                  std::abs(footOn(goals_[0].surface.surface, state_.toolEnd).distance),
                   goals_[0].surface.name, pierceLimit);
     }
     const Vec3 onDrive = state_.toolEnd + *hit * state_.direction[0]->normalized();
     const std::array first{Wanted{goals_[0].field.get(), 0.0}};
     const Vec3 normal = footOn(goals_[0].surface.surface, onDrive).normal;
     const Vec3 across = normal.unitOrthogonal();
-    const std::array alongNormal{Constraint{across, onDrive}, Constraint{normal.cross(across), onDrive}};
+    const std::array alongNormal{Constraint{across, onDrive},
+                                 Constraint{normal.cross(across), onDrive}};
     Settled found = settle(onDrive, rule_, first, alongNormal);
     if (found.ok && goals_.size() > 1) {
       const Vec3 e1 = state_.axis.unitOrthogonal();
@@ -242,7 +254,8 @@ class Starter {
       const std::array second{Wanted{goals_[1].field.get(), 0.0}};
       found = settle(found.toolEnd, rule_, second, alongAxis);
     }
-    const double drift = found.ok ? goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap : 0.0;
+    const double drift =
+        found.ok ? goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap : 0.0;
     if (!found.ok || drift > state_.outer[driveRole] || drift < -state_.inner[driveRole]) {
       return fail(diag::StartupDiverges, found.ok ? drift : found.worst, goals_[0].surface.name,
                   found.iterations);

@@ -25,28 +25,28 @@ enum Role : std::size_t { partRole = 0, driveRole = 1, checkRole = 2, secondChec
 /// Everything that is modal in Section 2, as one value.
 struct State {
   Vec3 toolEnd = Vec3::Zero();
-  bool positioned = false;              ///< FROM or a motion was met
+  bool positioned = false;  ///< FROM or a motion was met
   Vec3 axis = Vec3::UnitZ();
-  std::optional<Vec3> forward;          ///< last non-axial displacement or INDIRV/INDIRP
+  std::optional<Vec3> forward;  ///< last non-axial displacement or INDIRV/INDIRP
   std::optional<tool::Profile> cutter;
   std::array<std::optional<tool::Profile>, 2> option;  ///< CUTTER/OPTION for part (0) and drive (1)
   std::array<double, 4> inner{0.0, 0.0, 0.0, 0.0};
   std::array<double, 4> outer{0.0005, 0.0005, 0.0005, 0.0005};
   std::array<double, 4> thick{0.0, 0.0, 0.0, 0.0};
-  double longestVector = 10.0;          ///< MAXDP
-  double vectorLimit = 400.0;           ///< NUMPTS
-  std::optional<NamedSurface> part;     ///< none: the XY plane
-  bool toolOnPart = false;              ///< TLONPS
-  std::optional<Word> driveRelation;    ///< TLLFT, TLRGT, TLON; none before the first of them
-  bool alwaysIterate = false;           ///< 3DCALC
+  double longestVector = 10.0;        ///< MAXDP
+  double vectorLimit = 400.0;         ///< NUMPTS
+  std::optional<NamedSurface> part;   ///< none: the XY plane
+  bool toolOnPart = false;            ///< TLONPS
+  std::optional<Word> driveRelation;  ///< TLLFT, TLRGT, TLON; none before the first of them
+  bool alwaysIterate = false;         ///< 3DCALC
   bool multax = false;
   bool gougeCheck = false;
-  bool output = true;                   ///< CUT, not DNTCUT
+  bool output = true;  ///< CUT, not DNTCUT
   runtime::ToolAxis axisRule;
-  std::array<std::optional<Vec3>, 3> direction;       ///< INDIRV or INDIRP turned to vectors, by surface
-  std::array<std::optional<Vec3>, 3> surfaceVector;   ///< SRFVCT
-  bool ignorePart = false;              ///< NOPS
-  bool automaticPart = false;           ///< AUTOPS
+  std::array<std::optional<Vec3>, 3> direction;  ///< INDIRV or INDIRP turned to vectors, by surface
+  std::array<std::optional<Vec3>, 3> surfaceVector;  ///< SRFVCT
+  bool ignorePart = false;                           ///< NOPS
+  bool automaticPart = false;                        ///< AUTOPS
 
   [[nodiscard]] double band(Role role) const { return inner[role] + outer[role]; }
 };

@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "ir/diag/interpret.h"
+#include "ir/diag/limits.h"
 #include "ir/diag/result.h"
 #include "ir/space/tolerance.h"
 #include "runtime/path/affine.h"

@@ -5,7 +5,8 @@
 namespace arelem::tool {
 
 namespace {
-/// |sine| of the angle between generatrix and axis below which the surface is a wall along the axis.
+/// |sine| of the angle between generatrix and axis below which the surface is a wall along the
+/// axis.
 constexpr double alongAxis = 1e-12;
 
 bool isWall(const Vec3& generatrix, const Vec3& axis) {
@@ -14,7 +15,8 @@ bool isWall(const Vec3& generatrix, const Vec3& axis) {
 
 /// A wall along the tool axis: the cutter is a disc of its largest radius.
 template <surface::Surface S>
-Contact wallContact(const S& s, double side, const Profile& cutter, const Vec3& te, Search<S>& search) {
+Contact wallContact(
+    const S& s, double side, const Profile& cutter, const Vec3& te, Search<S>& search) {
   const surface::Foot foot = s.foot(te, search.hint);
   const Vec3 normal = side * foot.normal;
   const double radius = cutter.maxRadius();
@@ -22,21 +24,33 @@ Contact wallContact(const S& s, double side, const Profile& cutter, const Vec3& 
 }
 
 template <surface::Surface S>
-Contact searchContact(const S& s, double side, const Profile& cutter, const Vec3& te, const Vec3& axis,
+Contact searchContact(const S& s,
+                      double side,
+                      const Profile& cutter,
+                      const Vec3& te,
+                      const Vec3& axis,
                       Search<S>& search) {
   return ContactSearch<S>(s, side, cutter, te, axis, search).run();
 }
 }  // namespace
 
-Contact contact(const surface::Plane& s, double side, const Profile& cutter, const Vec3& te,
-                const Vec3& axis, Search<surface::Plane>&) {
+Contact contact(const surface::Plane& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
+                Search<surface::Plane>&) {
   const Vec3 normal = side * s.normal;
   const double far = reach(cutter, normal.dot(axis));
   return {side * (s.normal.dot(te) - s.offset) - far, normal, te - far * normal};
 }
 
-Contact contact(const surface::Sphere& s, double side, const Profile& cutter, const Vec3& te,
-                const Vec3& axis, Search<surface::Sphere>& search) {
+Contact contact(const surface::Sphere& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
+                Search<surface::Sphere>& search) {
   const Vec3 w = s.center - te;
   const double z = w.dot(axis);
   const Vec3 across = w - z * axis;
@@ -55,30 +69,50 @@ Contact contact(const surface::Sphere& s, double side, const Profile& cutter, co
   return {s.radius - distance, (s.center - point) / distance, point};
 }
 
-Contact contact(const surface::Cylinder& s, double side, const Profile& cutter, const Vec3& te,
-                const Vec3& axis, Search<surface::Cylinder>& search) {
+Contact contact(const surface::Cylinder& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
+                Search<surface::Cylinder>& search) {
   return isWall(s.axis, axis) ? wallContact(s, side, cutter, te, search)
                               : searchContact(s, side, cutter, te, axis, search);
 }
 
-Contact contact(const surface::Cone& s, double side, const Profile& cutter, const Vec3& te,
-                const Vec3& axis, Search<surface::Cone>& search) {
+Contact contact(const surface::Cone& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
+                Search<surface::Cone>& search) {
   return searchContact(s, side, cutter, te, axis, search);
 }
 
-Contact contact(const surface::Torus& s, double side, const Profile& cutter, const Vec3& te,
-                const Vec3& axis, Search<surface::Torus>& search) {
+Contact contact(const surface::Torus& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
+                Search<surface::Torus>& search) {
   return searchContact(s, side, cutter, te, axis, search);
 }
 
-Contact contact(const surface::Quadric& s, double side, const Profile& cutter, const Vec3& te,
-                const Vec3& axis, Search<surface::Quadric>& search) {
+Contact contact(const surface::Quadric& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
+                Search<surface::Quadric>& search) {
   return isWall(s.wall, axis) ? wallContact(s, side, cutter, te, search)
                               : searchContact(s, side, cutter, te, axis, search);
 }
 
-Contact contact(const surface::TabulatedCylinder& s, double side, const Profile& cutter, const Vec3& te,
-                const Vec3& axis, Search<surface::TabulatedCylinder>& search) {
+Contact contact(const surface::TabulatedCylinder& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
+                Search<surface::TabulatedCylinder>& search) {
   return isWall(s.generatrix(), axis) ? wallContact(s, side, cutter, te, search)
                                       : searchContact(s, side, cutter, te, axis, search);
 }

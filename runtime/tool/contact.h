@@ -6,10 +6,10 @@
 
 /// Contact of a cutter with one side of a surface.
 ///
-/// The gap g(te) is the least signed distance of any cutter point to the surface, counted positive on the
-/// given side: 0 where the cutter touches, negative where it gouges. Whatever surface and cutter, g is
-/// 1-Lipschitz in the tool end te and its gradient is the unit surface normal at the contact, so g is the
-/// signed distance field of the surface on which the tool end runs.
+/// The gap g(te) is the least signed distance of any cutter point to the surface, counted positive
+/// on the given side: 0 where the cutter touches, negative where it gouges. Whatever surface and
+/// cutter, g is 1-Lipschitz in the tool end te and its gradient is the unit surface normal at the
+/// contact, so g is the signed distance field of the surface on which the tool end runs.
 namespace arelem::tool {
 
 struct Contact {
@@ -28,24 +28,55 @@ struct Search {
 
 /// The tool end alone: relation ON.
 template <surface::Surface S>
-[[nodiscard]] Contact pointContact(const S& s, double side, const Vec3& te, typename S::Hint& hint) {
+[[nodiscard]] Contact pointContact(const S& s,
+                                   double side,
+                                   const Vec3& te,
+                                   typename S::Hint& hint) {
   const surface::Foot foot = s.foot(te, hint);
   return {side * foot.distance, side * foot.normal, te};
 }
 
-[[nodiscard]] Contact contact(const surface::Plane& s, double side, const Profile& cutter, const Vec3& te,
-                              const Vec3& axis, Search<surface::Plane>& search);
-[[nodiscard]] Contact contact(const surface::Sphere& s, double side, const Profile& cutter, const Vec3& te,
-                              const Vec3& axis, Search<surface::Sphere>& search);
-[[nodiscard]] Contact contact(const surface::Cylinder& s, double side, const Profile& cutter, const Vec3& te,
-                              const Vec3& axis, Search<surface::Cylinder>& search);
-[[nodiscard]] Contact contact(const surface::Cone& s, double side, const Profile& cutter, const Vec3& te,
-                              const Vec3& axis, Search<surface::Cone>& search);
-[[nodiscard]] Contact contact(const surface::Torus& s, double side, const Profile& cutter, const Vec3& te,
-                              const Vec3& axis, Search<surface::Torus>& search);
-[[nodiscard]] Contact contact(const surface::Quadric& s, double side, const Profile& cutter, const Vec3& te,
-                              const Vec3& axis, Search<surface::Quadric>& search);
-[[nodiscard]] Contact contact(const surface::TabulatedCylinder& s, double side, const Profile& cutter,
-                              const Vec3& te, const Vec3& axis, Search<surface::TabulatedCylinder>& search);
+[[nodiscard]] Contact contact(const surface::Plane& s,
+                              double side,
+                              const Profile& cutter,
+                              const Vec3& te,
+                              const Vec3& axis,
+                              Search<surface::Plane>& search);
+[[nodiscard]] Contact contact(const surface::Sphere& s,
+                              double side,
+                              const Profile& cutter,
+                              const Vec3& te,
+                              const Vec3& axis,
+                              Search<surface::Sphere>& search);
+[[nodiscard]] Contact contact(const surface::Cylinder& s,
+                              double side,
+                              const Profile& cutter,
+                              const Vec3& te,
+                              const Vec3& axis,
+                              Search<surface::Cylinder>& search);
+[[nodiscard]] Contact contact(const surface::Cone& s,
+                              double side,
+                              const Profile& cutter,
+                              const Vec3& te,
+                              const Vec3& axis,
+                              Search<surface::Cone>& search);
+[[nodiscard]] Contact contact(const surface::Torus& s,
+                              double side,
+                              const Profile& cutter,
+                              const Vec3& te,
+                              const Vec3& axis,
+                              Search<surface::Torus>& search);
+[[nodiscard]] Contact contact(const surface::Quadric& s,
+                              double side,
+                              const Profile& cutter,
+                              const Vec3& te,
+                              const Vec3& axis,
+                              Search<surface::Quadric>& search);
+[[nodiscard]] Contact contact(const surface::TabulatedCylinder& s,
+                              double side,
+                              const Profile& cutter,
+                              const Vec3& te,
+                              const Vec3& axis,
+                              Search<surface::TabulatedCylinder>& search);
 
 }  // namespace arelem::tool

@@ -4,13 +4,18 @@
 
 #include "runtime/tool/contact.h"
 
-/// The general contact: minimizes side * distance over the cutter, piece by piece. Private to runtime/tool.
+/// The general contact: minimizes side * distance over the cutter, piece by piece. Private to
+/// runtime/tool.
 namespace arelem::tool {
 
 template <surface::Surface S>
 class ContactSearch {
  public:
-  ContactSearch(const S& s, double side, const Profile& cutter, const Vec3& te, const Vec3& axis,
+  ContactSearch(const S& s,
+                double side,
+                const Profile& cutter,
+                const Vec3& te,
+                const Vec3& axis,
                 Search<S>& search)
       : surface_(s), side_(side), cutter_(cutter), te_(te), axis_(axis), search_(search) {
     e1_ = axis.unitOrthogonal();
@@ -23,12 +28,13 @@ class ContactSearch {
     if (cutter_.ring) {
       return best;
     }
-    // A surface that is hollow on this side may touch the cutter elsewhere too: look from the far side of the
-    // axis and at the upper end, unless the distances there prove that it does not.
+    // A surface that is hollow on this side may touch the cutter elsewhere too: look from the far
+    // side of the axis and at the upper end, unless the distances there prove that it does not.
     if (hollow(best)) {
       const double c = search_.cosTheta;
       const double s = search_.sinTheta;
-      const bool reachable = sample(te_ + cutter_.f * axis_).distance() - cutter_.e - cutter_.r < best.gap;
+      const bool reachable =
+          sample(te_ + cutter_.f * axis_).distance() - cutter_.e - cutter_.r < best.gap;
       if (cutter_.maxRadius() > 0.0 && reachable) {
         takeBetter(best, [&] { return opposite(c, s); });
       }
@@ -70,7 +76,8 @@ class ContactSearch {
     return best;
   }
 
-  /// True where the distance may fall again away from the contact: the surface bends towards the cutter.
+  /// True where the distance may fall again away from the contact: the surface bends towards the
+  /// cutter.
   bool hollow(const Contact& best) {
     const Sample s = sample(best.point);
     const Vec3 t = best.normal.unitOrthogonal();
@@ -103,7 +110,9 @@ class ContactSearch {
     const surface::Foot foot = surface_.foot(at, search_.hint);
     return {at, foot, side_ * foot.normal, side_};
   }
-  double bend(const Sample& s, const Vec3& t) { return side_ * surface_.bend(s.at, s.foot, t, search_.hint); }
+  double bend(const Sample& s, const Vec3& t) {
+    return side_ * surface_.bend(s.at, s.foot, t, search_.hint);
+  }
   double bend(const Sample& s, const Vec3& a, const Vec3& b) {
     return 0.25 * (bend(s, a + b) - bend(s, a - b));
   }
@@ -177,7 +186,8 @@ class ContactSearch {
       // A flat direction has no single minimum: stay on the axis along it.
       const double ridge = 1e-9 / std::max(cutter_.e, 1e-9);
       curvature += ridge * Eigen::Matrix2d::Identity();
-      const Eigen::Vector2d pulled = slope + ridge * Eigen::Vector2d(offset.dot(e1_), offset.dot(e2_));
+      const Eigen::Vector2d pulled =
+          slope + ridge * Eigen::Vector2d(offset.dot(e1_), offset.dot(e2_));
       if (curvature.determinant() <= 0.0 || curvature(0, 0) <= 0.0) {
         return rim;
       }
@@ -197,7 +207,8 @@ class ContactSearch {
     return inner.gap < rim.gap ? inner : rim;
   }
 
-  /// A straight piece of the profile turned about the axis: Newton in angle and place along the line.
+  /// A straight piece of the profile turned about the axis: Newton in angle and place along the
+  /// line.
   Contact onLine(ProfilePoint a, ProfilePoint b) {
     const double length = std::hypot(b.rho - a.rho, b.z - a.z);
     if (length <= 0.0) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::tool {
@@ -22,7 +23,9 @@ void complete(Profile& p) {
   p.sideEnd = {p.d / 2 + std::tan(p.beta) * (p.h - p.d / 2 * std::tan(p.alpha)), p.h};
 }
 
-double apart(ProfilePoint a, ProfilePoint b) { return std::hypot(a.rho - b.rho, a.z - b.z); }
+double apart(ProfilePoint a, ProfilePoint b) {
+  return std::hypot(a.rho - b.rho, a.z - b.z);
+}
 
 /// True where the direction (dx, dz) from the corner center points out of the arc, not of a line.
 bool insideArc(const Profile& p, double dx, double dz, double length) {
@@ -60,7 +63,8 @@ struct Nearest {
 
 Result<Profile> makeProfile(std::span<const double> values) {
   if (values.size() != 1 && values.size() != 2 && values.size() != 7) {
-    return fail(diag::CutterImpossible, fmt::format("{} values, 1, 2 or 7 are needed", values.size()));
+    return fail(diag::CutterImpossible,
+                fmt::format("{} values, 1, 2 or 7 are needed", values.size()));
   }
   Profile p;
   p.d = values[0];
@@ -76,8 +80,9 @@ Result<Profile> makeProfile(std::span<const double> values) {
     return fail(diag::CutterImpossible, std::string("no value may be negative"));
   }
   if (p.alpha + p.beta >= std::numbers::pi / 2) {
-    return fail(diag::CutterImpossible, fmt::format("alpha + beta is {} degrees, less than 90 is needed",
-                                                    (p.alpha + p.beta) / degree));
+    return fail(diag::CutterImpossible,
+                fmt::format("alpha + beta is {} degrees, less than 90 is needed",
+                            (p.alpha + p.beta) / degree));
   }
   const bool noCorner = p.e == 0.0 && p.f == 0.0 && p.alpha == 0.0 && p.beta == 0.0;
   if (values.size() < 7 || (noCorner && p.r > 0.0)) {
@@ -116,7 +121,8 @@ double reach(const Profile& p, double nz) {
     return toward({p.e, p.f});
   }
   const bool onArc = nz <= p.cosAlpha && nz >= p.sinBeta;
-  const double corner = onArc ? toward({p.e, p.f}) + p.r : std::max(toward(p.bottomEnd), toward(p.sideStart));
+  const double corner =
+      onArc ? toward({p.e, p.f}) + p.r : std::max(toward(p.bottomEnd), toward(p.sideStart));
   return std::max({0.0, corner, toward(p.sideEnd)});
 }
 
@@ -137,7 +143,8 @@ double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
   }
   nearest = best.point;
   const bool aboveBottom = c.z * p.cosAlpha - c.rho * p.sinAlpha > 0.0;
-  const bool withinSide = (c.rho - p.sideStart.rho) * p.cosBeta - (c.z - p.sideStart.z) * p.sinBeta < 0.0;
+  const bool withinSide =
+      (c.rho - p.sideStart.rho) * p.cosBeta - (c.z - p.sideStart.z) * p.sinBeta < 0.0;
   const bool withinArc = !towardArc || length < p.r;
   return aboveBottom && withinSide && withinArc && c.z < p.h ? -best.distance : best.distance;
 }

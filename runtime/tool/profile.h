@@ -13,26 +13,29 @@ struct ProfilePoint {
   double z = 0.0;
 };
 
-/// The cutter of CUTTER/d,r,e,f,alpha,beta,h: a convex body of revolution. From the tool end upwards a
-/// bottom line (rising outwards at alpha from the horizontal), a corner arc and a side line (widening at
-/// beta from the axis) up to height h; the top face does not cut.
+/// The cutter of CUTTER/d,r,e,f,alpha,beta,h: a convex body of revolution. From the tool end
+/// upwards a bottom line (rising outwards at alpha from the horizontal), a corner arc and a side
+/// line (widening at beta from the axis) up to height h; the top face does not cut.
 struct Profile {
   double d = 0.0, r = 0.0, e = 0.0, f = 0.0;
   double alpha = 0.0, beta = 0.0;  ///< radians
   double h = 5.0;
-  bool ring = false;               ///< CUTTER/OPTION: only the circle of radius e at height f
+  bool ring = false;  ///< CUTTER/OPTION: only the circle of radius e at height f
   double sinAlpha = 0.0, cosAlpha = 1.0, sinBeta = 0.0, cosBeta = 1.0;
   ProfilePoint bottomEnd;  ///< where the bottom line meets the arc
   ProfilePoint sideStart;  ///< where the arc meets the side line
   ProfilePoint sideEnd;    ///< upper end
 
   /// Largest distance from the axis.
-  [[nodiscard]] double maxRadius() const { return std::max({bottomEnd.rho, sideStart.rho, sideEnd.rho}); }
+  [[nodiscard]] double maxRadius() const {
+    return std::max({bottomEnd.rho, sideStart.rho, sideEnd.rho});
+  }
   [[nodiscard]] bool isBall() const { return e == 0.0 && alpha == 0.0; }
   [[nodiscard]] bool isPoint() const { return d == 0.0 && r == 0.0 && e == 0.0; }
 };
 
-/// Checks and completes the values as written (angles in degrees, lengths in the part unit): 1, 2 or 7.
+/// Checks and completes the values as written (angles in degrees, lengths in the part unit): 1, 2
+/// or 7.
 [[nodiscard]] Result<Profile> makeProfile(std::span<const double> values);
 /// The ring of CUTTER/OPTION,n,radius,height.
 [[nodiscard]] Profile makeRing(double radius, double height);
@@ -42,7 +45,8 @@ struct Profile {
 [[nodiscard]] double reach(const Profile& profile, double nz);
 /// Least distance of a point (rho, z) to the body, negative inside, and the nearest profile point.
 [[nodiscard]] double distanceTo(const Profile& profile, ProfilePoint c, ProfilePoint& nearest);
-/// Greatest distance of a point (rho, z) to the body, and that profile point (on the far side of the axis).
+/// Greatest distance of a point (rho, z) to the body, and that profile point (on the far side of
+/// the axis).
 [[nodiscard]] double farthestFrom(const Profile& profile, ProfilePoint c, ProfilePoint& farthest);
 
 }  // namespace arelem::tool

@@ -1,9 +1,6 @@
-// A library for LD_PRELOAD that makes one thing fail: ARELEM_FAULT = read-throws, disk-full:N (the N+1st byte
-// written to a regular file), fsync, rename, malloc:N (the Nth allocation from main on, once).
-#include <dlfcn.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
+// A library for LD_PRELOAD that makes one thing fail: ARELEM_FAULT = read-throws, disk-full:N (the
+// N+1st byte written to a regular file), fsync, rename, malloc:N (the Nth allocation from main on,
+// once).
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -11,6 +8,10 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+
+#include <dlfcn.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace {
 struct Fault {
@@ -88,8 +89,8 @@ extern "C" int rename(const char* from, const char* to) noexcept {
   return next(from, to);
 }
 
-// operator new rather than malloc, and only from the first call of pthread_sigmask on, with which main begins: what
-// libraries allocate before it can be caught by nobody.
+// operator new rather than malloc, and only from the first call of pthread_sigmask on, with which
+// main begins: what libraries allocate before it can be caught by nobody.
 static long allocations = 0;
 static bool mainHasBegun = false;
 
@@ -110,5 +111,9 @@ void* operator new(std::size_t size) {
   }
   return place;
 }
-void operator delete(void* place) noexcept { std::free(place); }
-void operator delete(void* place, std::size_t) noexcept { std::free(place); }
+void operator delete(void* place) noexcept {
+  std::free(place);
+}
+void operator delete(void* place, std::size_t) noexcept {
+  std::free(place);
+}

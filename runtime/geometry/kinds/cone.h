@@ -5,8 +5,8 @@
 
 namespace arelem::surface {
 
-/// One nappe of a circular cone: vertex, unit axis pointing into the nappe, half angle. Positive outside;
-/// behind the vertex the nearest point is the vertex itself.
+/// One nappe of a circular cone: vertex, unit axis pointing into the nappe, half angle. Positive
+/// outside; behind the vertex the nearest point is the vertex itself.
 struct Cone {
   using Hint = NoHint;
   Vec3 vertex = Vec3::Zero();

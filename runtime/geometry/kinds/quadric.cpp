@@ -1,8 +1,9 @@
 #include "runtime/geometry/kinds/quadric.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <optional>
+
+#include <Eigen/Dense>
 
 namespace arelem::surface {
 
@@ -54,8 +55,8 @@ Vec3 approach(const Quadric& s, const Vec3& p) {
   }
   return q;
 }
-/// Nearest of the feet reached from several starts: gradient descent, and where the principal lines through p
-/// pierce the surface. Used where no hint tells which sheet or side is meant.
+/// Nearest of the feet reached from several starts: gradient descent, and where the principal lines
+/// through p pierce the surface. Used where no hint tells which sheet or side is meant.
 std::optional<Vec3> nearestFoot(const Quadric& s, const Vec3& p) {
   std::optional<Vec3> best = refine(s, p, approach(s, p));
   const auto consider = [&](const Vec3& start) {
@@ -100,7 +101,9 @@ double Quadric::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) c
   }
   const Vec3 e1 = foot.normal.unitOrthogonal();
   const Vec3 e2 = foot.normal.cross(e1);
-  const auto curvature = [&](const Vec3& a, const Vec3& b) { return 2.0 * a.dot(matrix * b) / length; };
+  const auto curvature = [&](const Vec3& a, const Vec3& b) {
+    return 2.0 * a.dot(matrix * b) / length;
+  };
   Eigen::Matrix2d shape;
   shape << curvature(e1, e1), curvature(e1, e2), curvature(e1, e2), curvature(e2, e2);
   // The parallel surface at distance d has the shape operator (1 + d S)^-1 S.
@@ -115,7 +118,8 @@ Vec3 Quadric::generatrix() const {
   const double scale = eigen.eigenvalues().cwiseAbs().maxCoeff();
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis = eigen.eigenvectors().col(i);
-    if (std::abs(eigen.eigenvalues()[i]) <= 1e-14 * scale && std::abs(linear.dot(axis)) <= 1e-14 * linear.norm()) {
+    if (std::abs(eigen.eigenvalues()[i]) <= 1e-14 * scale &&
+        std::abs(linear.dot(axis)) <= 1e-14 * linear.norm()) {
       return axis;
     }
   }

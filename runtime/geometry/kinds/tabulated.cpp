@@ -11,9 +11,15 @@ using Piece = TabulatedCylinder::Piece;
 
 constexpr int newtonLimit = 40;
 
-double height(const Piece& p, double x) { return ((p.a * x + p.b) * x + p.c) * x; }
-double slope(const Piece& p, double x) { return (3.0 * p.a * x + 2.0 * p.b) * x + p.c; }
-double second(const Piece& p, double x) { return 6.0 * p.a * x + 2.0 * p.b; }
+double height(const Piece& p, double x) {
+  return ((p.a * x + p.b) * x + p.c) * x;
+}
+double slope(const Piece& p, double x) {
+  return (3.0 * p.a * x + 2.0 * p.b) * x + p.c;
+}
+double second(const Piece& p, double x) {
+  return 6.0 * p.a * x + 2.0 * p.b;
+}
 
 struct Local {
   double x, y;
@@ -30,8 +36,12 @@ struct Nearest {
   double squared = std::numeric_limits<double>::infinity();
 };
 
-double low(const Piece& p) { return p.openStart ? -std::numeric_limits<double>::infinity() : 0.0; }
-double high(const Piece& p) { return p.openEnd ? std::numeric_limits<double>::infinity() : p.length; }
+double low(const Piece& p) {
+  return p.openStart ? -std::numeric_limits<double>::infinity() : 0.0;
+}
+double high(const Piece& p) {
+  return p.openEnd ? std::numeric_limits<double>::infinity() : p.length;
+}
 
 double squaredTo(const Piece& p, const Local& q, double x) {
   const double dx = x - q.x;
@@ -127,7 +137,8 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
   const double sign = dx * nx + dy * ny < 0.0 ? -1.0 : 1.0;
   const double distance = std::sqrt(best.squared);
   const bool atFoot = distance > 1e-9 * (1.0 + p.length);
-  // Away from the curve the exact gradient is the direction from the foot; on it, the curve's normal.
+  // Away from the curve the exact gradient is the direction from the foot; on it, the curve's
+  // normal.
   const double gx = atFoot ? sign * dx / distance : nx;
   const double gy = atFoot ? sign * dy / distance : ny;
   const double gu = gx * p.dirU - gy * p.dirV;

@@ -6,23 +6,23 @@
 
 namespace arelem::surface {
 
-/// A cylinder over a plane curve of cubic pieces (TABCYL). The generatrix is the w axis of the frame.
-/// In the local frame of piece i, x runs along the chord and the curve is y = a x^3 + b x^2 + c x.
-/// The first and last piece are straight and run to infinity. Positive on the left of the curve,
-/// seen against w.
+/// A cylinder over a plane curve of cubic pieces (TABCYL). The generatrix is the w axis of the
+/// frame. In the local frame of piece i, x runs along the chord and the curve is y = a x^3 + b x^2
+/// + c x. The first and last piece are straight and run to infinity. Positive on the left of the
+/// curve, seen against w.
 class TabulatedCylinder {
  public:
   struct Piece {
-    double u, v;         ///< start of the chord
-    double dirU, dirV;   ///< unit chord direction
-    double length;       ///< of the chord
-    double a, b, c;      ///< offset polynomial; zero for the straight extensions
+    double u, v;        ///< start of the chord
+    double dirU, dirV;  ///< unit chord direction
+    double length;      ///< of the chord
+    double a, b, c;     ///< offset polynomial; zero for the straight extensions
     bool openStart = false, openEnd = false;  ///< an extension without end
-    double lowY = 0.0, highY = 0.0;  ///< range of the offset over the piece
+    double lowY = 0.0, highY = 0.0;           ///< range of the offset over the piece
   };
   struct Hint {
-    int piece = -1;   ///< of the last foot, -1: none
-    double x = 0.0;   ///< its local parameter
+    int piece = -1;  ///< of the last foot, -1: none
+    double x = 0.0;  ///< its local parameter
   };
   struct Curve {
     Vec3 u = Vec3::UnitX(), v = Vec3::UnitY(), w = Vec3::UnitZ();

@@ -26,9 +26,11 @@ TEST(ExitCode, FollowsTheRoomOfTheDiagnostic) {
 
 TEST(ExitCode, TheCauseThatMakesTheOthersMootWins) {
   EXPECT_EQ(worse(ExitCode::geometryUnsolvable, ExitCode::limitReached), ExitCode::limitReached);
-  EXPECT_EQ(worse(ExitCode::programHasErrors, ExitCode::inputUnreadable), ExitCode::inputUnreadable);
+  EXPECT_EQ(worse(ExitCode::programHasErrors, ExitCode::inputUnreadable),
+            ExitCode::inputUnreadable);
   EXPECT_EQ(worse(ExitCode::ok, ExitCode::outputNotWritten), ExitCode::outputNotWritten);
-  EXPECT_EQ(worse(ExitCode::geometryUnsolvable, ExitCode::programHasErrors), ExitCode::programHasErrors);
+  EXPECT_EQ(worse(ExitCode::geometryUnsolvable, ExitCode::programHasErrors),
+            ExitCode::programHasErrors);
   EXPECT_EQ(worse(ExitCode::ok, ExitCode::ok), ExitCode::ok);
 }
 

@@ -1,9 +1,9 @@
 #include "app/manual_pages.h"
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "ir/diag/diagnostic.h"
 

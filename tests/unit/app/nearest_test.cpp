@@ -1,13 +1,14 @@
 #include "app/nearest.h"
 
-#include <gtest/gtest.h>
-
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace arelem::app {
 namespace {
 
-const std::vector<std::string> options = {"--dialect", "--define", "--diagnostics", "--limits", "-o"};
+const std::vector<std::string> options = {"--dialect", "--define", "--diagnostics", "--limits",
+                                          "-o"};
 
 TEST(Nearest, FindsOneSlipOfTheFinger) {
   EXPECT_EQ(nearest("--dialct", options), "--dialect");

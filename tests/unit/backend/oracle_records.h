@@ -23,8 +23,9 @@ struct OracleCase {
 /// All cases that have records, of tests/data/oracle/{cases,bad}.
 [[nodiscard]] std::vector<OracleCase> readOracleCases();
 
-/// The old system's own examples, which are not part of the project: of oracle/examples in the folder that the
-/// environment variable ARELEM_SHARED names, or in `../shared`. Empty where they are absent.
+/// The old system's own examples, which are not part of the project: of oracle/examples in the
+/// folder that the environment variable ARELEM_SHARED names, or in `../shared`. Empty where they
+/// are absent.
 [[nodiscard]] std::vector<OracleCase> readOracleExamples();
 
 }  // namespace arelem::test

@@ -6,6 +6,10 @@
 
 #include "ir/diag/display_text.h"
 #include "ir/diag/excerpt.h"
+#include "ir/diag/files.h"
+#include "ir/diag/frontend.h"
+#include "ir/diag/geometry.h"
+#include "ir/diag/interpret.h"
 #include "ir/diag/reading_order.h"
 #include "ir/diag/render_json.h"
 #include "ir/diag/render_text.h"

@@ -1,8 +1,8 @@
-#include <gtest/gtest.h>
-
 #include <cctype>
 #include <set>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "ir/diag/diagnostic.h"
 
@@ -23,10 +23,12 @@ TEST(DiagnosticTable, RowsFollowTheWordingRules) {
     ASSERT_EQ(row.code.size(), 5U) << row.code;
     EXPECT_EQ(row.code.front(), row.severity == Severity::error ? 'E' : 'W') << row.code;
     EXPECT_NE(row.text.back(), '.') << row.code;
-    const bool begins = std::islower(static_cast<unsigned char>(row.text.front())) != 0 ||
-                        std::string_view("{`/").find(row.text.front()) != std::string_view::npos ||
-                        (row.text.size() > 1 && std::isupper(static_cast<unsigned char>(row.text[1])) != 0);
-    EXPECT_TRUE(begins) << row.code << ": begins in lower case, or with a word of the language: " << row.text;
+    const bool begins =
+        std::islower(static_cast<unsigned char>(row.text.front())) != 0 ||
+        std::string_view("{`/").find(row.text.front()) != std::string_view::npos ||
+        (row.text.size() > 1 && std::isupper(static_cast<unsigned char>(row.text[1])) != 0);
+    EXPECT_TRUE(begins) << row.code
+                        << ": begins in lower case, or with a word of the language: " << row.text;
   }
 }
 

@@ -51,7 +51,7 @@ inline Failure refused(EntityType type, const P& parameters) {
 }
 
 inline std::string codeOf(const Failure& failure) {
-  return std::string(diagnosticTable()[failure.row].name);
+  return std::string(failure.row->name);
 }
 
 /// All numbers within `allowance` times the largest expected one (at least 1).

@@ -1,17 +1,20 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
 
+#include <gtest/gtest.h>
+
 #include "runtime/geometry/kinds.h"
 
-// The laws of runtime/geometry/surface.h, for every kind, on random surfaces and points (fixed seed).
+// The laws of runtime/geometry/surface.h, for every kind, on random surfaces and points (fixed
+// seed).
 namespace arelem::surface {
 namespace {
 
 class Random {
  public:
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  double in(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
   Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
   Vec3 direction() {
     for (;;) {
@@ -29,23 +32,32 @@ class Random {
 template <class S>
 S arbitrary(Random& r);
 template <>
-Plane arbitrary(Random& r) { return {r.direction(), r.in(-5, 5)}; }
+Plane arbitrary(Random& r) {
+  return {r.direction(), r.in(-5, 5)};
+}
 template <>
-Sphere arbitrary(Random& r) { return {r.point(3), r.in(0.5, 5)}; }
+Sphere arbitrary(Random& r) {
+  return {r.point(3), r.in(0.5, 5)};
+}
 template <>
-Cylinder arbitrary(Random& r) { return {r.point(3), r.direction(), r.in(0.5, 5)}; }
+Cylinder arbitrary(Random& r) {
+  return {r.point(3), r.direction(), r.in(0.5, 5)};
+}
 template <>
 Cone arbitrary(Random& r) {
   const double half = r.in(0.2, 1.2);
   return {r.point(3), r.direction(), std::cos(half), std::sin(half)};
 }
 template <>
-Torus arbitrary(Random& r) { return {r.point(3), r.direction(), r.in(2, 5), r.in(0.3, 1.5)}; }
+Torus arbitrary(Random& r) {
+  return {r.point(3), r.direction(), r.in(2, 5), r.in(0.3, 1.5)};
+}
 template <>
 Quadric arbitrary(Random& r) {
   Quadric q;  // an ellipsoid in general position
   const Eigen::Matrix3d m = Eigen::AngleAxisd(r.in(0, 3), r.direction()).toRotationMatrix();
-  q.matrix = m * Vec3(r.in(0.05, 0.3), r.in(0.05, 0.3), r.in(0.05, 0.3)).asDiagonal() * m.transpose();
+  q.matrix =
+      m * Vec3(r.in(0.05, 0.3), r.in(0.05, 0.3), r.in(0.05, 0.3)).asDiagonal() * m.transpose();
   q.linear = r.point(0.1);
   q.constant = -1.0;
   return q;
@@ -101,10 +113,12 @@ TYPED_TEST(SurfaceLaws, FootLiesOnTheSurfaceAndNormalIsTheGradient) {
     const double h = 1e-6;
     const Vec3 d = r.direction();
     typename TypeParam::Hint h1{}, h2{};
-    const double slope = (s.foot(p + h * d, h1).distance - s.foot(p - h * d, h2).distance) / (2 * h);
+    const double slope =
+        (s.foot(p + h * d, h1).distance - s.foot(p - h * d, h2).distance) / (2 * h);
     // Skip the few samples at a medial axis, where the gradient jumps.
     if (std::abs(slope) <= 1.0 + 1e-6 && std::abs(slope - foot.normal.dot(d)) > 1e-4) {
-      const double nearby = (s.foot(p + 1e-3 * d, h1).normal - s.foot(p - 1e-3 * d, h2).normal).norm();
+      const double nearby =
+          (s.foot(p + 1e-3 * d, h1).normal - s.foot(p - 1e-3 * d, h2).normal).norm();
       EXPECT_GT(nearby, 0.1) << i;
     }
   }
@@ -140,7 +154,9 @@ TYPED_TEST(SurfaceLaws, DistanceIsLipschitz) {
     const Vec3 p = r.point(6);
     const Vec3 q = p + r.in(0, 1) * r.direction();
     typename TypeParam::Hint a{}, b{};
-    EXPECT_LE(std::abs(s.foot(p, a).distance - s.foot(q, b).distance), (p - q).norm() * (1 + 1e-9) + 1e-9) << i;
+    EXPECT_LE(std::abs(s.foot(p, a).distance - s.foot(q, b).distance),
+              (p - q).norm() * (1 + 1e-9) + 1e-9)
+        << i;
   }
 }
 

@@ -46,7 +46,8 @@ TEST(Control, BranchesOnTheSign) {
 }
 
 TEST(Control, DecimalStepsCountAsOnPaper) {
-  // I = .2 in steps of .03 reaches .5 at the tenth; IF(.5 - I) then finds zero and goes round once more.
+  // I = .2 in steps of .03 reaches .5 at the tenth; IF(.5 - I) then finds zero and goes round once
+  // more.
   Builder b;
   const ir::SymbolId i = b.scalar("I"), n = b.scalar("N");
   b.assign(i, b.num(0.2));

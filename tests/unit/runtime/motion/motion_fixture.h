@@ -1,7 +1,7 @@
 #pragma once
-#include <gtest/gtest.h>
-
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "runtime/run.h"
 
@@ -35,7 +35,9 @@ class MotionProgram {
     return entity(EntityType::sphere, {x, y, z, r}, "S");
   }
 
-  MotionProgram& cutter(std::vector<double> values) { return add(runtime::Parameter{Word::CUTTER, values}); }
+  MotionProgram& cutter(std::vector<double> values) {
+    return add(runtime::Parameter{Word::CUTTER, values});
+  }
   MotionProgram& tolerance(double in, double out) {
     return add(runtime::Parameter{Word::INTOL, {in}}).add(runtime::Parameter{Word::OUTTOL, {out}});
   }
@@ -45,15 +47,17 @@ class MotionProgram {
     l.point = {x, y, z};
     return add(l);
   }
-  MotionProgram& go(std::vector<runtime::SurfaceUse> surfaces) { return add(runtime::Startup{false, surfaces, {}}); }
+  MotionProgram& go(std::vector<runtime::SurfaceUse> surfaces) {
+    return add(runtime::Startup{false, surfaces, {}});
+  }
   MotionProgram& relation(Word word) { return add(runtime::ToolRelation{word}); }
   MotionProgram& toward(double x, double y, double z) {
     runtime::Direction d;
     d.values[0] = Vec3(x, y, z);
     return add(d);
   }
-  MotionProgram& follow(ir::Heading heading, EntityPtr drive, ir::Condition condition, EntityPtr check,
-                        int nth = 1) {
+  MotionProgram& follow(
+      ir::Heading heading, EntityPtr drive, ir::Condition condition, EntityPtr check, int nth = 1) {
     runtime::Follow f;
     f.heading = heading;
     f.drive = drive;
@@ -80,7 +84,8 @@ class MotionProgram {
           paths.emplace_back();
         }
         for (std::size_t i = 0; i < m->coordinates.size(); i += m->stride()) {
-          paths.back().emplace_back(m->coordinates[i], m->coordinates[i + 1], m->coordinates[i + 2]);
+          paths.back().emplace_back(m->coordinates[i], m->coordinates[i + 1],
+                                    m->coordinates[i + 2]);
         }
       }
     }

@@ -11,7 +11,8 @@ using P = MotionProgram;
 TEST(Motion, ObroundByTangentStops) {
   const auto c1 = P::circle(2.15, 3.25, 1.35);
   const auto c2 = P::circle(7.45, 4.15, 0.95);
-  const auto top = P::line(1.883, 4.573, 7.263, 5.081);  // not used as drive: only the fixture's shape
+  const auto top =
+      P::line(1.883, 4.573, 7.263, 5.081);  // not used as drive: only the fixture's shape
   (void)top;
   MotionProgram p;
   // Two unit circles on the x axis joined by y = 1 and y = -1.
@@ -26,7 +27,8 @@ TEST(Motion, ObroundByTangentStops) {
   p.follow(Heading::forward, down, Condition::tanto, b);
   p.follow(Heading::forward, b, Condition::tanto, up);
   const auto paths = p.run();
-  for (const auto& d : p.diagnostics.all()) ADD_FAILURE() << d.message;
+  for (const auto& d : p.diagnostics.all())
+    ADD_FAILURE() << d.message;
   ASSERT_EQ(paths.size(), 6u);
   expectNear(paths[1].back(), {5, 1.25, 0}, 1e-12);
   expectNear(paths[2].back(), {0, 1.25, 0}, 1e-12);
@@ -45,7 +47,8 @@ TEST(Motion, TangencyIsNotPassedByAtAnyTolerance) {
   // A quarter turn from one tangent line to the next, whatever way the cut vectors fall.
   const auto right = P::line(50, 50, 50, -20), below = P::line(-50, -50, 50, -50);
   const auto circle = P::circle(20, -20, 30);
-  for (const double tolerance : {0.05, 0.01, 0.003, 0.001, 0.0007, 0.0005, 0.0003, 0.0002, 0.0001, 0.00005}) {
+  for (const double tolerance :
+       {0.05, 0.01, 0.003, 0.001, 0.0007, 0.0005, 0.0003, 0.0002, 0.0001, 0.00005}) {
     for (const double diameter : {20.0, 10.0, 3.0}) {
       MotionProgram p;
       p.tolerance(0, tolerance).cutter({diameter}).from(70, 30, 0).go({{right, Condition::to}});
@@ -64,13 +67,19 @@ TEST(Motion, InsideCorners) {
   const auto l1 = P::line(0.25, 0.35, 7.45, -0.35), l2 = P::line(7.45, -0.35, 8.75, 5.85);
   const auto l3 = P::line(8.75, 5.85, 1.55, 6.15), l4 = P::line(1.55, 6.15, 0.25, 0.35);
   MotionProgram p;
-  p.tolerance(0, 0.002).cutter({0.625}).from(4.15, 3.35, 0).go({{l1, Condition::to}}).relation(Word::TLLFT);
+  p.tolerance(0, 0.002)
+      .cutter({0.625})
+      .from(4.15, 3.35, 0)
+      .go({{l1, Condition::to}})
+      .relation(Word::TLLFT);
   p.follow(Heading::left, l1, Condition::to, l2).follow(Heading::left, l2, Condition::to, l3);
   p.follow(Heading::left, l3, Condition::to, l4).follow(Heading::left, l4, Condition::to, l1);
   const auto paths = p.run();
-  for (const auto& d : p.diagnostics.all()) ADD_FAILURE() << d.message;
+  for (const auto& d : p.diagnostics.all())
+    ADD_FAILURE() << d.message;
   ASSERT_EQ(paths.size(), 6u);
-  for (const auto& path : paths) EXPECT_EQ(path.size(), 1u);
+  for (const auto& path : paths)
+    EXPECT_EQ(path.size(), 1u);
 }
 
 TEST(Motion, BallOverSphere) {
@@ -80,10 +89,13 @@ TEST(Motion, BallOverSphere) {
   const auto ds = P::plane(0.05, 1, 0, 0.45);
   MotionProgram p;
   p.tolerance(0, 0.002).cutter({0.75, 0.375}).from(-8.15, 0.55, 5.25);
-  p.go({{ds, Condition::on}, {ps, Condition::to}, {x1, Condition::on}}).toward(1, 0, 0).relation(Word::TLON);
+  p.go({{ds, Condition::on}, {ps, Condition::to}, {x1, Condition::on}})
+      .toward(1, 0, 0)
+      .relation(Word::TLON);
   p.follow(Heading::forward, ds, Condition::on, x2).follow(Heading::left, x2, Condition::on, y2);
   const auto paths = p.run();
-  for (const auto& d : p.diagnostics.all()) ADD_FAILURE() << d.message;
+  for (const auto& d : p.diagnostics.all())
+    ADD_FAILURE() << d.message;
   ASSERT_EQ(paths.size(), 4u);
   expectNear(paths[1].back(), {-4.25, 0.6625, 0.478511138}, 2e-4);
   EXPECT_LE(paths[2].size(), 25u);

@@ -1,15 +1,16 @@
 #include "runtime/tool/contact.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
+
+#include <gtest/gtest.h>
 
 // The contact against brute force: many points of the cutter, the least signed distance among them.
 namespace arelem::tool {
 namespace {
 
-std::vector<Vec3> pointsOf(const Profile& p, const Vec3& te, const Vec3& axis, int around, int along) {
+std::vector<Vec3> pointsOf(
+    const Profile& p, const Vec3& te, const Vec3& axis, int around, int along) {
   std::vector<ProfilePoint> profile;
   const auto line = [&](ProfilePoint a, ProfilePoint b) {
     for (int i = 0; i <= along; ++i) {
@@ -37,13 +38,18 @@ std::vector<Vec3> pointsOf(const Profile& p, const Vec3& te, const Vec3& axis, i
   return points;
 }
 
-const std::vector<std::vector<double>> cutters = {
-    {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, 0.266342, 0.125, 0, 8, 3}, {1.0, 0, 0.5, 0, 0, 0, 2}};
+const std::vector<std::vector<double>> cutters = {{0.75},
+                                                  {0.75, 0.375},
+                                                  {1.0, 0.1875},
+                                                  {0.75, 0.125, 0.266342, 0.125, 0, 8, 3},
+                                                  {1.0, 0, 0.5, 0, 0, 0, 2}};
 
 template <class S, class Make>
 void compare(Make make, double side, int count) {
   std::mt19937_64 engine(7);
-  const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine); };
+  const auto in = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(engine);
+  };
   for (int i = 0; i < count; ++i) {
     const S s = make(in);
     for (const auto& values : cutters) {
@@ -67,24 +73,47 @@ void compare(Make make, double side, int count) {
 }
 
 TEST(Contact, PlaneAgainstBruteForce) {
-  compare<surface::Plane>([](auto in) { return surface::Plane{Vec3(in(-0.5, 0.5), in(-0.5, 0.5), 1).normalized(), -1.0}; }, 1.0, 20);
+  compare<surface::Plane>(
+      [](auto in) {
+        return surface::Plane{Vec3(in(-0.5, 0.5), in(-0.5, 0.5), 1).normalized(), -1.0};
+      },
+      1.0, 20);
 }
 TEST(Contact, SphereOutsideAgainstBruteForce) {
-  compare<surface::Sphere>([](auto in) { return surface::Sphere{{in(-1, 1), in(-1, 1), -6}, 5.0}; }, 1.0, 20);
+  compare<surface::Sphere>(
+      [](auto in) {
+        return surface::Sphere{{in(-1, 1), in(-1, 1), -6}, 5.0};
+      },
+      1.0, 20);
 }
 TEST(Contact, SphereInsideAgainstBruteForce) {
-  compare<surface::Sphere>([](auto in) { return surface::Sphere{{in(-1, 1), in(-1, 1), 8}, 12.0}; }, -1.0, 20);
+  compare<surface::Sphere>(
+      [](auto in) {
+        return surface::Sphere{{in(-1, 1), in(-1, 1), 8}, 12.0};
+      },
+      -1.0, 20);
 }
 TEST(Contact, CylinderAgainstBruteForce) {
   compare<surface::Cylinder>(
-      [](auto in) { return surface::Cylinder{{0, 0, -6}, Vec3(1, in(-0.5, 0.5), in(-0.3, 0.3)).normalized(), 4.5}; }, 1.0, 20);
+      [](auto in) {
+        return surface::Cylinder{
+            {0, 0, -6}, Vec3(1, in(-0.5, 0.5), in(-0.3, 0.3)).normalized(), 4.5};
+      },
+      1.0, 20);
 }
 TEST(Contact, ConeAgainstBruteForce) {
   compare<surface::Cone>(
-      [](auto in) { return surface::Cone{{-20, in(-1, 1), -6}, Vec3::UnitX(), std::cos(0.25), std::sin(0.25)}; }, 1.0, 20);
+      [](auto in) {
+        return surface::Cone{{-20, in(-1, 1), -6}, Vec3::UnitX(), std::cos(0.25), std::sin(0.25)};
+      },
+      1.0, 20);
 }
 TEST(Contact, TorusAgainstBruteForce) {
-  compare<surface::Torus>([](auto in) { return surface::Torus{{in(-1, 1), 0, -5}, Vec3::UnitY(), 3.0, 1.5}; }, 1.0, 20);
+  compare<surface::Torus>(
+      [](auto in) {
+        return surface::Torus{{in(-1, 1), 0, -5}, Vec3::UnitY(), 3.0, 1.5};
+      },
+      1.0, 20);
 }
 TEST(Contact, EllipsoidAgainstBruteForce) {
   compare<surface::Quadric>(
@@ -103,7 +132,8 @@ TEST(Contact, FlatBottomTouchesInside) {
   const Profile flat = *makeProfile(std::vector<double>{0.062, 0.0, 0.031, 0.0, 0.0, 0.0, 0.5});
   const surface::Cylinder c{{0, 0, 0}, Vec3::UnitX(), 0.556};
   Search<surface::Cylinder> search;
-  EXPECT_NEAR(contact(c, 1.0, flat, Vec3(-1.19, 0, 0.55645), Vec3::UnitZ(), search).gap, 0.00045, 1e-12);
+  EXPECT_NEAR(contact(c, 1.0, flat, Vec3(-1.19, 0, 0.55645), Vec3::UnitZ(), search).gap, 0.00045,
+              1e-12);
 }
 
 TEST(Contact, BallOnSphereIsClosedForm) {
