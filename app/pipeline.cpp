@@ -1,5 +1,7 @@
 #include "app/pipeline.h"
 
+#include <filesystem>
+
 #include "app/library_path.h"
 #include "app/source_file.h"
 #include "app/stopwatch.h"
@@ -20,6 +22,18 @@ frontend::Options frontendOptions(const Settings& settings, const InterruptFlag&
   }
   options.interrupted = &interrupted;
   return options;
+}
+/// Data files lie beside the part program or in the library path.
+files::Files dataFiles(const Compilation& job) {
+  files::Files found;
+  found.folders.push_back(std::filesystem::path(job.sources.name(job.main)).parent_path().string());
+  found.folders.insert(found.folders.end(), job.settings.libraryPath.begin(),
+                       job.settings.libraryPath.end());
+  for (std::string& folder : installedLibrary()) {
+    found.folders.push_back(std::move(folder));
+  }
+  found.largest = job.settings.limits.bytes;
+  return found;
 }
 }  // namespace
 
@@ -49,7 +63,8 @@ bool load(Compilation& job,
 
 bool evaluate(Compilation& job, const InterruptFlag& interrupted) {
   const Stopwatch watch(job.seconds.evaluate);
-  job.evaluation = runtime::evaluate(job.program, {job.settings.limits, &interrupted}, job.log);
+  job.evaluation =
+      runtime::evaluate(job.program, {job.settings.limits, &interrupted, dataFiles(job)}, job.log);
   return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
 }
 
@@ -57,7 +72,7 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const Stopwatch watch(job.seconds.execute);
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
-  job.motion = runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted},
+  job.motion = runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted, {}},
                                 *transformer, job.log);
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;

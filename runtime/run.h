@@ -9,6 +9,7 @@
 #include "ir/diag/diagnostic.h"
 #include "ir/limits.h"
 #include "ir/program/program.h"
+#include "runtime/files/files.h"
 #include "runtime/interpret/action.h"
 
 namespace arelem::runtime {
@@ -16,6 +17,7 @@ namespace arelem::runtime {
 struct Options {
   Limits limits;
   const InterruptFlag* interrupted = nullptr;  ///< may be null
+  files::Files files;                          ///< data files that definitions name
 };
 
 /// One item of what PRINT and TITLES ask for, in order of execution.

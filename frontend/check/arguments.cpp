@@ -61,7 +61,7 @@ std::optional<ir::Argument> Values::argument(NodeId id, const ArgumentRules& rul
     case Kind::word:
       return ir::Argument{node.word, node.span};
     case Kind::string:
-      if (!rules.unknownAsText) {
+      if (!rules.unknownAsText && !rules.strings) {
         context_.report(diagnose(node.span, diag::StringPlace, rules.owner));
         return std::nullopt;
       }

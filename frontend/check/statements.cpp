@@ -1,6 +1,7 @@
 #include "frontend/check/statements.h"
 
 #include "frontend/check/motion.h"
+#include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
@@ -291,8 +292,10 @@ void Statements::unnamed(const Parts& p) {
                          : diagnose(p.span, diag::ReservedType, spell(p.word)));
     return;
   }
-  auto list =
-      values_.arguments(p.first, {.owner = spell(p.word), .ranges = true, .shortPoints = true});
+  auto list = values_.arguments(p.first, {.owner = spell(p.word),
+                                          .ranges = true,
+                                          .shortPoints = true,
+                                          .strings = define::takesText(p.word)});
   if (!list) {
     return;
   }

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "frontend/check/values.h"
+#include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
@@ -175,6 +176,7 @@ std::optional<ir::DefinitionId> Values::definition(NodeId id, NodeId targetNode)
   rules.owner = spell(node.word);
   rules.ranges = true;
   rules.shortPoints = true;
+  rules.strings = define::takesText(node.word);
   for (NodeId a = node.first; a != noNode; a = (*tree_)[a].next) {
     const bool canon = (*tree_)[a].kind == Node::Kind::word && (*tree_)[a].word == Word::CANON;
     rules.omitted = rules.omitted || canon;

@@ -14,6 +14,7 @@ struct ArgumentRules {
   bool shortPoints = false;    ///< (x,y)
   bool unknownAsText = false;  ///< undefined names become text, with a warning
   bool silentText = false;     ///< ... without one
+  bool strings = false;        ///< texts in quotes
   bool bare = false;           ///< expressions need no parentheses (function arguments)
 };
 

@@ -5,17 +5,13 @@
 #include <sstream>
 
 #include "ir/diag/frontend.h"
+#include "ir/text/find_file.h"
 
 namespace arelem::frontend {
 
 namespace {
 namespace fs = std::filesystem;
 constexpr std::size_t deepest = 32;  // texts that include each other
-
-bool isInside(const fs::path& file, const fs::path& folder) {
-  const auto [f, p] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-  return f == folder.end() || (std::next(f) == folder.end() && f->empty());
-}
 
 std::string changed(std::string_view name, bool toLower) {
   std::string result(name);
@@ -76,27 +72,16 @@ std::optional<BufferId> Library::loadNamed(std::string_view name, const Span& at
 }
 
 std::optional<BufferId> Library::loadFile(std::string_view name, BufferId from, const Span& at) {
-  std::error_code error;
-  const fs::path wanted(name);
-  fs::path own = fs::path(context_.sources.name(from)).parent_path();
-  std::vector<fs::path> folders = {own.empty() ? fs::path(".") : own};
+  std::vector<std::string> folders = {fs::path(context_.sources.name(from)).parent_path().string()};
   folders.insert(folders.end(), context_.options.libraryPath.begin(),
                  context_.options.libraryPath.end());
-  bool refused = wanted.is_absolute() || name.empty() || name.find('\0') != std::string_view::npos;
-  for (std::size_t i = 0; !refused && i < folders.size(); ++i) {
-    const fs::path root = fs::weakly_canonical(folders[i], error);
-    const fs::path path = fs::weakly_canonical(root / wanted, error);
-    if (error) {
-      continue;
-    }
-    if (!isInside(path, root)) {
-      refused = true;
-    } else if (fs::exists(path, error)) {
-      return read(path, name, at);
-    }
+  const Found found = findInside(name, folders);
+  if (found.state == Found::State::inside) {
+    return read(found.path, name, at);
   }
-  context_.report(refused ? diagnose(at, diag::IncludeRefused, name)
-                          : diagnose(at, diag::IncludeUnreadable, name, "no such file"));
+  context_.report(found.state == Found::State::refused
+                      ? diagnose(at, diag::IncludeRefused, name)
+                      : diagnose(at, diag::IncludeUnreadable, name, "no such file"));
   return std::nullopt;
 }
 

@@ -142,6 +142,8 @@ Symbol example(const Expectation& wanted) {
       break;
     case Symbol::Sort::scalar:
       return Symbol::scalar();
+    case Symbol::Sort::text:
+      return Symbol::text();
     case Symbol::Sort::empty:
       break;
   }

@@ -157,6 +157,13 @@ std::variant<FormId, Mismatch> match(Word noun, std::span<const Symbol> paramete
   return explain(noun, parameters);
 }
 
+bool takesText(Word noun) {
+  const std::span<const FormRow> forms = formTable();
+  return std::any_of(forms.begin(), forms.end(), [noun](const FormRow& form) {
+    return !form.anyNoun && form.noun == noun && form.pattern.find('\'') != std::string_view::npos;
+  });
+}
+
 std::string syntaxLine(Word noun, FormId form) {
   return std::string(spell(noun)) + "/ " + std::string(row(form).pattern);
 }

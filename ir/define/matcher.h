@@ -35,6 +35,9 @@ inline constexpr std::size_t mismatchForms = 5;
 /// Whether one compiled pattern accepts the parameters.
 [[nodiscard]] bool accepts(const Pattern& pattern, std::span<const Symbol> parameters);
 
+/// Whether any form of this noun takes a text in quotes.
+[[nodiscard]] bool takesText(Word noun);
+
 /// "POINT/ INTOF, line1, line2": a form as the manual prints it, under this noun.
 [[nodiscard]] std::string syntaxLine(Word noun, FormId form);
 /// "POINT/ INTOF, line, circle": what was written, in kinds; long lists are shortened.

@@ -62,6 +62,10 @@ Expectation expectation(std::string_view name) {
   if (name == "empty") {
     return wanted;
   }
+  if (name.starts_with('\'')) {
+    wanted.sort = Symbol::Sort::text;
+    return wanted;
+  }
   wanted.sort = Symbol::Sort::scalar;
   for (const Kind& kind : kinds) {
     if (kind.name == withoutDigits(name)) {
@@ -189,8 +193,13 @@ class Compiler {
   std::string_view readName() {
     skip();
     const std::size_t begin = at_;
+    const bool quoted = at_ < text_.size() && text_[at_] == '\'';
+    at_ += quoted ? 1 : 0;
     while (at_ < text_.size() && std::isalnum(static_cast<unsigned char>(text_[at_])) != 0) {
       ++at_;
+    }
+    if (quoted && !accept("'")) {
+      complain("a quote is missing");
     }
     if (at_ == begin) {
       complain("a name is missing");
@@ -213,6 +222,8 @@ std::string describe(const Symbol& symbol) {
       return "nothing";
     case Symbol::Sort::scalar:
       return "scalar";
+    case Symbol::Sort::text:
+      return "text";
     case Symbol::Sort::word:
       return std::string(spell(symbol.word));
     case Symbol::Sort::entity:
@@ -236,6 +247,7 @@ bool Expectation::accepts(const Symbol& symbol) const {
       return (types >> static_cast<unsigned>(symbol.type) & 1U) != 0;
     case Symbol::Sort::empty:
     case Symbol::Sort::scalar:
+    case Symbol::Sort::text:
       break;
   }
   return true;

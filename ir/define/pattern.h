@@ -11,13 +11,14 @@ namespace arelem::define {
 
 /// A parameter as far as the choice of a form depends on it.
 struct Symbol {
-  enum class Sort : std::uint8_t { empty, scalar, word, entity };
+  enum class Sort : std::uint8_t { empty, scalar, word, entity, text };
   Sort sort = Sort::empty;
   Word word = Word::CANON;              ///< of a word
   EntityType type = EntityType::point;  ///< of an entity
 
   [[nodiscard]] static Symbol empty() { return {}; }
   [[nodiscard]] static Symbol scalar() { return {Sort::scalar, {}, {}}; }
+  [[nodiscard]] static Symbol text() { return {Sort::text, {}, {}}; }
   [[nodiscard]] static Symbol of(Word word) { return {Sort::word, word, {}}; }
   [[nodiscard]] static Symbol of(EntityType type) { return {Sort::entity, {}, type}; }
 };

@@ -14,6 +14,14 @@ bool Arguments::isEntity(std::size_t i) const {
   return i < parameters_.size() && std::holds_alternative<EntityPtr>(parameters_[i]);
 }
 
+bool Arguments::isText(std::size_t i) const {
+  return i < parameters_.size() && std::holds_alternative<std::string>(parameters_[i]);
+}
+
+Result<std::string> Arguments::fileText(std::string_view name) const {
+  return files::read(context_.files != nullptr ? *context_.files : files::Files{}, name);
+}
+
 bool Arguments::is(std::size_t i, EntityType type) const {
   return isEntity(i) && entity(i).type == type;
 }

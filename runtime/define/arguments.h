@@ -19,12 +19,16 @@ class Arguments {
   [[nodiscard]] bool isOmitted(std::size_t i) const;
   [[nodiscard]] bool isScalar(std::size_t i) const;
   [[nodiscard]] bool isEntity(std::size_t i) const;
+  [[nodiscard]] bool isText(std::size_t i) const;
   [[nodiscard]] bool is(std::size_t i, EntityType type) const;
   /// Also false beyond the last parameter.
   [[nodiscard]] bool is(std::size_t i, Word word) const;
 
   [[nodiscard]] double scalar(std::size_t i) const { return std::get<double>(parameters_[i]); }
   [[nodiscard]] Word word(std::size_t i) const { return std::get<Word>(parameters_[i]); }
+  [[nodiscard]] const std::string& text(std::size_t i) const {
+    return std::get<std::string>(parameters_[i]);
+  }
   [[nodiscard]] const Entity& entity(std::size_t i) const {
     return *std::get<EntityPtr>(parameters_[i]);
   }
@@ -45,6 +49,10 @@ class Arguments {
   [[nodiscard]] geometry::Circle circle(std::size_t i) const { return as<geometry::Circle>(i); }
   [[nodiscard]] geometry::Matrix matrix(std::size_t i) const { return as<geometry::Matrix>(i); }
   [[nodiscard]] geometry::Quadric quadric(std::size_t i) const { return as<geometry::Quadric>(i); }
+
+  /// The bytes of a data file that the program names.
+  [[nodiscard]] Result<std::string> fileText(std::string_view name) const;
+  [[nodiscard]] double millimeters() const { return context_.millimeters; }
 
   /// The point above (x, y) on the ZSURF plane.
   [[nodiscard]] Vec3 onZsurf(const geometry::Vec2& place) const {

@@ -33,7 +33,8 @@ Symbol symbolOf(const Parameter& parameter) {
   return std::visit(
       Overloaded{[](Omitted) { return Symbol::empty(); }, [](double) { return Symbol::scalar(); },
                  [](Word word) { return Symbol::of(word); },
-                 [](const EntityPtr& entity) { return Symbol::of(entity->type); }},
+                 [](const EntityPtr& entity) { return Symbol::of(entity->type); },
+                 [](const std::string&) { return Symbol::text(); }},
       parameter);
 }
 

@@ -1,23 +1,27 @@
 #pragma once
 #include <span>
+#include <string>
 #include <variant>
 
 #include "ir/diag/result.h"
 #include "ir/geometry/entity.h"
 #include "ir/words/words.h"
+#include "runtime/files/files.h"
 
 /// From the parameters of a definition to its canonical form: `name = TYPE/ parameters`.
 namespace arelem::define {
 
 struct Omitted {};
 /// One evaluated parameter. Entities are already in the current reference system;
-/// inclusive subscripts are already expanded.
-using Parameter = std::variant<Omitted, double, Word, EntityPtr>;
+/// inclusive subscripts are already expanded. A string is a text that stood in quotes.
+using Parameter = std::variant<Omitted, double, Word, EntityPtr, std::string>;
 
 /// What a definition depends on beside its parameters.
 struct Context {
   /// ZSURF plane a x + b y + c z = d that supplies an implicit z; c is not 0.
   double zsurfA = 0.0, zsurfB = 0.0, zsurfC = 1.0, zsurfD = 0.0;
+  const files::Files* files = nullptr;  ///< data files of the program; null: there are none
+  double millimeters = 1.0;             ///< length of the part program's unit, mm
   [[nodiscard]] double z(double x, double y) const {
     return (zsurfD - zsurfA * x - zsurfB * y) / zsurfC;
   }

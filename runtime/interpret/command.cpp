@@ -30,11 +30,25 @@ void canon(State& state, const ir::Command& command) {
   }
 }
 
+double millimetersOf(Word unit) {
+  switch (unit) {
+    case Word::CM:
+      return 10.0;
+    case Word::INCHES:
+      return 25.4;
+    case Word::FEET:
+      return 304.8;
+    default:
+      return 1.0;
+  }
+}
+
 void units(State& state, const ir::Command& command) {
   if (command.arguments.size() == 1) {
     if (const Word* unit = std::get_if<Word>(&command.arguments[0].value);
         unit != nullptr &&
         (*unit == Word::MM || *unit == Word::CM || *unit == Word::INCHES || *unit == Word::FEET)) {
+      state.context.millimeters = millimetersOf(*unit);
       state.emit(Pass{cl::Units{*unit}});
       return;
     }
@@ -164,7 +178,10 @@ void zsurf(State& state, const ir::Command& command) {
     state.report(std::move(d));
     return;
   }
-  state.zsurf = {p[0], p[1], p[2], p[3]};
+  state.context.zsurfA = p[0];
+  state.context.zsurfB = p[1];
+  state.context.zsurfC = p[2];
+  state.context.zsurfD = p[3];
 }
 
 void referenceSystem(State& state, const ir::Command& command) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
 #include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
@@ -50,21 +51,20 @@ bool mayStore(State& state, const Place& place, const ir::Definition& definition
   return true;
 }
 
-std::optional<std::vector<define::Parameter>> parameters(State& state, const Items& items) {
+std::optional<std::vector<define::Parameter>> parameters(State& state,
+                                                         EntityType type,
+                                                         const Items& items) {
+  const std::optional<Word> noun = findWord(spell(type));
+  const bool texts = noun && define::takesText(*noun);
   std::vector<define::Parameter> result;
   result.reserve(items.size());
   for (const Item& item : items) {
-    if (const std::string* text = std::get_if<std::string>(&item.value)) {
+    const std::string* text = std::get_if<std::string>(&item.value);
+    if (text != nullptr && !texts) {
       state.report(diagnose(item.span, diag::UndefinedSymbol, *text));
       return std::nullopt;
     }
-    std::visit(
-        [&result](const auto& value) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
-            result.emplace_back(value);
-          }
-        },
-        item.value);
+    std::visit([&result](const auto& value) { result.emplace_back(value); }, item.value);
   }
   return result;
 }
@@ -87,8 +87,8 @@ EntityPtr trace(const EntityPtr& plane) {
 Result<Entity> defineWithTraces(const ir::Definition& definition,
                                 std::vector<define::Parameter> given,
                                 const Items& items,
-                                const define::Context& zsurf) {
-  Result<Entity> result = define::define(definition.type, given, zsurf);
+                                const define::Context& context) {
+  Result<Entity> result = define::define(definition.type, given, context);
   bool any = false;
   for (std::size_t i = 0; i < items.size() && !result; ++i) {
     if (items[i].wasLine) {
@@ -97,17 +97,17 @@ Result<Entity> defineWithTraces(const ir::Definition& definition,
       given[i] = line ? line : *items[i].entity();
     }
   }
-  return any ? define::define(definition.type, given, zsurf) : std::move(result);
+  return any ? define::define(definition.type, given, context) : std::move(result);
 }
 
 std::shared_ptr<Entity> compute(State& state,
                                 const ir::Definition& definition,
                                 const Items& items) {
-  const auto given = parameters(state, items);
+  const auto given = parameters(state, definition.type, items);
   if (!given) {
     return nullptr;
   }
-  Result<Entity> result = defineWithTraces(definition, *given, items, state.zsurf);
+  Result<Entity> result = defineWithTraces(definition, *given, items, state.context);
   if (!result) {
     Diagnostic d = at(definition.span, result.takeFailure());
     labelOperands(d, items);

@@ -31,7 +31,7 @@ class Reader {
     } else if (const std::size_t count = leadingNumbers(0); count == 2 && items_.size() == 2) {
       const double x = number(0);
       const double y = number(1);
-      locate.point = state_.systems.pointToBase({x, y, state_.zsurf.z(x, y)});
+      locate.point = state_.systems.pointToBase({x, y, state_.context.z(x, y)});
       return locate;
     } else if (count >= 3) {
       locate.point = state_.systems.pointToBase(triple(0));

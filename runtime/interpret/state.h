@@ -24,7 +24,7 @@ class State {
   Evaluation& out;
   Store store;
   Systems systems;
-  define::Context zsurf;
+  define::Context context;   ///< ZSURF, unit and data files, as definitions see them
   bool redefinable = false;  ///< CANON/ON
   bool listing = false;      ///< PRINT/ON
 
