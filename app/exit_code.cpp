@@ -12,6 +12,12 @@ ExitCode exitCodeFor(const DiagRow& row) {
   if (row.code == "E0102") {  // a control byte: not a text file
     return ExitCode::inputUnreadable;
   }
+  // Limits that belong to a room: nested calls, cut vectors, actions and records of the motion,
+  // bytes of a data file.
+  constexpr std::array<std::string_view, 5> limits = {"E0239", "E0418", "E0513", "E0525", "E0732"};
+  if (std::find(limits.begin(), limits.end(), row.code) != limits.end()) {
+    return ExitCode::limitReached;
+  }
   const std::string_view room = row.code.substr(0, 3);
   if (room == "E03" || room == "E05") {
     return ExitCode::geometryUnsolvable;

@@ -62,7 +62,8 @@ int run(std::vector<std::string> words, InterruptWatch& interrupt) {
 
 /// Nothing below may allocate: memory is what has run out.
 void reportOutOfMemory() {
-  std::fputs("arelem: error: out of memory; nothing was written (see --limits)\n", stderr);
+  std::fputs("arelem: error: out of memory; nothing was written (see the limits of --help)\n",
+             stderr);
 }
 
 ExitCode runUnderWatch(int argc, char** argv) {

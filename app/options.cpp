@@ -1,28 +1,17 @@
 #include "app/options.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <iostream>
 
 #include "app/exit_code.h"
+#include "app/limit_options.h"
 #include "app/messages.h"
 #include "app/nearest.h"
 
 namespace arelem::app {
 
 namespace {
-struct LimitName {
-  const char* name;
-  std::uint64_t Limits::*member;
-};
-constexpr std::array limitNames = {
-    LimitName{"steps", &Limits::steps},     LimitName{"depth", &Limits::depth},
-    LimitName{"records", &Limits::records}, LimitName{"errors", &Limits::errors},
-    LimitName{"nesting", &Limits::nesting}, LimitName{"elements", &Limits::elements},
-    LimitName{"line", &Limits::line},       LimitName{"bytes", &Limits::bytes},
-    LimitName{"points", &Limits::points},   LimitName{"array", &Limits::array}};
-
 template <class Number>
 bool readNumber(const std::string& text, Number& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -36,29 +25,6 @@ std::pair<std::string, std::string> splitAssignment(const std::string& option,
     throw CLI::ValidationError(option, "`" + text + "` is not of the form name=value");
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-std::string namesOfLimits() {
-  std::vector<std::string> names;
-  for (const LimitName& limit : limitNames) {
-    names.emplace_back(limit.name);
-  }
-  return CLI::detail::join(names, ", ");
-}
-
-void setLimit(Limits& limits, const std::string& text) {
-  const auto assignment = splitAssignment("--limits", text);
-  const std::string& name = assignment.first;
-  const std::string& value = assignment.second;
-  const auto limit = std::find_if(limitNames.begin(), limitNames.end(),
-                                  [&](const LimitName& known) { return name == known.name; });
-  if (limit == limitNames.end()) {
-    throw CLI::ValidationError("--limits",
-                               "there is no limit `" + name + "`; there are " + namesOfLimits());
-  }
-  if (!readNumber(value, limits.*limit->member)) {
-    throw CLI::ValidationError("--limits", "`" + value + "` is not a whole number");
-  }
 }
 
 void setDefine(std::map<std::string, double>& defines, const std::string& text) {
@@ -150,12 +116,7 @@ void addSourceOptions(CLI::App& app, Settings& settings) {
               [&settings](const std::string& word) { setDefine(settings.defines, word); });
   addRepeated(app, "-I,--include", "a folder where LIBRY and INCLUDE look first", "DIR",
               [&settings](const std::string& word) { settings.libraryPath.push_back(word); });
-  addRepeated(app, "--limits", "bounds on work and size, such as steps=1000000,depth=20",
-              "NAME=VALUE,...", [&settings](const std::string& word) {
-                for (const std::string& one : CLI::detail::split(word, ',')) {
-                  setLimit(settings.limits, one);
-                }
-              });
+  addLimitOptions(app, settings.limits);
 }
 
 std::optional<int> parse(CLI::App& app, std::vector<std::string> words) {

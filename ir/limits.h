@@ -4,7 +4,7 @@
 
 namespace arelem {
 
-/// Every bound on work or size, with the name of its flag (`--limits name=value`) and its default.
+/// Every bound on work or size, with the name of its flag (`--max-steps N` and so on: app/limit_options.cpp) and its default.
 struct Limits {
   std::uint64_t steps = 200'000'000;    ///< executed statements
   std::uint64_t depth = 64;             ///< active macro calls

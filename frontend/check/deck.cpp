@@ -46,14 +46,16 @@ bool ProgramReader::deckLine(std::string_view line, const Span& at, Frame& frame
       context_.vocabulary.find(f[0])) {
     return false;
   }
-  std::vector<ir::Argument> values;
-  values.push_back({Word::CANON, at});
+  std::vector<ir::Argument> values(1 + f.size() - lead);
+  values.front().value = Word::CANON;
+  values.front().span = at;
   for (std::size_t i = lead; i < f.size(); ++i) {
     const auto value = number(f[i]);
     if (!value) {
       return false;
     }
-    values.push_back({frame.values.number(*value, at), at});
+    values[1 + i - lead].value = frame.values.number(*value, at);
+    values[1 + i - lead].span = at;
   }
   StatementTree tree;
   const NodeId name = tree.add(Node::Kind::name, at);
@@ -66,7 +68,8 @@ bool ProgramReader::deckLine(std::string_view line, const Span& at, Frame& frame
   }
   frame.values.setTree(tree);
   const auto kind = scalar ? NameFacts::Class::scalar : NameFacts::Class::entity;
-  const auto target = frame.values.target(name, kind, type.value_or(EntityType::point));
+  const EntityType entity = scalar ? EntityType::point : *type;
+  const auto target = frame.values.target(name, kind, entity);
   frame.values.markDefined(name);
   frame.values.setTree(frame.tree);
   if (!target) {
@@ -77,7 +80,7 @@ bool ProgramReader::deckLine(std::string_view line, const Span& at, Frame& frame
     return true;
   }
   ir::Definition d;
-  d.type = *type;
+  d.type = entity;
   d.typeSpan = at;
   d.target = *target;
   d.arguments = std::move(values);

@@ -170,11 +170,14 @@ void Statements::surfaceOrNumbers(const Parts& p) {
   if (!list) {
     return;
   }
-  const auto type = list->size() == 1 ? values_.entityOf(list->front()) : std::nullopt;
+  std::optional<EntityType> type;
+  if (list->size() == 1) {
+    type = values_.entityOf(list->front());
+  }
   const bool numbers =
       zsurf && list->size() == 4 &&
       std::all_of(list->begin(), list->end(), [&](const auto& a) { return values_.isScalar(a); });
-  const bool fits = zsurf ? type == EntityType::plane || numbers
+  const bool fits = zsurf ? (type && *type == EntityType::plane) || numbers
                           : type && *type != EntityType::point && *type != EntityType::vector &&
                                 *type != EntityType::matrix && *type != EntityType::pattern;
   if (!fits) {

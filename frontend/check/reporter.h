@@ -17,7 +17,7 @@ class Reporter {
   Reporter(DiagnosticSink& sink, const Limits& limits) : sink_(sink), limits_(limits) {}
 
   void report(Diagnostic diagnostic);
-  /// A named limit of `--limits` was reached.
+  /// The limit of flag `--max-NAME` was reached.
   void limit(Span at, std::string_view name, std::uint64_t value, std::string_view what);
   /// Ends the report: tells how many errors were counted but not shown.
   void finish(Span end);

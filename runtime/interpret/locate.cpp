@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "ir/diag/interpret.h"
 #include "runtime/interpret/motion.h"
 
@@ -169,9 +171,10 @@ void execute(State& state, const ir::LocateNumbers& numbers) {
     state.emit(std::move(locate));
     return;
   }
-  Items items;
-  for (std::size_t i = 0; i < numbers.count && i < n.size(); ++i) {
-    items.push_back({n[i], state.statement->span});
+  Items items(std::min<std::size_t>(numbers.count, n.size()));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    items[i].value = n[i];
+    items[i].span = state.statement->span;
   }
   locateItems(state, numbers.word, items);
 }

@@ -1,12 +1,13 @@
 """Bad inputs, faults of the machine, limits and signals: a message and the right exit code, never a crash."""
 import os
+import re
 import resource
 import signal
 import subprocess
 import time
 import unittest
 
-from arelem_run import ARELEM, ENDLESS, FAULTS, GOOD, ArelemCase
+from arelem_run import ARELEM, ENDLESS, FAULTS, GOOD, PROJECT, ArelemCase
 
 
 class Inputs(ArelemCase):
@@ -45,8 +46,8 @@ class Inputs(ArelemCase):
 
     def test_file_beyond_the_limit(self):
         self.write("a.apt", GOOD)
-        self.assertExit(7, "check", "a.apt", "--limits", "bytes=10")
-        self.assertIn("--limits bytes", self.err)
+        self.assertExit(7, "check", "a.apt", "--max-bytes", "10")
+        self.assertIn("--max-bytes", self.err)
 
     def test_million_parentheses_and_elements(self):
         self.write("deep.apt", "A=" + "(" * 1_000_000 + "1" + ")" * 1_000_000 + "\nFINI\n")
@@ -71,10 +72,37 @@ class LimitsAndFaults(ArelemCase):
     def test_endless_loop_reaches_the_step_limit(self):
         self.write("a.apt", ENDLESS)
         self.write("o.cls", "old")
-        self.assertExit(7, "a.apt", "-o", "o.cls", "--limits=steps=100000")
-        self.assertIn("--limits steps", self.err)
+        self.assertExit(7, "a.apt", "-o", "o.cls", "--max-steps=100000")
+        self.assertIn("--max-steps", self.err)
         self.assertEqual((self.folder / "o.cls").read_text(), "old")
         self.assertEqual(self.files(), ["a.apt", "o.cls"])
+
+    def test_every_limit_has_a_flag_and_its_default_in_the_manual(self):
+        self.assertExit(0, "check", "--help")
+        flags = re.findall(r"^ +--(max-[a-z-]+) N +(?:[\s]*)(.*) \((\d+)\)$", self.out, re.M)
+        told = {(name, default) for name, _, default in flags if name != "max-errors"}
+        manual = (PROJECT / "docs" / "manual" / "cli.md").read_text()
+        written = set(re.findall(r"^\| `--(max-[a-z-]+) N` \| (\d+) \|", manual, re.M))
+        self.assertEqual(told, written)
+        self.assertGreaterEqual(len(told), 10)
+
+    def test_each_limit_stops_what_it_bounds(self):
+        self.write("loop.apt", ENDLESS)
+        self.write("call.apt", "AA=MACRO/X\nY=X\nTERMAC\nBB=MACRO/Z\nCALL/AA,X=Z\nTERMAC\nCALL/BB,Z=1\nFINI\n")
+        self.write("nest.apt", "A=((((1))))\nFINI\n")
+        self.write("wide.apt", "C=CYCLE/1,2,3,4,5,6,7,8,9\nFINI\n")
+        self.write("array.apt", "RESERV/A,100\nFINI\n")
+        self.write("moves.apt", GOOD + "".join(f"GOTO/{i},0,0\n" for i in range(20)) + "FINI\n")
+        self.write("arc.apt", "CUTTER/2\nOUTTOL/.0001\nFROM/20,-5,0\nGO/TO,(C=CIRCLE/0,0,0,10)\nTLLFT,GOLFT/C,ON,2,"
+                   "INTOF,(LINE/0,0,0,20)\nFINI\n")
+        for flag, program in (("steps=50", "loop"), ("depth=1", "call"), ("nesting=2", "nest"), ("elements=5", "wide"),
+                              ("array=10", "array"), ("records=4", "moves"), ("line=10", "wide"), ("bytes=10", "wide"),
+                              ("points=2", "arc")):
+            with self.subTest(flag=flag):
+                self.write("o.cls", "old")
+                self.assertExit(7, f"{program}.apt", "-o", "o.cls", "--max-" + flag)
+                self.assertIn("--max-" + flag.split("=")[0], self.err)
+                self.assertEqual((self.folder / "o.cls").read_text(), "old")
 
     def test_out_of_memory(self):
         self.write("a.apt", "LOOPST\nI=0\nA)I=I+1\nGOTO/I,0,0\nJUMPTO/A\nLOOPND\nFINI\n")
@@ -124,7 +152,7 @@ class Signals(ArelemCase):
     def interrupt(self, number):
         self.write("a.apt", ENDLESS)
         self.write("o.cls", "old")
-        process = subprocess.Popen([ARELEM, "a.apt", "-o", "o.cls", "--limits=steps=1000000000000"], cwd=self.folder,
+        process = subprocess.Popen([ARELEM, "a.apt", "-o", "o.cls", "--max-steps=1000000000000"], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         time.sleep(0.3)
         start = time.time()

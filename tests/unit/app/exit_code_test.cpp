@@ -20,6 +20,9 @@ TEST(ExitCode, FollowsTheRoomOfTheDiagnostic) {
   EXPECT_EQ(codeOf("E0601"), ExitCode::outputNotWritten);
   EXPECT_EQ(codeOf("E0701"), ExitCode::inputUnreadable);
   EXPECT_EQ(codeOf("E0801"), ExitCode::limitReached);
+  for (const char* limit : {"E0239", "E0418", "E0513", "E0525", "E0732", "E0891", "E0895"}) {
+    EXPECT_EQ(codeOf(limit), ExitCode::limitReached) << limit;
+  }
   EXPECT_EQ(codeOf("E0102"), ExitCode::inputUnreadable);
   EXPECT_EQ(codeOf("W0701"), ExitCode::ok);
 }

@@ -7,13 +7,13 @@
 namespace arelem::app {
 namespace {
 
-const std::vector<std::string> options = {"--dialect", "--define", "--diagnostics", "--limits",
+const std::vector<std::string> options = {"--dialect", "--define", "--diagnostics", "--include",
                                           "-o"};
 
 TEST(Nearest, FindsOneSlipOfTheFinger) {
   EXPECT_EQ(nearest("--dialct", options), "--dialect");
   EXPECT_EQ(nearest("--dialcet", options), "--dialect");
-  EXPECT_EQ(nearest("--limit", options), "--limits");
+  EXPECT_EQ(nearest("--includ", options), "--include");
   EXPECT_EQ(nearest("--defime", options), "--define");
 }
 

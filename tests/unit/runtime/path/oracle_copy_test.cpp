@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Programs,
                                          "slotarray",
                                          "race_4th",
                                          "hrw1111ps"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& parameter) { return parameter.param; });
 
 }  // namespace
 }  // namespace arelem::path

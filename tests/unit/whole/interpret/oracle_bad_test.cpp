@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"b20_unknown_word", {"82"}},
                     Bad{"b21_dup_label", {"6"}},
                     Bad{"b22_wrong_ds", {"503"}, true}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
 }  // namespace arelem

@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Programs,
                                          "e30_tracut_multax",
                                          "e31_goto_ijk",
                                          "g11_patern"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& parameter) { return parameter.param; });
 
 TEST(SystemMacros, StartAndEndTheWorkOfATool) {
   test::SectionOne run(

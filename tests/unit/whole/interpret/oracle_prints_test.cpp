@@ -120,7 +120,7 @@ TEST_P(OraclePrints, AgreeWithTheOldSystem) {
 INSTANTIATE_TEST_SUITE_P(Programs,
                          OraclePrints,
                          testing::ValuesIn(geometryCases()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& parameter) { return parameter.param; });
 
 }  // namespace
 }  // namespace arelem
