@@ -12,7 +12,7 @@ namespace arelem::files {
 /// Where they are looked for, in order; a name never leads out of the folder it is looked for in.
 struct Files {
   std::vector<std::string> folders;       ///< that of the part program first; "" is the current one
-  std::uint64_t largest = 2'000'000'000;  ///< bytes of one file (`--limits bytes=N`)
+  std::uint64_t largest = 2'000'000'000;  ///< bytes of one file (`--max-bytes N`)
 };
 
 /// The bytes of the file. Errors: E0730 outside the folders, E0731 unreadable, E0732 too large.
