@@ -23,7 +23,7 @@ Quadric quadricOf(const std::vector<double>& c) {
     q.linear = -q.linear;
     q.constant = -q.constant;
   }
-  q.wall = q.generatrix();
+  q.wall = q.findGeneratrix();
   return q;
 }
 
@@ -59,15 +59,6 @@ Plane planeOf(const std::vector<double>& c) {
   return {vec(c, 0) / length, c[3] / length};
 }
 
-struct GeneratrixOf {
-  Vec3 operator()(const Cylinder& s) const { return s.axis; }
-  Vec3 operator()(const Quadric& s) const { return s.wall; }
-  Vec3 operator()(const TabulatedCylinder& s) const { return s.generatrix(); }
-  template <class S>
-  Vec3 operator()(const S&) const {
-    return Vec3::Zero();
-  }
-};
 }  // namespace
 
 Result<AnySurface> surfaceOf(const Entity& entity) {
@@ -94,13 +85,11 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
       return AnySurface(quadricOf(c));
     case EntityType::tabulatedCylinder:
       return tabulatedOf(c);
+    case EntityType::ruledSurface:
+      return AnySurface(Ruled(geometry::RuledSurface::of(c)));
     default:
       return fail(diag::NotASurface, spell(entity.type));
   }
-}
-
-Vec3 generatrix(const AnySurface& surface) {
-  return std::visit(GeneratrixOf{}, surface);
 }
 
 }  // namespace arelem::surface

@@ -1,5 +1,7 @@
 #include "runtime/tool/contact.h"
 
+#include <tuple>
+
 #include "runtime/tool/contact_search.h"
 
 namespace arelem::tool {
@@ -23,34 +25,36 @@ Contact wallContact(
   return {side * foot.distance - radius, normal, te - radius * normal};
 }
 
+/// Closed forms; the general search does the rest.
 template <surface::Surface S>
-Contact searchContact(const S& s,
-                      double side,
-                      const Profile& cutter,
-                      const Vec3& te,
-                      const Vec3& axis,
-                      Search<S>& search) {
-  return ContactSearch<S>(s, side, cutter, te, axis, search).run();
+Contact contactOf(const S& s,
+                  double side,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis,
+                  Search<S>& search) {
+  return isWall(surface::generatrix(s), axis)
+             ? wallContact(s, side, cutter, te, search)
+             : ContactSearch<S>(s, side, cutter, te, axis, search).run();
 }
-}  // namespace
 
-Contact contact(const surface::Plane& s,
-                double side,
-                const Profile& cutter,
-                const Vec3& te,
-                const Vec3& axis,
-                Search<surface::Plane>&) {
+Contact contactOf(const surface::Plane& s,
+                  double side,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis,
+                  Search<surface::Plane>&) {
   const Vec3 normal = side * s.normal;
   const double far = reach(cutter, normal.dot(axis));
   return {side * (s.normal.dot(te) - s.offset) - far, normal, te - far * normal};
 }
 
-Contact contact(const surface::Sphere& s,
-                double side,
-                const Profile& cutter,
-                const Vec3& te,
-                const Vec3& axis,
-                Search<surface::Sphere>& search) {
+Contact contactOf(const surface::Sphere& s,
+                  double side,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis,
+                  Search<surface::Sphere>&) {
   const Vec3 w = s.center - te;
   const double z = w.dot(axis);
   const Vec3 across = w - z * axis;
@@ -65,56 +69,28 @@ Contact contact(const surface::Sphere& s,
   }
   const double distance = farthestFrom(cutter, {rho, z}, q);
   const Vec3 point = te - q.rho * out + q.z * axis;
-  (void)search;
   return {s.radius - distance, (s.center - point) / distance, point};
 }
 
-Contact contact(const surface::Cylinder& s,
+}  // namespace
+
+template <surface::Surface S>
+Contact contact(const S& s,
                 double side,
                 const Profile& cutter,
                 const Vec3& te,
                 const Vec3& axis,
-                Search<surface::Cylinder>& search) {
-  return isWall(s.axis, axis) ? wallContact(s, side, cutter, te, search)
-                              : searchContact(s, side, cutter, te, axis, search);
+                Search<S>& search) {
+  return contactOf(s, side, cutter, te, axis, search);
 }
 
-Contact contact(const surface::Cone& s,
-                double side,
-                const Profile& cutter,
-                const Vec3& te,
-                const Vec3& axis,
-                Search<surface::Cone>& search) {
-  return searchContact(s, side, cutter, te, axis, search);
-}
-
-Contact contact(const surface::Torus& s,
-                double side,
-                const Profile& cutter,
-                const Vec3& te,
-                const Vec3& axis,
-                Search<surface::Torus>& search) {
-  return searchContact(s, side, cutter, te, axis, search);
-}
-
-Contact contact(const surface::Quadric& s,
-                double side,
-                const Profile& cutter,
-                const Vec3& te,
-                const Vec3& axis,
-                Search<surface::Quadric>& search) {
-  return isWall(s.wall, axis) ? wallContact(s, side, cutter, te, search)
-                              : searchContact(s, side, cutter, te, axis, search);
-}
-
-Contact contact(const surface::TabulatedCylinder& s,
-                double side,
-                const Profile& cutter,
-                const Vec3& te,
-                const Vec3& axis,
-                Search<surface::TabulatedCylinder>& search) {
-  return isWall(s.generatrix(), axis) ? wallContact(s, side, cutter, te, search)
-                                      : searchContact(s, side, cutter, te, axis, search);
-}
+/// Makes the function for every kind in the list of surfaces.
+template <class Variant>
+struct ContactOfKinds;
+template <class... Kinds>
+struct ContactOfKinds<std::variant<Kinds...>> {
+  static inline const std::tuple functions{&contact<Kinds>...};
+};
+template struct ContactOfKinds<surface::AnySurface>;
 
 }  // namespace arelem::tool

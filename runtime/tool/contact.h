@@ -36,47 +36,13 @@ template <surface::Surface S>
   return {side * foot.distance, side * foot.normal, te};
 }
 
-[[nodiscard]] Contact contact(const surface::Plane& s,
+/// `side` is +1 or -1, the side of the surface on which the cutter is; `axis` the unit tool axis.
+template <surface::Surface S>
+[[nodiscard]] Contact contact(const S& s,
                               double side,
                               const Profile& cutter,
                               const Vec3& te,
                               const Vec3& axis,
-                              Search<surface::Plane>& search);
-[[nodiscard]] Contact contact(const surface::Sphere& s,
-                              double side,
-                              const Profile& cutter,
-                              const Vec3& te,
-                              const Vec3& axis,
-                              Search<surface::Sphere>& search);
-[[nodiscard]] Contact contact(const surface::Cylinder& s,
-                              double side,
-                              const Profile& cutter,
-                              const Vec3& te,
-                              const Vec3& axis,
-                              Search<surface::Cylinder>& search);
-[[nodiscard]] Contact contact(const surface::Cone& s,
-                              double side,
-                              const Profile& cutter,
-                              const Vec3& te,
-                              const Vec3& axis,
-                              Search<surface::Cone>& search);
-[[nodiscard]] Contact contact(const surface::Torus& s,
-                              double side,
-                              const Profile& cutter,
-                              const Vec3& te,
-                              const Vec3& axis,
-                              Search<surface::Torus>& search);
-[[nodiscard]] Contact contact(const surface::Quadric& s,
-                              double side,
-                              const Profile& cutter,
-                              const Vec3& te,
-                              const Vec3& axis,
-                              Search<surface::Quadric>& search);
-[[nodiscard]] Contact contact(const surface::TabulatedCylinder& s,
-                              double side,
-                              const Profile& cutter,
-                              const Vec3& te,
-                              const Vec3& axis,
-                              Search<surface::TabulatedCylinder>& search);
+                              Search<S>& search);
 
 }  // namespace arelem::tool

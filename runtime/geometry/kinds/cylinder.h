@@ -21,6 +21,7 @@ struct Cylinder {
     const double axial = axis.dot(t);
     return (t.squaredNorm() - along * along - axial * axial) / (foot.distance + radius);
   }
+  [[nodiscard]] const Vec3& generatrix() const { return axis; }
 };
 
 }  // namespace arelem::surface

@@ -113,7 +113,7 @@ double Quadric::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) c
   return along.dot(parallel * along);
 }
 
-Vec3 Quadric::generatrix() const {
+Vec3 Quadric::findGeneratrix() const {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrix);
   const double scale = eigen.eigenvalues().cwiseAbs().maxCoeff();
   for (int i = 0; i < 3; ++i) {

@@ -22,9 +22,10 @@ struct Quadric {
   [[nodiscard]] Vec3 gradient(const Vec3& p) const { return 2.0 * (matrix * p + linear); }
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+  [[nodiscard]] const Vec3& generatrix() const { return wall; }
   /// Finds the direction along which the surface is a cylinder, or zero.
-  [[nodiscard]] Vec3 generatrix() const;
-  Vec3 wall = Vec3::Zero();  ///< generatrix(), kept by surfaceOf for quick use
+  [[nodiscard]] Vec3 findGeneratrix() const;
+  Vec3 wall = Vec3::Zero();  ///< findGeneratrix(), kept by surfaceOf for quick use
 };
 
 }  // namespace arelem::surface

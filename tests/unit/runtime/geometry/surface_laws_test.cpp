@@ -95,9 +95,35 @@ TabulatedCylinder arbitrary(Random& r) {
   return TabulatedCylinder(curve);
 }
 
+/// A section by the plane of `from`, `to` and z.
+geometry::SectionCurve section(EntityType type,
+                               std::vector<double> canon,
+                               const Vec3& from,
+                               const Vec3& to) {
+  geometry::SectionCurve curve;
+  curve.surface.type = type;
+  curve.surface.canon = std::move(canon);
+  curve.start = from;
+  curve.finish = to;
+  return curve;
+}
+
+template <>
+Ruled arbitrary(Random& r) {
+  // From a curve of a tilted plane to one of a wide cylinder along y.
+  const double tilt = r.in(-0.2, 0.2);
+  const double radius = r.in(30, 60);
+  const double norm = std::hypot(1.0, tilt);
+  return Ruled({section(EntityType::plane, {-tilt / norm, 0, 1 / norm, r.in(-0.5, 0.5)},
+                        {-8, -5, r.in(-1, 0)}, {8, -5, r.in(-1, 0)}),
+                section(EntityType::cylinder, {r.in(-1, 1), 0, -radius, 0, 1, 0, radius},
+                        {-8, 5, -2}, {8, 5, -2})});
+}
+
 template <class S>
 class SurfaceLaws : public ::testing::Test {};
-using Kinds = ::testing::Types<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder>;
+using Kinds =
+    ::testing::Types<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder, Ruled>;
 TYPED_TEST_SUITE(SurfaceLaws, Kinds);
 
 TYPED_TEST(SurfaceLaws, FootLiesOnTheSurfaceAndNormalIsTheGradient) {

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+
+#include "runtime/geometry/ruled_surface.h"
+#include "runtime/geometry/surface.h"
+
+namespace arelem::surface {
+
+/// RLDSRF: rulings without end through the places of equal fraction f of two curves. Where a curve
+/// leaves its subsurface, at the latest one chord beyond its end points, the surface goes on along
+/// its tangents there. Positive on the side of byF x byG (geometry::RuledPoint).
+class Ruled {
+ public:
+  struct Hint {
+    bool valid = false;
+    double f = 0.0, g = 0.0;  ///< of the last foot
+  };
+  class Sheet;
+
+  explicit Ruled(const geometry::RuledSurface& surface);
+
+  /// Newton on f and g from the hint; without one from the best of many rulings, whose feet count
+  /// up to one curve distance outside the strip.
+  [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+
+ private:
+  std::shared_ptr<const Sheet> sheet_;
+};
+
+}  // namespace arelem::surface

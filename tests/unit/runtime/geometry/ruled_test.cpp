@@ -1,0 +1,116 @@
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "runtime/geometry/kinds.h"
+
+// RLDSRF against forms of the same surface that a pencil gives.
+namespace arelem::surface {
+namespace {
+
+using geometry::SectionCurve;
+
+SectionCurve onPlane(const Vec3& normal, double offset, const Vec3& from, const Vec3& to) {
+  SectionCurve curve;
+  curve.surface.type = EntityType::plane;
+  curve.surface.canon = {normal.x(), normal.y(), normal.z(), offset};
+  curve.start = from;
+  curve.finish = to;
+  return curve;
+}
+
+/// The rulings from (x, -1, -x) to (x, 1, x) are the saddle z = x y.
+Ruled saddle() {
+  const double c = std::sqrt(0.5);
+  return Ruled({onPlane({c, 0, c}, 0, {-1, -1, 0}, {1, -1, 0}),
+                onPlane({-c, 0, c}, 0, {-1, 1, 0}, {1, 1, 0})});
+}
+
+TEST(Ruled, TwoCrossingLinesMakeASaddle) {
+  const Ruled s = saddle();
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> in(-1.2, 1.2), off(-0.3, 0.3);
+  for (int i = 0; i < 300; ++i) {
+    const double x = in(random), y = in(random), d = off(random);
+    const Vec3 normal = Vec3(-y, -x, 1).normalized();
+    const Vec3 place(x, y, x * y);
+    Ruled::Hint hint{};
+    const Vec3 p = place + d * normal;
+    const Foot foot = s.foot(p, hint);
+    const double sense = foot.normal.dot(normal);
+    ASSERT_NEAR(std::abs(sense), 1.0, 1e-9) << i;
+    EXPECT_NEAR(foot.distance * sense, d, 1e-11) << i;
+  }
+}
+
+TEST(Ruled, SaddleBendsAlongItsDiagonals) {
+  // At the origin z = x y has the principal curvatures 1 and -1 along y = x and y = -x.
+  const Ruled s = saddle();
+  Ruled::Hint hint{};
+  const Foot foot = s.foot({0, 0, 0}, hint);
+  const double sense = foot.normal.z();
+  const double c = std::sqrt(0.5);
+  EXPECT_NEAR(s.bend({0, 0, 0}, foot, Vec3(c, c, 0), hint) * sense, -1.0, 1e-12);
+  EXPECT_NEAR(s.bend({0, 0, 0}, foot, Vec3(c, -c, 0), hint) * sense, 1.0, 1e-12);
+  EXPECT_NEAR(s.bend({0, 0, 0}, foot, Vec3(1, 0, 0), hint), 0.0, 1e-12);
+}
+
+TEST(Ruled, EqualSectionsOfACylinderAreTheCylinder) {
+  const auto arc = [](double y) {
+    SectionCurve curve;
+    curve.surface.type = EntityType::cylinder;
+    curve.surface.canon = {0, 0, -10, 0, 1, 0, 12};
+    curve.start = {-4, y, 0};
+    curve.finish = {4, y, 0};
+    return curve;
+  };
+  const Ruled s({arc(-3), arc(3)});
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> angle(-0.6, 0.6), height(-5, 5), off(-2, 2);
+  for (int i = 0; i < 300; ++i) {
+    const double a = angle(random), d = off(random);
+    const Vec3 normal(std::sin(a), 0, std::cos(a));
+    const Vec3 p = Vec3(0, height(random), -10) + (12 + d) * normal;
+    Ruled::Hint hint{};
+    const Foot foot = s.foot(p, hint);
+    const double sense = foot.normal.dot(normal);
+    ASSERT_NEAR(std::abs(sense), 1.0, 1e-9) << i;
+    EXPECT_NEAR(foot.distance * sense, d, 1e-10) << i;
+    const Vec3 across(std::cos(a), 0, -std::sin(a));
+    EXPECT_NEAR(s.bend(p, foot, across, hint) * sense, 1.0 / (12 + d), 1e-9);
+    EXPECT_NEAR(s.bend(p, foot, Vec3::UnitY(), hint), 0.0, 1e-12);
+  }
+}
+
+TEST(Ruled, AConeFromACircleToAPoint) {
+  SectionCurve circle;
+  circle.surface.type = EntityType::cylinder;
+  circle.surface.canon = {0, 0, 0, 0, 0, 1, 5};
+  circle.start = {3, -4, 0};
+  circle.finish = {3, 4, 0};
+  circle.heading = Vec3::UnitX();
+  SectionCurve apex;
+  apex.surface.type = EntityType::point;
+  apex.start = apex.finish = Vec3(0, 0, 5);
+  const Ruled s({circle, apex});
+  const double c = std::sqrt(0.5);
+  for (const double a : {-0.9, -0.4, 0.0, 0.3, 0.8}) {
+    const Vec3 out(c * std::cos(a), c * std::sin(a), c);
+    const Vec3 place(4 * std::cos(a), 4 * std::sin(a), 1);
+    Ruled::Hint hint{};
+    const Foot foot = s.foot(place + 0.7 * out, hint);
+    EXPECT_NEAR(std::abs(foot.distance), 0.7, 1e-11);
+    EXPECT_NEAR(std::abs(foot.normal.dot(out)), 1.0, 1e-12);
+  }
+}
+
+TEST(Ruled, GoesOnAlongItsTangentsBehindTheReachOfACurve) {
+  // Behind the last place of the cylinder's section a point on the tangent is on the surface.
+  const Ruled s = saddle();
+  Ruled::Hint hint{};
+  EXPECT_NEAR(s.foot({6, 0.5, 3}, hint).distance, 0.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace arelem::surface
