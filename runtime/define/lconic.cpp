@@ -1,5 +1,6 @@
 // LCONIC definitions. The conics through four places (a tangency counts twice) are the pencil
-// L1 L2 + k L3 L4 = 0 of line pairs through them; the remaining place fixes k.
+// L1 L2 + k L3 L4 = 0 of line pairs through them; the remaining place fixes k. Which place that is,
+// and the form of the lines, follow routine ALFTCN, so that the coefficients are the old ones.
 #include <array>
 #include <cmath>
 
@@ -35,23 +36,27 @@ struct Pencil {
   Line l1, l2, l3, l4;
 };
 
-/// The coefficient that turns a line with unit normal into y - m x - c = 0; 1 for a vertical line.
+/// The factor that brings a line with unit normal to the old system's form: y with coefficient -1
+/// where the line is flatter than 45 degrees, else a unit normal that points down, or to the right
+/// for a line upwards (routine ALFTCN).
 double slopeForm(const Line& line) {
-  return std::abs(line.normal.y()) > tolerance::coincidence ? 1.0 / line.normal.y() : 1.0;
+  const double y = line.normal.y();
+  if (std::abs(y) <= tolerance::coincidence) {
+    return -1.0;
+  }
+  return std::abs(line.normal.x()) <= std::abs(y) ? -1.0 / y : -std::copysign(1.0, y);
 }
 
 /// The conic of the pencil through `place`. A place on one of the lines makes the conic fall apart.
-/// The coefficients are scaled as if the first two lines were in slope form, as the old system
-/// does.
-Result<Resolved> conicThrough(const Pencil& pencil, const Vec2& place) {
+/// The coefficients are scaled by the form that the old system gives to the first two lines.
+Result<Resolved> conicThrough(const Pencil& pencil, const Vec2& place, int number) {
   for (const Line& line : {pencil.l1, pencil.l2, pencil.l3, pencil.l4}) {
     const double off = std::abs(line.height(place));
     if (off <= tolerance::coincidence) {
-      return fail(
-          diag::BadConic, "the given places",
-          fmt::format("the last point lies on a line through two of the others or on a tangent "
-                      "({:.3g} off)",
-                      off));
+      return fail(diag::BadConic, "the given places",
+                  fmt::format("point {} lies on a line through two of the others or on a tangent "
+                              "({:.3g} off)",
+                              number, off));
     }
   }
   const double k = -(pencil.l1.height(place) * pencil.l2.height(place)) /
@@ -97,18 +102,19 @@ Result<Resolved> fivePoints(const std::vector<Vec2>& p) {
     return apart.takeFailure();
   }
   return conicThrough(
-      {joining(p[0], p[1]), joining(p[2], p[3]), joining(p[0], p[2]), joining(p[1], p[3])}, p[4]);
+      {joining(p[0], p[1]), joining(p[3], p[4]), joining(p[0], p[3]), joining(p[1], p[4])}, p[2],
+      3);
 }
 
-/// The conic touches the tangent at p0 and passes p1, p2, p3.
+/// The conic touches the tangent at p0 and passes p1, p2, p3; p1 fixes it.
 Result<Resolved> fourPoints(const std::vector<Vec2>& p, double slope) {
   Result<bool> apart = spread(p);
   if (!apart) {
     return apart.takeFailure();
   }
   return conicThrough(
-      {tangentAt(p[0], slope), joining(p[1], p[2]), joining(p[0], p[1]), joining(p[0], p[2])},
-      p[3]);
+      {tangentAt(p[0], slope), joining(p[2], p[3]), joining(p[0], p[2]), joining(p[0], p[3])}, p[1],
+      2);
 }
 
 /// The conic touches the tangents at p0 and p1 and passes p2.
@@ -118,7 +124,7 @@ Result<Resolved> threePoints(const std::vector<Vec2>& p, double slope0, double s
     return apart.takeFailure();
   }
   const Line chord = joining(p[0], p[1]);
-  return conicThrough({tangentAt(p[0], slope0), tangentAt(p[1], slope1), chord, chord}, p[2]);
+  return conicThrough({tangentAt(p[0], slope0), tangentAt(p[1], slope1), chord, chord}, p[2], 3);
 }
 }  // namespace
 
