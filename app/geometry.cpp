@@ -9,6 +9,8 @@
 namespace arelem::app {
 
 namespace {
+const std::string nested = "*NESTED*";  // the old listing's name of a definition in parentheses
+
 struct Row {
   std::string_view type;
   std::span<const double> values;
@@ -26,20 +28,16 @@ std::string numbers(std::span<const double> values, std::string_view separator) 
   return fmt::format("{}", fmt::join(values, separator));
 }
 
-/// Nested definitions without a name are left out: nothing can refer to them.
 void printJson(const std::vector<runtime::Defined>& all) {
   std::string separator = "\n";
   std::cout << '[';
   for (const runtime::Defined& defined : all) {
-    if (defined.name.empty()) {
-      continue;
-    }
     const Row row = rowOf(defined);
     std::cout << separator
               << fmt::format(
                      R"({{"name": {}, "subscript": {}, "type": "{}", "n": {}, "values": [{}]}})",
-                     jsonString(defined.name), defined.subscript, row.type, row.values.size(),
-                     numbers(row.values, ", "));
+                     jsonString(defined.name.empty() ? nested : defined.name), defined.subscript,
+                     row.type, row.values.size(), numbers(row.values, ", "));
     separator = ",\n";
   }
   std::cout << "\n]\n";
@@ -48,7 +46,7 @@ void printJson(const std::vector<runtime::Defined>& all) {
 void printTable(const std::vector<runtime::Defined>& all) {
   for (const runtime::Defined& defined : all) {
     const Row row = rowOf(defined);
-    const std::string name = defined.name.empty() ? "(nested)"
+    const std::string name = defined.name.empty() ? nested
                              : defined.subscript == 0
                                  ? defined.name
                                  : fmt::format("{}({})", defined.name, defined.subscript);
@@ -60,8 +58,8 @@ void printTable(const std::vector<runtime::Defined>& all) {
 
 int runGeometry(const Invocation& invocation) {
   CLI::App app(
-      "Prints what a part program defines, in order of definition: name, type, count, canonical "
-      "numbers.",
+      "Prints every definition of a part program in the order of execution: name, type, count, "
+      "canonical numbers. A scalar stands where it got its first value, with its last one.",
       "geometry");
   Settings settings;
   std::string file;
@@ -76,8 +74,8 @@ int runGeometry(const Invocation& invocation) {
   const InterruptFlag& interrupted = invocation.interrupt.flag();
   Compilation job(settings);
   if (load(job, file, interrupted)) {
-    static_cast<void>(evaluate(job, interrupted));
-    (json ? printJson : printTable)(job.evaluation.defined);
+    static_cast<void>(evaluate(job, interrupted, true));
+    (json ? printJson : printTable)(job.evaluation.history);
   }
   job.log.print(job.sources, job.main, settings);
   return static_cast<int>(job.log.exitCode());

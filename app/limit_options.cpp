@@ -23,7 +23,8 @@ constexpr std::array limitOptions = {
     LimitOption{"--max-line", &Limits::line, "bytes of one line"},
     LimitOption{"--max-bytes", &Limits::bytes, "bytes of one source file"},
     LimitOption{"--max-points", &Limits::points, "cut vectors of one motion"},
-    LimitOption{"--max-array", &Limits::array, "elements of one RESERV array"}};
+    LimitOption{"--max-array", &Limits::array, "elements of one RESERV array"},
+    LimitOption{"--max-definitions", &Limits::definitions, "rows of arelem geometry"}};
 
 // A bound left out would have no flag: each member is a 64-bit number.
 static_assert(limitOptions.size() * sizeof(std::uint64_t) == sizeof(Limits));

@@ -61,10 +61,10 @@ bool load(Compilation& job,
   return !interrupted;
 }
 
-bool evaluate(Compilation& job, const InterruptFlag& interrupted) {
+bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) {
   const Stopwatch watch(job.seconds.evaluate);
-  job.evaluation =
-      runtime::evaluate(job.program, {job.settings.limits, &interrupted, dataFiles(job)}, job.log);
+  job.evaluation = runtime::evaluate(
+      job.program, {job.settings.limits, &interrupted, dataFiles(job), history}, job.log);
   return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
 }
 
@@ -72,8 +72,9 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const Stopwatch watch(job.seconds.execute);
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
-  job.motion = runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted, {}},
-                                *transformer, job.log);
+  job.motion =
+      runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted, {}, false},
+                       *transformer, job.log);
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;
 }

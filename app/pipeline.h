@@ -38,7 +38,10 @@ struct Compilation {
                         const InterruptFlag& interrupted);
 
 /// Section 1. False when the program has errors and must not be executed.
-[[nodiscard]] bool evaluate(Compilation& job, const InterruptFlag& interrupted);
+/// `history`: every definition is kept for `job.evaluation.history`.
+[[nodiscard]] bool evaluate(Compilation& job,
+                            const InterruptFlag& interrupted,
+                            bool history = false);
 
 /// Sections 2 and 3: cutter-location records, transformed, go to `records`.
 /// False when a motion failed; the records are then incomplete.

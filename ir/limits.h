@@ -16,6 +16,7 @@ struct Limits {
   std::uint64_t bytes = 2'000'000'000;  ///< bytes of one source file
   std::uint64_t points = 10'000'000;    ///< cut vectors of one motion statement
   std::uint64_t array = 10'000'000;     ///< elements of one RESERV array
+  std::uint64_t definitions = 1'000'000;  ///< rows of `arelem geometry`
 };
 
 /// Set by a signal handler; long computations look at it and stop.

@@ -18,6 +18,7 @@ struct Options {
   Limits limits;
   const InterruptFlag* interrupted = nullptr;  ///< may be null
   files::Files files;                          ///< data files that definitions name
+  bool history = false;                        ///< keep every definition: Evaluation::history
 };
 
 /// One item of what PRINT and TITLES ask for, in order of execution.
@@ -46,6 +47,9 @@ struct Evaluation {
   std::vector<Action> actions;
   std::vector<Printed> printed;
   std::vector<Defined> defined;
+  /// With Options::history each definition of an entity as it was executed, nested ones and those
+  /// that replaced an earlier one too; scalars stand where they got their first value.
+  std::vector<Defined> history;
   std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::uint64_t steps = 0;
   bool complete = true;  ///< false after an interrupt or a limit

@@ -5,6 +5,7 @@
 #include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
 #include "ir/diag/interpret.h"
+#include "ir/diag/limits.h"
 #include "ir/space/tolerance.h"
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/item.h"
@@ -120,6 +121,13 @@ std::shared_ptr<Entity> compute(State& state,
   return entity;
 }
 
+void boundHistory(State& state) {
+  if (state.store.historySize() >= state.options.limits.definitions && !state.stopped) {
+    state.report(diagnose(state.statement->span, diag::LimitReached, "definitions to list",
+                          state.options.limits.definitions, "definitions"));
+    state.stopped = true;
+  }
+}
 }  // namespace
 
 EntityPtr evaluateDefinition(State& state, ir::DefinitionId id) {
@@ -155,6 +163,7 @@ EntityPtr evaluateDefinition(State& state, ir::DefinitionId id) {
   } else {
     state.store.setUnnamed(id, entity);
   }
+  boundHistory(state);
   listDefinition(state, entity);
   return entity;
 }

@@ -183,6 +183,7 @@ void Interpreter::finish() {
   }
   state_.reportIgnored();
   state_.out.defined = state_.store.defined();
+  state_.out.history = state_.store.history();
 }
 
 }  // namespace arelem::runtime::interpret

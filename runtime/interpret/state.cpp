@@ -9,7 +9,7 @@
 namespace arelem::runtime::interpret {
 
 State::State(const ir::Program& p, const Options& o, DiagnosticSink& sink, Evaluation& evaluation)
-    : program(p), options(o), out(evaluation), store(p, o.limits), sink_(sink) {
+    : program(p), options(o), out(evaluation), store(p, o.limits, o.history), sink_(sink) {
   context.files = &options.files;
   for (const ir::Symbol& symbol : program.symbols) {
     if (symbol.arraySize > options.limits.array) {

@@ -4,8 +4,8 @@
 
 namespace arelem::runtime::interpret {
 
-Store::Store(const ir::Program& program, const Limits& limits)
-    : program_(program), unnamed_(program.definitions.size()) {
+Store::Store(const ir::Program& program, const Limits& limits, bool history)
+    : history_(history), program_(program), unnamed_(program.definitions.size()) {
   std::uint32_t scalars = 0;
   std::uint32_t entities = 0;
   for (const ir::Symbol& symbol : program.symbols) {
@@ -24,8 +24,9 @@ Store::Store(const ir::Program& program, const Limits& limits)
 
 void Store::setEntity(const Place& place, EntityPtr entity) {
   Status& status = entityStatus_[place.slot];
-  if (status < Status::lost) {
-    remember(place, entity->definition);
+  const bool first = status < Status::lost;
+  if (first || history_) {
+    order_.push_back({place, {}, entity->definition, first, history_ ? entity : nullptr});
   }
   status = Status::defined;
   entities_[place.slot] = std::move(entity);
@@ -33,8 +34,8 @@ void Store::setEntity(const Place& place, EntityPtr entity) {
 
 void Store::setUnnamed(ir::DefinitionId definition, EntityPtr entity) {
   EntityPtr& kept = unnamed_[definition.index];
-  if (!kept) {
-    order_.push_back({{}, definition, entity->definition});
+  if (!kept || history_) {
+    order_.push_back({{}, definition, entity->definition, !kept, history_ ? entity : nullptr});
   }
   kept = std::move(entity);
 }
@@ -44,23 +45,45 @@ void Store::poison(const Place& place) {
   status = status >= Status::lost ? Status::lost : Status::poisoned;
 }
 
+Defined Store::row(const Entry& entry) const {
+  Defined d;
+  d.definition = entry.definition;
+  if (entry.unnamed.valid()) {
+    d.entity = unnamed_[entry.unnamed.index];
+    return d;
+  }
+  d.name = program_[entry.place.symbol].name;
+  d.subscript = static_cast<int>(entry.place.element);
+  if (isEntity(entry.place)) {
+    d.entity = entities_[entry.place.slot];
+    d.definition = d.entity->definition;
+  } else {
+    d.scalar = scalars_[entry.place.slot];
+  }
+  return d;
+}
+
 std::vector<Defined> Store::defined() const {
   std::vector<Defined> all;
+  for (const Entry& entry : order_) {
+    if (entry.first) {
+      all.push_back(row(entry));
+    }
+  }
+  return all;
+}
+
+std::vector<Defined> Store::history() const {
+  std::vector<Defined> all;
+  if (!history_) {
+    return all;
+  }
   all.reserve(order_.size());
   for (const Entry& entry : order_) {
-    Defined& d = all.emplace_back();
-    d.definition = entry.definition;
-    if (entry.unnamed.valid()) {
-      d.entity = unnamed_[entry.unnamed.index];
-      continue;
-    }
-    d.name = program_[entry.place.symbol].name;
-    d.subscript = static_cast<int>(entry.place.element);
-    if (isEntity(entry.place)) {
-      d.entity = entities_[entry.place.slot];
-      d.definition = d.entity->definition;
-    } else {
-      d.scalar = scalars_[entry.place.slot];
+    Defined& d = all.emplace_back(row(entry));
+    if (entry.kept) {
+      d.entity = entry.kept;
+      d.definition = entry.definition;
     }
   }
   return all;

@@ -22,7 +22,8 @@ enum class Status : std::uint8_t { empty, poisoned, lost, defined };
 /// The values of all names, flat by kind, in order of first definition.
 class Store {
  public:
-  Store(const ir::Program& program, const Limits& limits);
+  /// `history`: every definition of an entity is kept, not the last of each place alone.
+  Store(const ir::Program& program, const Limits& limits, bool history);
 
   [[nodiscard]] bool isEntity(const Place& place) const {
     return program_[place.symbol].kind == ir::Symbol::Kind::entity;
@@ -54,17 +55,25 @@ class Store {
 
   /// Everything defined, in order of first definition.
   [[nodiscard]] std::vector<Defined> defined() const;
+  /// Every definition, in order of execution; scalars as in defined(). Empty unless kept.
+  [[nodiscard]] std::vector<Defined> history() const;
+  /// The rows of history() so far.
+  [[nodiscard]] std::uint64_t historySize() const { return history_ ? order_.size() : 0; }
 
  private:
   struct Entry {
     Place place;
     ir::DefinitionId unnamed;
     Span definition;
+    bool first = true;
+    EntityPtr kept;  // what was defined then; null for scalars and without a history
   };
   void remember(const Place& place, const Span& definition) {
-    order_.push_back({place, {}, definition});
+    order_.push_back({place, {}, definition, true, nullptr});
   }
+  [[nodiscard]] Defined row(const Entry& entry) const;
 
+  bool history_;
   const ir::Program& program_;
   std::vector<std::uint32_t> base_;  // first slot, by symbol
   std::vector<std::uint32_t> size_;  // 0 unless an array, by symbol

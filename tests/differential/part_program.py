@@ -1,7 +1,8 @@
 """What a part program asks of each motion, read from its source text without the compiler.
 
-Follows straight-line programs only: no loops, macros, labels, reference systems or output transformations. A program
-that has one of these is reported as not followed.
+The text is followed from record to record: between the statements of two records everything in between was executed,
+and a record of an earlier statement means that a jump was taken. Cutters and tolerances of library macros come from
+their records. Local reference systems, macros with motion and POCKET are not followed.
 """
 import re
 
@@ -9,8 +10,9 @@ HEADINGS = {"GOLFT", "GORGT", "GOFWD", "GOBACK", "GOUP", "GODOWN"}
 SIDES = {"TLLFT", "TLRGT", "TLON", "TLNDON"}
 FIXED = {"PARTNO", "PPRINT", "INSERT", "REMARK", "TITLES"}
 CONDITIONS = {"TO", "ON", "PAST", "TANTO", "PSTAN", "DSTAN"}
-UNFOLLOWED = {"LOOPST", "MACRO", "CALL", "REFSYS", "TRACUT", "COPY", "SYN", "TRANTO", "READ", "POCKET", "CUT",
-              "DNTCUT", "VTLAXS"}
+UNFOLLOWED = {"REFSYS", "SYN", "TRANTO", "READ", "POCKET", "CUT", "DNTCUT", "VTLAXS"}
+SECTION_3 = re.compile(r"\s*(?:\w+\))?\s*(TRACUT|COPY|INDEX)\s*/", re.I)
+DEFINITION = re.compile(r"(\w+(?:\(\d+\))?)=(?!MACRO)[A-Z]+/")
 
 
 class Unfollowed(Exception):
@@ -18,13 +20,14 @@ class Unfollowed(Exception):
 
 
 def statements(text):
-    """(number, statement without blanks) of each statement; the numbers count as in the listing."""
-    number, pending = 0, None
-    for line in text.splitlines():
+    """(line, statement without blanks) of each statement; the line is the one that it begins on."""
+    begin, pending = 0, None
+    for number, line in enumerate(text.splitlines(), 1):
         line = line.expandtabs(8)[:72]
         if pending is None:
-            number += 1
+            begin = number
             if line[:6].upper() in FIXED:
+                yield number, line[:6].upper()
                 continue
             pending = ""
         code, mark, rest = line.partition("$")
@@ -32,8 +35,14 @@ def statements(text):
         if mark and not rest.lstrip().startswith("$"):
             continue
         if pending:
-            yield number, pending
+            yield begin, pending
         pending = None
+
+
+def without_section_3(text):
+    """The program with its TRACUT, COPY and INDEX statements emptied, or None if it has none."""
+    lines = ["$$" if SECTION_3.match(line) else line for line in text.splitlines()]
+    return "\n".join(lines) + "\n" if lines != text.splitlines() else None
 
 
 def name_nested(text):
@@ -78,40 +87,114 @@ class State:
         self.startup_on = True
         self.part = None  # the XY plane
         self.inner, self.outer, self.thick = [0.0] * 4, [0.0005] * 4, [0.0] * 4
-        self.cutter, self.option = None, False
+        self.cutter, self.disks = None, {}  # disks of CUTTER/OPTION: 1 for the part surface, 2 for the drive surface
+        self.defined = {}  # how often each name was defined
 
 
 def spread(values):
-    return (values + [values[-1]] * 4)[:4]
+    return (list(values) + [values[-1]] * 4)[:4]
+
+
+def number(parameter, scalars):
+    """The value of a sum, product or name; scalars are those at the end of the program."""
+    text = re.sub(r"[A-Z]\w*", lambda m: repr(scalars.get(m.group(), m.group())), parameter)
+    if not re.fullmatch(r"[-+*/().\de]+", text):
+        raise Unfollowed(f"parameter {parameter}")
+    return float(eval(text, {"__builtins__": {}}))  # digits and operators only
 
 
 def numbers(parameters, scalars):
-    found = []
-    for p in parameters:
-        p = p.strip("()") if p.startswith("(") else p
-        sign, p = (-1.0, p[1:]) if p.startswith("-") else (1.0, p)
-        if p in scalars:
-            found.append(sign * scalars[p])
-            continue
-        try:
-            found.append(sign * float(p))
-        except ValueError as error:
-            raise Unfollowed(f"parameter {p}") from error
-    return found
+    return [number(p, scalars) for p in parameters]
 
 
-def demands(text, scalars):
-    """By statement number what holds while that motion runs: side, part surface and relation, tolerances, cutter.
+class Follower:
+    """Follows one program. `rows` are all its definitions in order, as (name, type, canon)."""
 
-    `scalars` are the program's scalars by name. Raises Unfollowed.
-    """
-    state, found = State(), {}
-    for number, statement in statements(text):
+    def __init__(self, text, rows):
+        self.statements = list(statements(text))
+        self.place = {line: i for i, (line, _) in enumerate(self.statements)}
+        self.scalars = {name: canon[0] for name, kind, canon in rows if kind == "SCALAR"}
+        self.versions = {}
+        for name, kind, canon in rows:
+            if kind != "SCALAR":
+                self.versions.setdefault(name, []).append((kind, canon))
+        self.state, self.at, self.used = State(), -1, set()
+
+    def demands(self, records, lines):
+        """For each motion of the records what holds while it runs, or None for what is no path along a surface.
+
+        `lines` are the lines of the program by statement number; library macros are not among them. Raises
+        Unfollowed. A demand has the drive and part surface (type and canon, or None for the XY plane, or "AUTOPS"),
+        sides, cutter, tolerances and the word.
+        """
+        found = []
+        for record in records:
+            line = lines.get(record["isn"])
+            if line is None:
+                self.library(record)
+            else:
+                self.reach(self.place_of(line))
+            if record["type"] == 5000 and record["kind"] != "CONT":
+                found.append(self.demand() if line is not None else None)
+        self.sweep(self.at + 1, len(self.statements))
+        for name in self.used:
+            if self.state.defined.get(name, 0) != len(self.versions[name]):
+                raise Unfollowed(f"definitions of {name}")
+        return found
+
+    def place_of(self, line):
+        if line not in self.place:
+            raise Unfollowed(f"line {line}")
+        return self.place[line]
+
+    def library(self, record):
+        if record["kind"] == "CUTTER":
+            self.state.cutter, self.state.disks = record["values"], {}
+        elif record["kind"] == "INTOL":
+            self.state.inner = spread(record["values"])
+        elif record["kind"] == "OUTTOL":
+            self.state.outer = spread(record["values"])
+
+    def reach(self, place):
+        if place < self.at:
+            jump, target = self.jump_back(place)
+            self.sweep(self.at + 1, jump)
+            self.sweep(target, place + 1)
+        else:
+            self.sweep(self.at + 1, place + 1)
+        self.at = place
+
+    def jump_back(self, place):
+        """The first statement behind the current one from which a jump leads to `place` or before it."""
+        labels = {m.group(1): i for i, (_, s) in enumerate(self.statements) if (m := re.match(r"(\w+)\)", s))}
+        for i in range(self.at + 1, len(self.statements)):
+            statement = re.sub(r"^\w+\)", "", self.statements[i][1])
+            if statement.startswith(("JUMPTO/", "IF(")):
+                targets = re.split(r"[/,)]", statement)
+                back = [labels[t] for t in targets if labels.get(t, place + 1) <= place]
+                if back:
+                    return i, max(back)
+        raise Unfollowed("a jump back")
+
+    def sweep(self, first, last):
+        inside = False
+        for _, statement in self.statements[first:last]:
+            inside = inside or "=MACRO" in statement
+            if not inside:
+                self.execute(statement)
+            elif HEADINGS & set(re.split(r"\W", statement)):
+                raise Unfollowed("a macro with motion")
+            inside = inside and not statement.endswith("TERMAC")
+
+    def execute(self, statement):
         statement = re.sub(r"^\w+\)", "", statement)
+        for match in DEFINITION.finditer(statement):
+            self.state.defined[match.group(1)] = self.state.defined.get(match.group(1), 0) + 1
         head, slash, tail = statement.partition("/")
         words = head.split(",")
-        if UNFOLLOWED & set(words) or re.match(r"\w+=MACRO", statement) or head.startswith("IF("):
+        if UNFOLLOWED & set(words):
             raise Unfollowed(words[-1])
+        state = self.state
         for word in words:
             if word in SIDES:
                 state.side = "TLON" if word == "TLNDON" else word
@@ -119,18 +202,16 @@ def demands(text, scalars):
                 state.on_part = word == "TLONPS"
         word, parameters = words[-1], split_top(tail) if slash else []
         if word in ("INTOL", "OUTTOL", "TOLER"):
-            values = spread(numbers(parameters, scalars))
+            values = spread(numbers(parameters, self.scalars))
             if word == "INTOL":
                 state.inner = values
             else:
                 state.outer = values
                 state.inner = state.inner if word == "OUTTOL" else [0.0] * 4
         elif word == "THICK":
-            state.thick = spread(numbers(parameters, scalars))
+            state.thick = spread(numbers(parameters, self.scalars))
         elif word == "CUTTER":
-            state.option = parameters[0] == "OPTION"
-            if not state.option:
-                state.cutter = numbers(parameters, scalars)
+            self.cutter(words, parameters)
         elif word == "PSIS":
             state.part = surface_name(parameters[0])
         elif word == "AUTOPS":
@@ -140,9 +221,33 @@ def demands(text, scalars):
             surfaces = [surface_name(p) for p in parameters if p not in CONDITIONS]
             if len(surfaces) > 1 and not re.fullmatch(r"[-+.\d]+", surfaces[1]):
                 state.part = surfaces[1]
-        elif word in HEADINGS:
-            on = state.startup_on if state.side is None else state.side == "TLON"
-            found[number] = {"drive": surface_name(parameters[0]), "on": on, "part": state.part,
-                             "on_part": state.on_part, "inner": state.inner, "outer": state.outer,
-                             "thick": state.thick, "cutter": state.cutter, "option": state.option, "word": word}
-    return found
+
+    def cutter(self, words, parameters):
+        if "OPTION" not in words and parameters[0] != "OPTION":
+            self.state.cutter, self.state.disks = numbers(parameters, self.scalars), {}
+            return
+        which, *disk = parameters[1:] if parameters[0] == "OPTION" else parameters
+        self.state.disks[int(which)] = None if disk == ["OFF"] else numbers(disk, self.scalars)
+
+    def version(self, name):
+        """The surface that a name means now; None for the XY plane and for what is not known."""
+        if name is None or name == "AUTOPS":
+            return name
+        versions = self.versions.get(name)
+        if versions is None:
+            return ("unknown", name)
+        if len(versions) > 1:
+            self.used.add(name)
+        return versions[min(max(self.state.defined.get(name, 0), 1), len(versions)) - 1]
+
+    def demand(self):
+        statement = re.sub(r"^\w+\)", "", self.statements[self.at][1])
+        head, _, tail = statement.partition("/")
+        word = head.split(",")[-1]
+        if word not in HEADINGS:
+            return None
+        state = self.state
+        on = state.startup_on if state.side is None else state.side == "TLON"
+        return {"drive": self.version(surface_name(split_top(tail)[0])), "on": on, "part": self.version(state.part),
+                "on_part": state.on_part, "inner": state.inner, "outer": state.outer, "thick": state.thick,
+                "cutter": state.cutter, "disks": dict(state.disks), "word": word}

@@ -2,7 +2,7 @@
 """Compares arelem with the results of the old system, program by program.
 
 Per program: printed geometry, all records but motion, end positions, number of cut vectors, and whether every point
-of our paths keeps the tolerances (measured by surfaces.py). Our own cases lie in tests/data/oracle; the examples of
+and the middle of every chord of our paths keeps the tolerances (measured by surfaces.py and cutter.py, with numpy). Our own cases lie in tests/data/oracle; the examples of
 the old system are read in place where they exist (ARELEM_SHARED, or the folder `shared` beside the project).
 """
 import argparse
@@ -18,11 +18,13 @@ import time
 import bands
 import part_program
 import records
+import section_3
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
-CHECKS = ("geometry", "records", "ends", "vectors", "bands", "diagnostics")
+CHECKS = ("geometry", "records", "ends", "vectors", "bands", "coverage", "diagnostics")
 END_TOLERANCE = 1e-4  # part unit
+COVERAGE = HERE / "coverage.tsv"
 
 
 def programs():
@@ -52,6 +54,12 @@ class Arelem:
         code, out, _ = self.call("geometry", path, "--json", "-q", "--diagnostics=json")
         return code, json.loads(out) if out.strip() else []
 
+    def lines(self, path):
+        """Line by statement number, of the statements in the program itself and not in a library."""
+        _, listing, _ = self.call("compile", path, "--to", "listing", "-o", "-", "-q")
+        table = listing.split("\n * * * ")[0].split("\n    ISN   LINE\n")
+        return {int(row[:7]): int(row[7:14]) for row in table[1].splitlines() if row[:7].strip().isdigit()}
+
     def records(self, path, *options):
         code, out, err = self.call("compile", path, "--to", "json", "-o", "-", "--diagnostics=json",
                                    "--max-errors", "100000", *options)
@@ -60,21 +68,26 @@ class Arelem:
 
 
 def compare_geometry(arelem, source, oracle):
-    """The last print of each name against its last value here. Nested definitions have no name to compare by."""
+    """What the old system printed, in its order, among our definitions in the order of execution."""
     if not oracle["prints"]:
         return []
     _, rows = arelem.geometry(source)
-    ours = {(r["name"], r["subscript"]): r for r in rows}
-    theirs = {(r["name"], r["subscript"]): r for r in oracle["prints"] if not r["name"].startswith("*")}
-    wrong = []
-    for key, row in theirs.items():
-        mine = ours.get(key)
+    wrong, start, used = [], 0, set()  # nested definitions of one statement are computed in another order there
+    for row in oracle["prints"]:
         if row["type"] == "UNDEF" or row["n"] != len(row["values"]):
             continue  # printed before it had a value, or more numbers than the old listing shows
-        if mine is None:
-            wrong.append(f"{key[0]} is not defined")
-        elif mine["type"] != row["type"] or not records.same_rows(mine["values"], row["values"]):
-            wrong.append(f"{key[0]}({key[1]}) {mine['type']} {mine['values']} instead of {row['type']} {row['values']}")
+        same_name = [i for i, r in enumerate(rows) if (r["name"], r["subscript"]) == (row["name"], row["subscript"])]
+        same = [i for i in same_name if rows[i]["type"] == row["type"]
+                and records.same_rows(rows[i]["values"], row["values"])]
+        nested = row["name"].startswith("*")
+        place = next((i for i in same if (i not in used if nested else i >= start)), None)
+        if place is not None and nested:
+            used.add(place)
+        elif place is not None:
+            start = place + 1 if row["type"] != "SCALAR" else start
+        elif nested or not same:
+            wrong.append(f"{row['name']}({row['subscript']}) {row['type']} {row['values']} is not among "
+                         f"{[rows[i]['values'] for i in same_name][-3:]}")
     return wrong
 
 
@@ -93,23 +106,37 @@ def compare_ends(ours, theirs, band):
     return wrong, worst
 
 
-def entities_of(rows):
-    name = lambda r: r["name"] if r["subscript"] == 0 else f"{r['name']}({r['subscript']})"
-    return {name(r): (r["type"], r["values"]) for r in rows if r["type"] != "SCALAR"}
-
-
-def measure_bands(arelem, source, our_motions):
-    """Deviation rows and reasons for what was not measured."""
-    text = source.read_text(errors="replace")
-    named = part_program.name_nested(text)
+def named_rows(arelem, text):
+    """All definitions of a program in order, as (name, type, canon), those of motion statements named."""
     with tempfile.NamedTemporaryFile("w", suffix=".apt") as file:
-        file.write(named)
+        file.write(text)
         file.flush()
         _, rows = arelem.geometry(file.name)
     name = lambda r: r["name"] if r["subscript"] == 0 else f"{r['name']}({r['subscript']})"
-    scalars = {name(r): r["values"][0] for r in rows if r["type"] == "SCALAR"}
-    entities = entities_of(rows)
-    return bands.measure(named, entities, scalars, our_motions)
+    return [(name(r), r["type"], r["values"]) for r in rows]
+
+
+def measure_bands(arelem, source, ours):
+    """Deviation rows, reasons for what was not measured, and a sentence if TRACUT or COPY put a motion elsewhere.
+
+    Where a program moves or copies its path, the path before that is measured, and the records are compared with its
+    images.
+    """
+    named = part_program.name_nested(source.read_text(errors="replace"))
+    rows = named_rows(arelem, named)
+    lines = arelem.lines(source)
+    bare = part_program.without_section_3(named)
+    if bare is None:
+        demands = part_program.Follower(named, rows).demands(ours, lines)
+        return *bands.measure(demands, records.motions(ours)), None
+    with tempfile.NamedTemporaryFile("w", suffix=".apt") as file:
+        file.write(bare)
+        file.flush()
+        _, before, _ = arelem.records(file.name)
+        bare_lines = arelem.lines(file.name)
+    demands = part_program.Follower(bare, rows).demands(before, bare_lines)
+    wanted = section_3.expected(named, rows, records.motions(before), bare_lines)
+    return *bands.measure(demands, records.motions(before)), section_3.difference(wanted, records.motions(ours))
 
 
 def compare_diagnostics(oracle, code, messages):
@@ -145,22 +172,42 @@ def compare(task):
     difference = records.first_difference(records.others(ours), records.others(oracle["cl"]))
     outcome["wrong"]["records"] = [difference] if difference else []
     our_motions = records.motions(ours)
+    moved = None
     try:
-        outcome["rows"], outcome["skipped"] = measure_bands(arelem, source, our_motions)
+        outcome["rows"], outcome["skipped"], moved = measure_bands(arelem, source, ours)
     except part_program.Unfollowed as reason:
-        # Canonical forms of a local reference system are not where the path is.
-        local = "REFSYS" in source.read_text(errors="replace").upper()
-        outcome["rows"] = [] if local else bands.measure_by_names(ours, entities_of(arelem.geometry(source)[1]))
-        outcome["skipped"] = [f"part surfaces, not followed: {reason}"]
+        outcome["skipped"] = [f"not followed: {reason}"]
     outcome["wrong"]["ends"], outcome["end"] = compare_ends(our_motions, records.motions(oracle["cl"]),
                                                             band_allowance(oracle["cl"]))
     counts = records.cut_vectors(ours), records.cut_vectors(oracle["cl"])
     outcome["vectors"] = counts
     outcome["wrong"]["vectors"] = [f"{counts[0]} points, the old system needs {counts[1]}"] if counts[0] > counts[1] else []
-    outcome["wrong"]["bands"] = [
-        f"statement {r['isn']}, {r['role']} surface: {r['low']:+.6f} to {r['high']:+.6f}, "
-        f"allowed {-r['inner']:+.6f} to {r['outer']:+.6f}" for r in outcome["rows"] if bands.violation(r)]
+    outcome["wrong"]["bands"] = ([moved] if moved else []) + [
+        f"statement {r['isn']}, {r['role']} surface: {r['low']:+.6f} to {r['high']:+.6f}, middles of chords {r['middle_low']:+.6f} to "
+        f"{r['middle_high']:+.6f}, allowed {-r['inner']:+.6f} to {r['outer']:+.6f}" for r in outcome["rows"] if bands.violation(r)]
+    outcome["wrong"]["coverage"] = compare_coverage(name, len(outcome["rows"]))
     return outcome
+
+
+def compare_coverage(name, paths):
+    """A program is measured along as many surfaces as ever: the number of paths stands in coverage.tsv."""
+    recorded = recorded_coverage().get(name, 0)
+    if paths == recorded:
+        return []
+    return [f"{paths} paths along surfaces are measured, {recorded} stand in coverage.tsv"
+            + ("" if paths < recorded else "; --record-coverage writes it anew")]
+
+
+def recorded_coverage():
+    rows = (line.split("\t") for line in COVERAGE.read_text().splitlines() if line and not line.startswith("#"))
+    return {name: int(paths) for name, paths in rows}
+
+
+def record_coverage(outcomes):
+    coverage = recorded_coverage()
+    coverage.update({o["name"]: len(o["rows"]) for o in outcomes})
+    COVERAGE.write_text("# Paths along drive and part surfaces that the band check measures. Fewer are an error.\n"
+                        + "".join(f"{name}\t{paths}\n" for name, paths in sorted(coverage.items()) if paths))
 
 
 def band_allowance(oracle_records):
@@ -221,6 +268,9 @@ def print_worst(outcomes):
     skipped = sum(len(o["skipped"]) for o in outcomes)
     points = sum(r["points"] for _, r in rows)
     print(f"\ntolerance bands: {len(rows)} paths along surfaces measured, {points} points; {skipped} not measured")
+    for o in outcomes:
+        for reason in o["skipped"]:
+            print(f"  {o['name']:26} not measured: {reason}")
     share = lambda r: max(-r["low"] - r["inner"], r["high"] - r["outer"])
     for name, r in sorted(rows, key=lambda item: -share(item[1]))[:8]:
         print(f"  {name:26} statement {r['isn']:3} {r['role']:5}: points {r['low']:+.7f} to {r['high']:+.7f}, chord "
@@ -232,6 +282,7 @@ def main():
     parser.add_argument("--arelem", default=str(PROJECT / "build" / "arelem"), type=os.path.abspath)
     parser.add_argument("--only", help="programs whose name contains this")
     parser.add_argument("--table", action="store_true", help="every statement's deviations")
+    parser.add_argument("--record-coverage", action="store_true", help="write coverage.tsv anew")
     options = parser.parse_args()
     start = time.time()
     tasks = [(n, s, r, options.arelem) for n, s, r in programs() if not options.only or options.only in n]
@@ -239,6 +290,9 @@ def main():
         sys.exit("no programs found")
     with multiprocessing.Pool() as pool:
         outcomes = pool.map(compare, tasks, chunksize=1)
+    if options.record_coverage:
+        record_coverage(outcomes)
+        return
     failures = report(outcomes, options.table)
     good = sum(1 for o in outcomes if not any(o["wrong"].values()))
     print(f"\n{len(outcomes)} programs, {good} without any difference, {failures} unexplained differences, "

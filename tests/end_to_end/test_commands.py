@@ -113,15 +113,28 @@ class Geometry(ArelemCase):
         self.assertExit(0, "geometry", "a.apt", "--json")
         rows = json.loads(self.out)
         self.assertEqual([(r["name"], r["subscript"], r["type"], r["n"]) for r in rows],
-                         [("P1", 0, "POINT", 3), ("A", 0, "SCALAR", 1), ("Q", 2, "POINT", 3), ("L1", 0, "LINE", 4)])
+                         [("P1", 0, "POINT", 3), ("A", 0, "SCALAR", 1), ("Q", 2, "POINT", 3), ("*NESTED*", 0, "POINT", 3), ("L1", 0, "LINE", 4)])
         self.assertEqual(rows[0]["values"], [1, 2, 3])
         self.assertEqual(rows[2]["values"], [2.5, 0, 0])
 
     def test_text_shows_nested_definitions_too(self):
         self.write("a.apt", self.PROGRAM)
         self.assertExit(0, "geometry", "a.apt")
-        self.assertIn("(nested)", self.out)
+        self.assertIn("*NESTED*", self.out)
         self.assertRegex(self.out, r"Q\(2\) +POINT +3 +2\.5  0  0")
+
+    def test_a_name_defined_again_has_a_row_each_time(self):
+        self.write("a.apt", "CANON/ON\nI=0\nLOOPST\nA)I=I+1\nP=POINT/(POINT/I,0),CANON\nIF(I-3)A,B,B\nB)LOOPND\nFINI\n")
+        self.assertExit(0, "geometry", "a.apt", "--json")
+        rows = [(r["name"], r["values"][0]) for r in json.loads(self.out)]
+        self.assertEqual(rows, [("I", 3), ("*NESTED*", 1), ("P", 1), ("*NESTED*", 2), ("P", 2), ("*NESTED*", 3), ("P", 3)])
+
+    def test_more_definitions_than_the_limit_are_told(self):
+        self.write("a.apt", "CANON/ON\nI=0\nLOOPST\nA)I=I+1\nP=POINT/I,0\nIF(I-99)A,B,B\nB)LOOPND\nFINI\n")
+        self.assertExit(7, "geometry", "a.apt", "--json", "--max-definitions=50")
+        self.assertIn("--max-definitions", self.err)
+        self.assertEqual(len(json.loads(self.out)), 50)
+        self.assertExit(0, "check", "a.apt", "--max-definitions=50")
 
     def test_program_with_errors_still_shows_what_is_defined(self):
         self.write("a.apt", "P1=POINT/1,2,3\nL1=LINE/P1,P1\nFINI\n")
