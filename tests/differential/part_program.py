@@ -125,7 +125,7 @@ class Follower:
 
         `lines` are the lines of the program by statement number; library macros are not among them. Raises
         Unfollowed. A demand has the drive and part surface (type and canon, or None for the XY plane, or "AUTOPS"),
-        sides, cutter, tolerances and the word.
+        sides, cutter, tolerances and the word, and the check surface if there is just one.
         """
         found = []
         for record in records:
@@ -248,6 +248,9 @@ class Follower:
             return None
         state = self.state
         on = state.startup_on if state.side is None else state.side == "TLON"
-        return {"drive": self.version(surface_name(split_top(tail)[0])), "on": on, "part": self.version(state.part),
+        checks = [p for p in split_top(tail)[1:] if p not in CONDITIONS and p != "INTOF" and not p.isdigit()]
+        return {"check": self.version(surface_name(checks[0])) if len(checks) == 1 else None,
+                "check_on": "ON" in split_top(tail), "touch": bool({"TANTO", "PSTAN"} & set(split_top(tail))),
+                "drive": self.version(surface_name(split_top(tail)[0])), "on": on, "part": self.version(state.part),
                 "on_part": state.on_part, "inner": state.inner, "outer": state.outer, "thick": state.thick,
                 "cutter": state.cutter, "disks": dict(state.disks), "word": word}
