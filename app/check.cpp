@@ -1,8 +1,10 @@
 #include <iostream>
 
 #include "app/command.h"
+#include "app/messages.h"
 #include "app/options.h"
 #include "app/pipeline.h"
+#include "app/report.h"
 
 namespace arelem::app {
 
@@ -13,11 +15,15 @@ struct Tally {
 
 ExitCode checkOne(const std::string& path,
                   const Settings& settings,
+                  const std::string& report,
                   const InterruptFlag& interrupted,
                   Tally& tally) {
   Compilation job(settings);
   if (load(job, path, interrupted) && job.log.errors() == 0) {
     static_cast<void>(evaluate(job, interrupted));
+  }
+  if (!report.empty() && !interrupted) {
+    writeRunReport(job, report, false);
   }
   job.log.print(job.sources, job.main, settings);
   ++tally.files;
@@ -32,18 +38,25 @@ int runCheck(const Invocation& invocation) {
   CLI::App app("Reads and evaluates part programs without computing any motion.", "check");
   Settings settings;
   std::vector<std::string> files;
+  std::string report;
   app.add_option("FILE", files, "part programs; - is standard input")->required();
+  app.add_option("--report", report, "what the program uses, as JSON; for one file")
+      ->type_name("FILE");
   addSourceOptions(app, settings);
   addMessageOptions(app, settings);
   if (const auto code = parse(app, invocation.words)) {
     return *code;
+  }
+  if (!report.empty() && files.size() != 1) {
+    printUsageError("check", "`--report` is for one file");
+    return static_cast<int>(ExitCode::wrongUse);
   }
   const InterruptFlag& interrupted = invocation.interrupt.flag();
   ExitCode result = ExitCode::ok;
   Tally tally;
   for (const std::string& file : files) {
     if (!interrupted) {
-      result = worse(result, checkOne(file, settings, interrupted, tally));
+      result = worse(result, checkOne(file, settings, report, interrupted, tally));
     }
   }
   if (!settings.quiet && settings.format != DiagnosticFormat::json) {

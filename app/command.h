@@ -28,6 +28,7 @@ int runCompile(const Invocation& invocation);
 int runDump(const Invocation& invocation);
 int runExplain(const Invocation& invocation);
 int runGeometry(const Invocation& invocation);
+int runLanguage(const Invocation& invocation);
 int runTargets(const Invocation& invocation);
 int runVerify(const Invocation& invocation);
 

@@ -15,6 +15,7 @@ std::span<const Command> commands() {
       Command{"dump", "the inside of a part program or CL file as text", runDump},
       Command{"verify", "reads an output again and compares it with its part program", runVerify},
       Command{"explain", "what a diagnostic means, with a wrong and a right example", runExplain},
+      Command{"language", "definition forms and statements: their syntax and meaning", runLanguage},
       Command{"targets", "the output formats", runTargets},
   };
   return all;

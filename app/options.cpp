@@ -104,14 +104,13 @@ void addMessageOptions(CLI::App& app, Settings& settings) {
 }
 
 void addSourceOptions(CLI::App& app, Settings& settings) {
-  using Dialects = std::map<std::string, frontend::Dialect>;
+  std::map<std::string, frontend::Dialect> dialects;
+  for (std::size_t i = 0; i < frontend::dialectCount; ++i) {
+    const auto dialect = static_cast<frontend::Dialect>(i);
+    dialects.emplace(spell(dialect), dialect);
+  }
   app.add_option("--dialect", settings.dialect, "auto, apt360, apt4, cl or native")
-      ->transform(CLI::CheckedTransformer(Dialects{{"auto", frontend::Dialect::automatic},
-                                                   {"apt360", frontend::Dialect::apt360},
-                                                   {"apt4", frontend::Dialect::apt4},
-                                                   {"cl", frontend::Dialect::cl},
-                                                   {"native", frontend::Dialect::native}})
-                      .description("NAME"));
+      ->transform(CLI::CheckedTransformer(dialects).description("NAME"));
   addRepeated(app, "-D,--define", "gives a scalar a value before the program starts", "NAME=VALUE",
               [&settings](const std::string& word) { setDefine(settings.defines, word); });
   addRepeated(app, "-I,--include", "a folder where LIBRY and INCLUDE look first", "DIR",

@@ -83,6 +83,7 @@ backend::Context backendContext(const Compilation& job) {
   backend::Context context;
   context.sources = &job.sources;
   context.program = &job.program;
+  context.deck = job.evaluation.deck;
   for (const runtime::Defined& defined : job.evaluation.defined) {
     if (defined.entity) {
       context.entities.push_back(defined.entity);

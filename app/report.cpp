@@ -65,6 +65,37 @@ void add(backend::ReportedMotion& entry, const runtime::MotionFact& fact) {
   }
 }
 
+backend::SourcePlace placeOf(const Compilation& job, const Span& span) {
+  return {std::string(job.sources.name(span.buffer)),
+          job.sources.locate(span.buffer, span.begin).line};
+}
+
+/// "PT-04" of PT_04; a letter behind the number tells rows of one printed form and is left out.
+std::string publicId(std::string_view id) {
+  std::string text(id.substr(0, id.find('_', id.find('_') + 1)));
+  std::replace(text.begin(), text.end(), '_', '-');
+  return text;
+}
+
+/// Definition forms and other features of the language that the program uses.
+std::map<std::string, std::uint64_t> featuresOf(const Compilation& job) {
+  std::map<std::string, std::uint64_t> used;
+  for (const define::FormRow& form : define::formTable()) {
+    if (const auto times = job.evaluation.forms[static_cast<std::size_t>(form.id)]; times != 0) {
+      used[publicId(form.idText)] += times;
+    }
+  }
+  ir::FeatureCounts counts = job.program.features;
+  ir::survey(job.program, counts);
+  std::size_t index = 0;
+  for (const ir::FeatureRow& feature : ir::featureTable()) {
+    if (const auto times = counts[static_cast<ir::Feature>(index++)]; times != 0) {
+      used[publicId(feature.idText)] += times;
+    }
+  }
+  return used;
+}
+
 /// In order of first execution.
 std::vector<backend::ReportedMotion> motionsOf(const Compilation& job) {
   std::vector<backend::ReportedMotion> entries;
@@ -73,8 +104,7 @@ std::vector<backend::ReportedMotion> motionsOf(const Compilation& job) {
     const auto [place, isNew] = places.emplace(fact.origin, entries.size());
     if (isNew) {
       backend::ReportedMotion entry;
-      entry.place = {std::string(job.sources.name(fact.origin.buffer)),
-                     job.sources.locate(fact.origin.buffer, fact.origin.begin).line};
+      entry.place = placeOf(job, fact.origin);
       entry.isn = fact.isn;
       entry.statement = fact.statement;
       entry.executions = 0;
@@ -96,6 +126,12 @@ backend::Report reportOf(const Compilation& job, bool timing) {
     for (const ir::Statement& statement : block.statements) {
       ++report.statements[std::visit(KindName{}, statement.body)];
     }
+  }
+  report.features = featuresOf(job);
+  report.dialect = job.program.dialect;
+  for (const runtime::Ignored& ignored : job.evaluation.ignored) {
+    report.wordsWithoutEffect.push_back(
+        {placeOf(job, ignored.first), ignored.what, ignored.why, ignored.times});
   }
   report.errors = job.log.errors();
   report.warnings = job.log.warnings();

@@ -31,6 +31,7 @@ struct Context {
   const ir::Program* program = nullptr;  ///< null when the records were read from a file
   std::vector<EntityPtr> entities;       ///< in order of definition
   std::vector<ListingItem> printed;
+  std::string_view deck;  ///< what PUNCH wrote
   int decimals =
       -1;  ///< of lengths in text targets, 1 to 15; -1: as many as read back to the same double
 };

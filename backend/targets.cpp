@@ -5,6 +5,7 @@
 #include "backend/backend.h"
 #include "backend/cltape/writer.h"
 #include "backend/cltext/writer.h"
+#include "backend/deck/writer.h"
 #include "backend/ir/writer.h"
 #include "backend/json/writer.h"
 #include "backend/listing/writer.h"
@@ -36,6 +37,11 @@ const std::array table = {
            .suffixes = {".ir"},
            .needsMotion = false,
            .make = makeProgramWriter},
+    Target{.name = "deck",
+           .summary = "what PUNCH and PRINT/4 write, for READ/1",
+           .suffixes = {".deck"},
+           .needsMotion = false,
+           .make = makeDeckWriter},
     Target{.name = "svg",
            .summary = "picture of the tool path and its geometry",
            .suffixes = {".svg"},

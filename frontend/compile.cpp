@@ -8,8 +8,12 @@ ir::Program compile(SourceMap& sources,
                     BufferId buffer,
                     const Options& options,
                     DiagnosticSink& sink) {
-  Reporter reporter(sink, options.limits);
-  return ProgramReader(sources, options, reporter).run(buffer);
+  Options chosen = options;
+  if (options.dialect == Dialect::automatic && looksLikeCl(sources.text(buffer))) {
+    chosen.dialect = Dialect::cl;
+  }
+  Reporter reporter(sink, chosen.limits);
+  return ProgramReader(sources, chosen, reporter).run(buffer);
 }
 
 }  // namespace arelem::frontend

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "frontend/dialect.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/limits.h"
 #include "ir/program/program.h"
@@ -10,16 +11,16 @@
 
 namespace arelem::frontend {
 
-enum class Dialect : std::uint8_t {
-  automatic,  ///< native, with what legacy programs need
-  apt360,     ///< strict: six-character names, no extension words
-  apt4,
-  cl,  ///< CL text of CAM systems: free width, unknown words pass
-  native
-};
-
 struct Options {
   Dialect dialect = Dialect::automatic;
+  /// Whether this dialect takes (with or without a warning) what a row of dialects.def names.
+  [[nodiscard]] bool takes(Leave DialectRules::*rule) const {
+    return rulesOf(dialect).*rule != Leave::refused;
+  }
+  /// Whether it takes it with a warning.
+  [[nodiscard]] bool warns(Leave DialectRules::*rule) const {
+    return rulesOf(dialect).*rule == Leave::warned;
+  }
   Limits limits;
   std::map<std::string, double> defines;  ///< --define NAME=VALUE
   std::vector<std::string> libraryPath;   ///< where LIBRY and INCLUDE look

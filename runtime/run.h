@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <iosfwd>
 #include <map>
 #include <optional>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "ir/cl/record.h"
+#include "ir/define/forms.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/limits.h"
 #include "ir/program/program.h"
@@ -42,6 +44,14 @@ struct Defined {
   Span definition;
 };
 
+/// Something that the program says and that changes nothing.
+struct Ignored {
+  std::string what;  ///< "CLPRNT"
+  std::string why;
+  Span first;  ///< the first time
+  std::uint64_t times = 0;
+};
+
 /// The result of Section 1.
 struct Evaluation {
   std::vector<Action> actions;
@@ -51,6 +61,9 @@ struct Evaluation {
   /// that replaced an earlier one too; scalars stand where they got their first value.
   std::vector<Defined> history;
   std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
+  std::vector<Ignored> ignored;
+  /// How often each definition form was used, by FormId.
+  std::array<std::uint64_t, static_cast<std::size_t>(define::FormId::count)> forms{};
   std::uint64_t steps = 0;
   bool complete = true;  ///< false after an interrupt or a limit
 };

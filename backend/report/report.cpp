@@ -63,18 +63,26 @@ void writeReport(std::ostream& out, const Report& report) {
                    {"complete", report.complete},
                    {"diagnostics", {{"errors", report.errors}, {"warnings", report.warnings}}},
                    {"totals", totals(report)},
+                   {"dialect", report.dialect},
                    {"statements", Json::object()},
+                   {"features", Json::object()},
                    {"motions", Json::array()},
                    {"wordsWithoutEffect", Json::array()}};
   for (const auto& [kind, count] : report.statements) {
     document["statements"][kind] = count;
   }
+  for (const auto& [id, count] : report.features) {
+    document["features"][id] = count;
+  }
   for (const ReportedMotion& m : report.motions) {
     document["motions"].push_back(motion(m));
   }
   for (const WordWithoutEffect& w : report.wordsWithoutEffect) {
-    document["wordsWithoutEffect"].push_back(
-        {{"file", w.place.file}, {"line", w.place.line}, {"isn", w.isn}, {"word", w.word}});
+    document["wordsWithoutEffect"].push_back({{"file", w.place.file},
+                                              {"line", w.place.line},
+                                              {"word", w.word},
+                                              {"reason", w.reason},
+                                              {"times", w.times}});
   }
   if (report.timing) {
     document["timing"] = timing(report);

@@ -37,8 +37,9 @@ struct ReportedMotion {
 /// A word that was accepted and had no effect on the result.
 struct WordWithoutEffect {
   SourcePlace place;
-  int isn = 0;
   std::string word;
+  std::string reason;
+  std::uint64_t times = 1;
 };
 
 /// Wall times of the stages. They differ from run to run: without them two reports of one run are
@@ -52,6 +53,8 @@ struct Report {
   std::vector<std::string> sources;
   std::vector<ReportedMotion> motions;
   std::map<std::string, std::uint64_t> statements;  ///< counts by kind
+  std::map<std::string, std::uint64_t> features;    ///< counts by id of the language reference
+  std::string dialect;                              ///< in which the program was read
   std::vector<WordWithoutEffect> wordsWithoutEffect;
   std::uint64_t errors = 0;
   std::uint64_t warnings = 0;

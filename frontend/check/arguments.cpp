@@ -39,11 +39,11 @@ bool Values::checkBare(const Node& node, const ArgumentRules& rules) {
   if (rules.bare || inner->parenthesized || !isOperation(inner->kind)) {
     return true;
   }
-  if (context_.strict()) {
+  if (!context_.options.takes(&DialectRules::bareExpressions)) {
     context_.report(diagnose(node.span, diag::UnparenthesizedExpression));
     return false;
   }
-  if (context_.options.dialect != Dialect::native) {
+  if (context_.options.warns(&DialectRules::bareExpressions)) {
     context_.report(diagnose(node.span, diag::BareExpression));
   }
   return true;

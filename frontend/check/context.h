@@ -21,7 +21,6 @@ struct Context {
   /// checks.
   bool lenient = false;
 
-  [[nodiscard]] bool strict() const { return options.dialect == Dialect::apt360; }
   void report(Diagnostic diagnostic) { reporter.report(std::move(diagnostic)); }
 };
 

@@ -49,10 +49,26 @@ bool Control::labelText(NodeId id, Word word, std::string_view& text) {
   return true;
 }
 
+/// Later systems jump anywhere in a program; names may then be used above their definition.
+bool Control::mayJump(std::string_view word) {
+  if (block_.inArea()) {
+    return true;
+  }
+  if (!context_.options.takes(&DialectRules::jumpsAnywhere)) {
+    context_.report(diagnose(block_.origin().span, diag::JumpOutside, word));
+    return false;
+  }
+  if (context_.options.warns(&DialectRules::jumpsAnywhere)) {
+    context_.report(diagnose(block_.origin().span, diag::JumpInProgram, word));
+  }
+  jumps_ = true;
+  context_.lenient = true;
+  return true;
+}
+
 void Control::branch() {
   const StatementTree& tree = values_.tree();
-  if (!block_.inArea()) {
-    context_.report(diagnose(block_.origin().span, diag::JumpOutside, "IF"));
+  if (!mayJump("IF")) {
     return;
   }
   const auto value = values_.expression(tree.value);
@@ -74,8 +90,7 @@ void Control::branch() {
 }
 
 void Control::jump(Word word, NodeId argument, bool single) {
-  if (word == Word::JUMPTO && !block_.inArea()) {
-    context_.report(diagnose(block_.origin().span, diag::JumpOutside, "JUMPTO"));
+  if (word == Word::JUMPTO && !mayJump("JUMPTO")) {
     return;
   }
   std::string_view text;
@@ -118,7 +133,7 @@ void Control::loopEnd() {
   }
   block_.emit(ir::Command{Word::LOOPND, false, {}});
   block_.endLoop();
-  context_.lenient = inDo();
+  context_.lenient = jumps_ || inDo();
 }
 
 bool Control::inDo() const {

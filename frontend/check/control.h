@@ -43,6 +43,7 @@ class Control {
     std::vector<Jump> whenFalse;
   };
   bool labelText(NodeId id, Word word, std::string_view& text);
+  bool mayJump(std::string_view word);
   bool condition(NodeId id, Exits& exits);
   bool compare(const Node& node, Exits& exits);
   void openCondition(Open& open);
@@ -54,6 +55,7 @@ class Control {
   Values& values_;
   BlockWriter& block_;
   std::vector<Open> open_;
+  bool jumps_ = false;  // IF or JUMPTO stood outside loops and macros
 };
 
 }  // namespace arelem::frontend

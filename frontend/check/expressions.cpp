@@ -191,7 +191,7 @@ std::optional<ir::ExprId> Values::call(const Node& node) {
   ArgumentRules rules;
   rules.owner = spell(node.word);
   rules.bare = true;
-  rules.shortPoints = !context_.strict();
+  rules.shortPoints = context_.options.takes(&DialectRules::laterForms);
   auto list = arguments(node.first, rules);
   if (!list || !checkFunction(node, *list)) {
     return std::nullopt;
@@ -220,8 +220,10 @@ bool Values::checkFunction(const Node& node, const std::vector<ir::Argument>& li
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto type = entityOf(list[i]);
-    const bool fits = found->entities ? type && fitsFunction(node.word, i, *type, context_.strict())
-                                      : isScalar(list[i]);
+    const bool fits = found->entities
+                          ? type && fitsFunction(node.word, i, *type,
+                                                 !context_.options.takes(&DialectRules::laterForms))
+                          : isScalar(list[i]);
     if (!fits) {
       context_.report(
           diagnose(list[i].span, diag::ArgumentType, spell(node.word), describe(list[i])));

@@ -41,7 +41,7 @@ void ProgramReader::lowerLabel(const std::vector<Token>& tokens, std::size_t& fi
     context_.report(diagnose(tokens[0].span, diag::LabelIsWord, tokens[0].text));
     return;
   }
-  if (context_.strict() && tokens[0].text.size() > maxName360) {
+  if (!context_.options.takes(&DialectRules::largeSizes) && tokens[0].text.size() > maxName360) {
     context_.report(
         diagnose(tokens[0].span, diag::NameTooLong, tokens[0].text, tokens[0].text.size()));
     return;
@@ -54,7 +54,7 @@ void ProgramReader::unknownHead(const Token& head) {
   for (const std::string& near : context_.names.similar(head.text, true)) {
     d.help += (d.help.empty() ? "did you mean `" : ", `") + near + "`";
   }
-  if (d.help.empty() && !context_.strict()) {
+  if (d.help.empty() && context_.options.takes(&DialectRules::extensionWords)) {
     d.help = "words of CAM systems pass with `--dialect cl`";
   }
   context_.report(std::move(d));
@@ -203,9 +203,11 @@ void ProgramReader::synonyms(const std::vector<Token>& tokens, std::size_t first
       return;
     }
     context_.vocabulary.addSynonym(name.text, word.word);
+    context_.reporter.used(ir::Feature::LX_14);
     i += 4;
   } while (tokens[i].kind != TokenKind::end);
-  if (context_.strict() && context_.vocabulary.synonyms() > maxSynonyms) {
+  if (!context_.options.takes(&DialectRules::largeSizes) &&
+      context_.vocabulary.synonyms() > maxSynonyms) {
     context_.report(
         diagnose(tokens[first].span, diag::SynonymCount, context_.vocabulary.synonyms()));
   }
@@ -216,6 +218,7 @@ void ProgramReader::library(Frame& frame) {
   for (NodeId id = tree.arguments; id != noNode; id = tree[id].next) {
     if (tree[id].kind == Node::Kind::name && !tree[id].hasList) {
       libraryNames_.emplace(tree[id].text);
+      context_.reporter.used(ir::Feature::CT_07);
     } else {
       context_.report(diagnose(tree[id].span, diag::ParameterExpected, "LIBRY", "names of macros"));
     }
@@ -252,6 +255,7 @@ bool ProgramReader::readSegment(Frame& frame) {
         diagnose(at, diag::ReadInArea, mode == 1.0 ? "READ/1" : "READ/2", frame.block.areaName()));
     return true;
   }
+  context_.reporter.used(mode == 1.0 ? ir::Feature::IO_08 : ir::Feature::CT_10);
   if (mode == 1.0) {
     readDeck(frame);
     return true;

@@ -105,7 +105,7 @@ void ProgramReader::beginMacro(Frame& frame) {
   for (NodeId id = tree.arguments; id != noNode; id = tree[id].next) {
     addVariable(macro, tree[id], tree);
   }
-  if (context_.strict() && macro.variables.size() > maxVariables) {
+  if (!context_.options.takes(&DialectRules::largeSizes) && macro.variables.size() > maxVariables) {
     context_.report(diagnose(name.span, diag::TooManyVariables, macro.variables.size()));
   }
   NameFacts& facts = context_.names.at(name.text);
@@ -121,6 +121,7 @@ void ProgramReader::beginMacro(Frame& frame) {
     facts.defined = true;
     facts.definition = name.span;
   }
+  context_.reporter.used(ir::Feature::CT_04);
   const std::string key = macro.name;
   recording_ = &(macros_[key] = std::move(macro));
   nestedMacros_ = 0;
@@ -234,6 +235,10 @@ void ProgramReader::call(Frame& frame) {
   const Node* second = name.next == noNode ? nullptr : &tree[name.next];
   if (second != nullptr && second->kind == Kind::word &&
       row(second->word).wordClass == WordClass::phase) {
+    const NodeId value = second->next;
+    const bool named = value != noNode && tree[value].kind == Kind::parameter &&
+                       tree[value].first != noNode;
+    context_.reporter.used(named ? ir::Feature::CT_09 : ir::Feature::CT_08);
     context_.report(diagnose(name.span, diag::UserProgram, name.text));
     return;
   }

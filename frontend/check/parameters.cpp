@@ -49,7 +49,7 @@ void Statements::obtain(const Parts& p) {
   NodeId source = tree.arguments;
   if (type && !tree.slash) {
     source = tree[typeNode].next;
-    if (source != noNode && !context_.strict()) {
+    if (source != noNode && context_.options.takes(&DialectRules::obtainComma)) {
       context_.report(diagnose(tree[typeNode].span, diag::CommaForSlash));
     } else {
       source = noNode;
@@ -69,7 +69,9 @@ void Statements::obtain(const Parts& p) {
   }
   ir::Obtain result;
   result.type = *type;
-  auto argument = values_.argument(source, {.owner = "OBTAIN", .shortPoints = !context_.strict()});
+  auto argument = values_.argument(
+      source,
+      {.owner = "OBTAIN", .shortPoints = context_.options.takes(&DialectRules::laterForms)});
   const bool named = obtainTargets(tree[source].next, result);
   if (!argument || !named) {
     return;

@@ -41,6 +41,8 @@ ir::Program ProgramReader::run(BufferId buffer) {
   }
   context_.reporter.finish(
       {buffer, static_cast<std::uint32_t>(context_.sources.text(buffer).size()), 0});
+  context_.program.features = context_.reporter.features();
+  context_.program.dialect = spell(context_.options.dialect);
   return std::move(context_.program);
 }
 
@@ -71,7 +73,9 @@ void ProgramReader::readStatement(CardReader& reader,
   frame.block.setOrigin({statement.span, statement.isn, statement.cardId});
   switch (statement.kind) {
     case StatementText::Kind::end:
+      return;
     case StatementText::Kind::empty:
+      context_.reporter.used(ir::Feature::LX_04);
       return;
     case StatementText::Kind::numbers:
       frame.block.emit(statement.numbers);
@@ -86,7 +90,7 @@ void ProgramReader::readStatement(CardReader& reader,
     case StatementText::Kind::tokens:
       break;
   }
-  if (context_.options.dialect == Dialect::cl && recording_ == nullptr &&
+  if (context_.options.takes(&DialectRules::unknownWords) && recording_ == nullptr &&
       lowerForeign(statement, frame)) {
     return;
   }
@@ -107,7 +111,9 @@ void ProgramReader::readStatement(CardReader& reader,
 }
 
 void ProgramReader::emitText(const StatementText& statement, Frame& frame) {
-  if (statement.fixedWord != Word::REMARK) {
+  if (statement.fixedWord == Word::REMARK) {
+    context_.reporter.used(ir::Feature::LX_08);
+  } else {
     frame.block.emit(ir::Text{statement.fixedWord, statement.fixedText});
   }
 }
@@ -132,7 +138,7 @@ void ProgramReader::finish(Frame& frame) {
     context_.report(diagnose(recording_->definition, diag::MacroNotEnded, recording_->name));
   }
   if (!finished_) {
-    if (context_.options.dialect != Dialect::cl) {
+    if (!context_.options.takes(&DialectRules::missingFini)) {
       context_.report(diagnose(end, diag::FiniMissing));
     }
     frame.block.setOrigin({end, isn_, {}});

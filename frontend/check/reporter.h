@@ -6,6 +6,7 @@
 
 #include "ir/diag/diagnostic.h"
 #include "ir/limits.h"
+#include "ir/program/feature.h"
 
 namespace arelem::frontend {
 
@@ -22,6 +23,10 @@ class Reporter {
   /// Ends the report: tells how many errors were counted but not shown.
   void finish(Span end);
 
+  /// The text uses something that the program does not show.
+  void used(ir::Feature feature) { features_.add(feature); }
+  [[nodiscard]] const ir::FeatureCounts& features() const { return features_; }
+
   void enterCall(Span call) { calls_.push_back(call); }
   void leaveCall() { calls_.pop_back(); }
   [[nodiscard]] std::size_t callDepth() const { return calls_.size(); }
@@ -30,6 +35,7 @@ class Reporter {
  private:
   DiagnosticSink& sink_;
   const Limits& limits_;
+  ir::FeatureCounts features_;
   std::vector<Span> calls_;
   std::set<std::tuple<const DiagRow*, Span, std::string>> said_;
   std::uint64_t errors_ = 0;

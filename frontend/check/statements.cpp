@@ -50,6 +50,9 @@ bool Statements::prefixes(Parts& main) {
       context_.report(diagnose(after.span, diag::Misplaced, fmt::format("`{}`", after.text)));
       return false;
     }
+    if (row(node.word).wordClass == WordClass::runControl) {
+      context_.reporter.used(ir::Feature::CR_11);
+    }
     emitCommand({node.word, node.span, false, noNode}, {});
     id = node.next;
   }
@@ -175,6 +178,7 @@ bool Statements::takeSuffix(std::vector<ir::Argument>& list, Word& suffix) const
   if (word == nullptr || row(*word).wordClass != WordClass::runControl) {
     return false;
   }
+  context_.reporter.used(ir::Feature::CR_11);
   suffix = *word;
   list.pop_back();
   return true;
@@ -217,11 +221,11 @@ bool Statements::checkPostArguments(const Parts& p, const std::vector<ir::Argume
     }
   }
   if (row(p.word).wordClass == WordClass::postWithoutParameters && (p.slash || !list.empty())) {
-    if (context_.strict()) {
+    if (!context_.options.takes(&DialectRules::bareWordParameters)) {
       context_.report(diagnose(p.span, diag::ParametersNotAllowed, spell(p.word)));
       return false;
     }
-    if (context_.options.dialect != Dialect::cl) {
+    if (context_.options.warns(&DialectRules::bareWordParameters)) {
       context_.report(diagnose(p.span, diag::ParametersPassed, spell(p.word)));
     }
   }
@@ -231,8 +235,8 @@ bool Statements::checkPostArguments(const Parts& p, const std::vector<ir::Argume
 void Statements::postWord(const Parts& p) {
   const StatementTree& tree = values_.tree();
   ArgumentRules rules{.owner = spell(p.word)};
-  rules.unknownAsText = !context_.strict();
-  rules.silentText = context_.options.dialect == Dialect::cl;
+  rules.unknownAsText = context_.options.takes(&DialectRules::unknownPostText);
+  rules.silentText = !context_.options.warns(&DialectRules::unknownPostText);
   std::vector<ir::Argument> list;
   NodeId rest = p.first;
   if (p.word == Word::MACHIN) {
@@ -286,7 +290,10 @@ void Statements::runControl(const Parts& p) {
 /// A definition without a name. CIRCLE/ with seven or more numbers is the arc record of CL files.
 void Statements::unnamed(const Parts& p) {
   const auto type = entityType(p.word);
-  if (!type || context_.strict()) {
+  if (!type || !context_.options.takes(&DialectRules::unnamedDefinitions)) {
+    if (!type) {
+      context_.reporter.used(ir::Feature::RV_01);
+    }
     context_.report(type ? diagnose(p.span, diag::Misplaced,
                                     fmt::format("`{}` without a name before it", spell(p.word)))
                          : diagnose(p.span, diag::ReservedType, spell(p.word)));
@@ -303,7 +310,7 @@ void Statements::unnamed(const Parts& p) {
     emitCommand(p, std::move(*list));
     return;
   }
-  if (context_.options.dialect != Dialect::native) {
+  if (context_.options.warns(&DialectRules::unnamedDefinitions)) {
     context_.report(diagnose(p.span, diag::UnnamedDefinition));
   }
   ir::Definition d;

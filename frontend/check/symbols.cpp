@@ -108,7 +108,8 @@ std::optional<ir::ExprId> Values::subscript(const Node& node, const NameFacts& f
     context_.report(diagnose(node.span, diag::SubscriptSyntax));
     return std::nullopt;
   }
-  if (context_.strict() && inner.kind == Node::Kind::name && inner.hasList) {
+  if (!context_.options.takes(&DialectRules::laterForms) && inner.kind == Node::Kind::name &&
+      inner.hasList) {
     context_.report(diagnose(inner.span, diag::NestedSubscript));
     return std::nullopt;
   }
@@ -165,7 +166,9 @@ void Values::markDefined(NodeId id) {
 std::optional<ir::DefinitionId> Values::definition(NodeId id, NodeId targetNode) {
   const Node& node = (*tree_)[id];
   const auto type = entityType(node.word);
-  if (!type || (context_.strict() && (*type == EntityType::mesh || *type == EntityType::torus))) {
+  if (!type || (!context_.options.takes(&DialectRules::laterForms) &&
+                (*type == EntityType::mesh || *type == EntityType::torus))) {
+    context_.reporter.used(ir::Feature::RV_01);
     context_.report(diagnose(node.wordSpan, diag::ReservedType, spell(node.word)));
     if (targetNode != noNode && (*tree_)[targetNode].kind == Node::Kind::name) {
       context_.names.at((*tree_)[targetNode].text).poisoned = true;

@@ -98,7 +98,7 @@ bool Lexer::run(const StatementText& statement, std::vector<Token>& tokens) {
   text_ = statement.text;
   at_ = 0;
   tokens.clear();
-  const bool strict = options_.dialect == Dialect::apt360;
+  const bool strict = !options_.takes(&DialectRules::largeSizes);
   const std::uint64_t most = strict
                                  ? std::min<std::uint64_t>(maxElements360, options_.limits.elements)
                                  : options_.limits.elements;
@@ -126,7 +126,7 @@ bool Lexer::run(const StatementText& statement, std::vector<Token>& tokens) {
     last.span.begin = statement.offsets.back() + 1;
   }
   tokens.push_back(last);
-  if (!strict) {
+  if (options_.takes(&DialectRules::blocks)) {
     retagBlocks(tokens);
   }
   return ok;
@@ -166,7 +166,7 @@ bool Lexer::lexString(Token& token) {
 }
 
 std::size_t Lexer::dottedLength(std::size_t at) const {
-  if (options_.dialect == Dialect::apt360 || at >= text_.size()) {
+  if (!options_.takes(&DialectRules::blocks) || at >= text_.size()) {
     return 0;
   }
   const Dotted* d = findDotted(text_.substr(at));
@@ -198,7 +198,7 @@ bool Lexer::lexNumberOrSymbol(Token& token) {
   if (peek(i) == '.' && dottedLength(i) == 0) {
     return lexFraction(begin, i + 1, token);
   }
-  const bool exponent = options_.dialect == Dialect::cl && peek(i) == 'E' &&
+  const bool exponent = options_.takes(&DialectRules::exponentWithoutPoint) && peek(i) == 'E' &&
                         (isDigit(peek(i + 1)) ||
                          ((peek(i + 1) == '-' || peek(i + 1) == '+') && isDigit(peek(i + 2))));
   if (exponent) {
@@ -244,7 +244,7 @@ bool Lexer::lexFraction(std::size_t begin, std::size_t i, Token& token) {
 bool Lexer::finishNumber(std::size_t begin, std::size_t end, Token& token) {
   const std::string_view text = text_.substr(begin, end - begin);
   finish(TokenKind::number, begin, end, token);
-  if (options_.dialect == Dialect::apt360 && significantDigits(text) > maxDigits) {
+  if (!options_.takes(&DialectRules::largeSizes) && significantDigits(text) > maxDigits) {
     reporter_.report(diagnose(token.span, diag::NumberTooLong, significantDigits(text)));
     return false;
   }
@@ -271,7 +271,7 @@ bool Lexer::finishSymbol(std::size_t begin, Token& token) {
     token.kind = kindOf(token.word);
     return true;
   }
-  if (options_.dialect == Dialect::apt360 && token.text.size() > maxName360) {
+  if (!options_.takes(&DialectRules::largeSizes) && token.text.size() > maxName360) {
     reporter_.report(diagnose(token.span, diag::NameTooLong, token.text, token.text.size()));
     return false;
   }

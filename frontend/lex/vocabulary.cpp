@@ -23,13 +23,14 @@ TokenKind kindOf(Word word) {
 
 bool Vocabulary::canYield(Word word) const {
   const WordRow& r = row(word);
-  return r.extension || (r.wordClass == WordClass::unused && dialect_ != Dialect::apt360);
+  return r.extension ||
+         (r.wordClass == WordClass::unused && rulesOf(dialect_).unusedWordsYield != Leave::refused);
 }
 
 std::optional<Word> Vocabulary::find(std::string_view text) const {
   const auto word = findWord(text);
   if (word) {
-    const bool absent = row(*word).extension && dialect_ == Dialect::apt360;
+    const bool absent = row(*word).extension && rulesOf(dialect_).extensionWords == Leave::refused;
     if (!absent && (!canYield(*word) || !yielded_.contains(text))) {
       return word;
     }

@@ -107,7 +107,7 @@ void CardReader::next(StatementText& statement, bool fastLane) {
   statement.isn = isn_++;
   statement.cardId = {};
   const auto offset = static_cast<std::uint32_t>(line.offset);
-  if (fastLane && (line.text.size() <= 72 || options_.dialect == Dialect::cl)) {
+  if (fastLane && (line.text.size() <= 72 || options_.takes(&DialectRules::freeWidth))) {
     FastLine fast;
     if (readFastLine(line.text, fast)) {
       statement.kind = StatementText::Kind::numbers;
@@ -149,7 +149,7 @@ bool CardReader::readFixed(const Line& line, StatementText& statement) {
   if (!word) {
     return false;
   }
-  if (begin != 0 && options_.dialect != Dialect::cl) {
+  if (begin != 0 && !options_.takes(&DialectRules::indentedTexts)) {
     const std::size_t after = line.text.find_first_not_of(" \t", begin + wordLength);
     if (after != std::string_view::npos && line.text[after] == '=') {
       return false;  // left to the statement checker
@@ -175,8 +175,7 @@ void CardReader::keepFixed(const Line& line,
   statement.span = {buffer_, static_cast<std::uint32_t>(line.offset + wordBegin),
                     static_cast<std::uint32_t>(wordLength + kept.size())};
   statement.fixedText = cleanText(kept);
-  const bool fold = options_.dialect == Dialect::automatic || options_.dialect == Dialect::apt360;
-  if (fold) {
+  if (!options_.takes(&DialectRules::lowerCaseTexts)) {
     for (char& c : statement.fixedText) {
       c = upper(c);
     }
@@ -186,6 +185,7 @@ void CardReader::keepFixed(const Line& line,
     c = upper(c);
   }
   if (word == Word::TITLES && right == " RIGHT") {
+    reporter_.used(ir::Feature::LX_13);
     statement.fixedText = std::string(rightShift, ' ') + statement.fixedText.substr(wordLength);
   }
 }
@@ -233,12 +233,14 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
   const std::string_view field = line.text.substr(0, fields.fieldEnd);
   statement.span.buffer = buffer_;
   CardEnd ending = CardEnd::done;
+  bool lowerCase = false;
   std::size_t i = 0;
   while (i < field.size()) {
     const CharRow& c = classify(field[i]);
     if (c.kind == CharClass::letter || c.kind == CharClass::digit ||
         c.kind == CharClass::punctuation) {
       append(statement, c.upper, line.offset + i);
+      lowerCase = lowerCase || c.upper != field[i];
     } else if (c.kind == CharClass::dollar) {
       std::size_t second = i + 1;
       while (second < field.size() && isBlank(field[second])) {
@@ -246,16 +248,20 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
       }
       const bool comment = second < field.size() && field[second] == '$';
       ending = comment ? CardEnd::done : CardEnd::continued;
+      reporter_.used(comment ? ir::Feature::LX_03 : ir::Feature::LX_02);
       break;
-    } else if (c.kind == CharClass::quote && options_.dialect != Dialect::apt360) {
+    } else if (c.kind == CharClass::quote && options_.takes(&DialectRules::blocks)) {
       i = appendQuoted(field, i, line.offset, statement);
       continue;
-    } else if (options_.dialect == Dialect::cl && c.kind != CharClass::blank) {
+    } else if (options_.takes(&DialectRules::anyCharacter) && c.kind != CharClass::blank) {
       append(statement, field[i], line.offset + i);
     } else if (c.kind != CharClass::blank && field[i] != '\x1A' && field[i] != '\f') {
       reportOther(line, i, statement);
     }
     ++i;
+  }
+  if (lowerCase) {
+    reporter_.used(ir::Feature::LX_15);
   }
   statement.pieces.push_back(
       {buffer_, static_cast<std::uint32_t>(line.offset), static_cast<std::uint32_t>(i)});

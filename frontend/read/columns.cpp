@@ -62,7 +62,7 @@ bool isSetApart(std::string_view field, std::string_view rest, bool exactlyEight
 
 CardFields splitCard(std::string_view line, Dialect dialect) {
   const bool short72 = line.size() <= fieldColumns && line.find('\t') == std::string_view::npos;
-  if (short72 || dialect == Dialect::cl) {
+  if (short72 || rulesOf(dialect).freeWidth != Leave::refused) {
     return {line.size(), {}};
   }
   const Place field = advance(line, {}, fieldColumns);
@@ -73,7 +73,7 @@ CardFields splitCard(std::string_view line, Dialect dialect) {
   const std::string_view rest = line.substr(field.byte, card.byte - field.byte);
   // How wide a tab was is a guess, so a line with tabs is never cut without a look.
   const bool tabs = line.find('\t') != std::string_view::npos;
-  const bool strict = (dialect == Dialect::apt360 || dialect == Dialect::apt4) && !tabs;
+  const bool strict = rulesOf(dialect).guessedColumns == Leave::refused && !tabs;
   const bool withinCard = trimmed(line.substr(card.byte)).empty();
   if (!strict && trimmed(rest).empty() && withinCard) {
     return {field.byte, {}};

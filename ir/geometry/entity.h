@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ir/define/forms.h"
 #include "ir/text/span.h"
 #include "ir/words/words.h"
 
@@ -58,10 +59,11 @@ struct PatternShape {
 struct Entity {
   EntityType type = EntityType::point;
   std::vector<double> canon;
-  PatternShape pattern;         ///< only for PATERN
-  std::string name;             ///< "" when unnamed (nested)
-  int subscript = 0;            ///< 0 when not an array element
-  Span definition;              ///< where it was defined
+  PatternShape pattern;                         ///< only for PATERN
+  define::FormId form = define::FormId::count;  ///< that defined it; count when none did
+  std::string name;                             ///< "" when unnamed (nested)
+  int subscript = 0;                            ///< 0 when not an array element
+  Span definition;                              ///< where it was defined
   std::string referenceSystem;  ///< name of the REFSYS matrix in force, "" for the base system
 };
 

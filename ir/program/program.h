@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ir/program/feature.h"
 #include "ir/program/statement.h"
 
 namespace arelem::ir {
@@ -29,6 +30,9 @@ struct Program {
   std::vector<Expr> exprs;
   std::vector<Definition> definitions;
   std::vector<Block> blocks;
+  /// Counts of what the frontend accepted and the tables above do not show.
+  FeatureCounts features;
+  std::string_view dialect;  ///< the one in which the text was read
 
   [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols[id.index]; }
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs[id.index]; }

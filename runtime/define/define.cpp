@@ -125,6 +125,7 @@ Result<Entity> define(EntityType type,
   clearMinusZeros(resolved->canon);
   Entity entity;
   entity.type = type;
+  entity.form = std::get<FormId>(found);
   entity.canon = std::move(resolved->canon);
   entity.pattern = resolved->pattern;
   return entity;

@@ -116,6 +116,7 @@ std::shared_ptr<Entity> compute(State& state,
     return nullptr;
   }
   auto entity = std::make_shared<Entity>(*std::move(result));
+  ++state.out.forms[static_cast<std::size_t>(entity->form)];
   entity->definition = definition.span;
   entity->referenceSystem = definition.type == EntityType::matrix ? "" : state.systems.current();
   return entity;

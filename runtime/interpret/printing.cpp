@@ -19,7 +19,9 @@ bool isLarge(EntityType type) {
 /// Collects what a list of names asks for, in its order.
 class Selection {
  public:
-  Selection(State& state, int mode) : state_(state), mode_(mode) {}
+  /// ALL leaves out the types of many numbers unless `large`.
+  Selection(State& state, int mode, bool large = false)
+      : state_(state), mode_(mode), large_(large) {}
 
   std::vector<Printed> take(const std::vector<ir::Argument>& arguments, std::size_t first) {
     for (std::size_t i = first; i < arguments.size(); ++i) {
@@ -91,7 +93,7 @@ class Selection {
   }
   void all() {
     for (Defined& d : state_.store.defined()) {
-      if (d.name.empty() || (d.entity && isLarge(d.entity->type))) {
+      if (d.name.empty() || (d.entity && isLarge(d.entity->type) && !large_)) {
         continue;
       }
       Printed& p = row();
@@ -107,6 +109,7 @@ class Selection {
 
   State& state_;
   int mode_;
+  bool large_;
   const ir::Argument* argument_ = nullptr;
   std::vector<Printed> list_;
 };
@@ -208,7 +211,7 @@ void print(State& state, const ir::Command& command) {
 
 void punch(State& state, const ir::Command& command) {
   if (const std::optional<int> number = mode(state, command, "PUNCH", 1, 3, punchForms)) {
-    punchAll(state, Selection(state, *number).take(command.arguments, 1), *number);
+    punchAll(state, Selection(state, *number, true).take(command.arguments, 1), *number);
   }
 }
 

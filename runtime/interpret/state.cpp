@@ -102,17 +102,17 @@ void State::reportEmpty(const Place& place, const Span& span) {
 }
 
 void State::ignore(std::string what, std::string why) {
-  for (Ignored& known : ignored_) {
+  for (Ignored& known : out.ignored) {
     if (known.what == what) {
       ++known.times;
       return;
     }
   }
-  ignored_.push_back({std::move(what), std::move(why), statement->span, 1});
+  out.ignored.push_back({std::move(what), std::move(why), statement->span, 1});
 }
 
 void State::reportIgnored() {
-  for (const Ignored& known : ignored_) {
+  for (const Ignored& known : out.ignored) {
     sink_.accept(diagnose(known.first, diag::NoEffect, known.what, known.why, known.times));
   }
 }

@@ -72,19 +72,12 @@ class State {
   void warnOfSystem();
 
  private:
-  struct Ignored {
-    std::string what;
-    std::string why;
-    Span first;
-    std::uint64_t times = 0;
-  };
   void tooManyActions();
   [[nodiscard]] bool assignedSomewhere(ir::SymbolId symbol);
 
   DiagnosticSink& sink_;
   std::set<std::pair<const DiagRow*, Span>> reported_;
   std::vector<bool> assigned_;  // by symbol; empty until first needed
-  std::vector<Ignored> ignored_;
   const ir::Statement* implied_ = nullptr;
   std::set<std::string> warnedSystems_;
 };

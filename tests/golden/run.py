@@ -6,6 +6,7 @@
   $$ CHECK: GOTO / 1.0, 2.0               must occur in the output of the last RUN, in this order
   $$ CHECK-NEXT: text                     ... on the line behind the previous match
   $$ CHECK-NOT: text                      must not occur after the previous match
+  $$ VALUES: L1 .6 -sqrt(3)/2 0 4         the entity or scalar has these canonical numbers, to 1e-9 of the largest
   L1=LINE/P1,P2      $$ error[E0201]: `P2` is not defined
                                           this line, and no other, has this error; warning[...] alike
 
@@ -15,6 +16,7 @@ called fail_*.apt, so that a listing of the folder is a specification.
 import argparse
 import concurrent.futures
 import json
+import math
 import os
 import pathlib
 import re
@@ -25,7 +27,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 EXPECTED = re.compile(r"\$\$\s*(error|warning)\[([EW]\d{4})\]:?\s*(.*?)\s*$")
-DIRECTIVE = re.compile(r"\$\$\s*(RUN|CHECK|CHECK-NEXT|CHECK-NOT):\s*(.*?)\s*$")
+DIRECTIVE = re.compile(r"\$\$\s*(RUN|CHECK|CHECK-NEXT|CHECK-NOT|VALUES):\s*(.*?)\s*$")
 
 
 def squeeze(text):
@@ -57,6 +59,25 @@ def check_output(directives, output):
     return None
 
 
+def check_values(arelem, program, wanted):
+    """Compares with `arelem geometry`. Expressions are sums and products with sqrt and pi."""
+    done = subprocess.run([arelem, "geometry", "--json", str(program)], capture_output=True, text=True, timeout=120)
+    if not done.stdout.startswith("["):
+        return f"VALUES: {done.stderr}"
+    found = {}
+    for entry in json.loads(done.stdout):
+        subscript = f"({entry['subscript']})" if entry["subscript"] else ""
+        found[entry["name"] + subscript] = entry["values"]
+    for text in wanted:
+        name, *numbers = text.split()
+        numbers = [eval(n, {"__builtins__": {}, "sqrt": math.sqrt, "pi": math.pi}) for n in numbers]
+        ours = found.get(name)
+        size = max([abs(n) for n in numbers] + [1.0])
+        if ours is None or len(ours) != len(numbers) or any(abs(a - b) > 1e-9 * size for a, b in zip(ours, numbers)):
+            return f"VALUES: {name} is {ours}, not {numbers}"
+    return None
+
+
 def diagnostics(text):
     return [json.loads(line) for line in text.splitlines() if line.startswith("{")]
 
@@ -77,12 +98,13 @@ def check_messages(program, expected, messages):
 def run(task):
     program, arelem = task
     text = program.read_text()
-    expected, directives, runs = [], [], []
+    expected, directives, runs, values = [], [], [], []
     for number, line in enumerate(text.splitlines(), 1):
         if match := EXPECTED.search(line):
             expected.append((number, *match.groups()))
         if match := DIRECTIVE.search(line):
-            (runs if match.group(1) == "RUN" else directives).append(match.groups())
+            kind = match.group(1)
+            (runs if kind == "RUN" else values if kind == "VALUES" else directives).append(match.groups())
     with tempfile.TemporaryDirectory() as folder:
         output = ""
         for _, command in runs or [("RUN", "%arelem check %s")]:
@@ -96,7 +118,8 @@ def run(task):
         return "programs with error lines, and no others, are called fail_*.apt"
     if fails != (done.returncode != 0):
         return f"exit code {done.returncode}: {done.stderr}"
-    return check_messages(program, expected, diagnostics(done.stderr)) or check_output(directives, output)
+    return (check_messages(program, expected, diagnostics(done.stderr)) or check_output(directives, output)
+            or (values and check_values(arelem, program, [text for _, text in values])))
 
 
 def main():

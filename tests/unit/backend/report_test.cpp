@@ -97,7 +97,9 @@ Report sample() {
                      ReportedMotion::Deviation{-0.0, 0.0},
                      0.25},
                     {{"part.apt", 13}, 10, "GOTO", 1, 1, 1.5, std::nullopt, std::nullopt, 0.5}};
-  report.wordsWithoutEffect = {{{"part.apt", 3}, 2, "NOPLOT"}};
+  report.wordsWithoutEffect = {{{"part.apt", 3}, "NOPLOT", "chosen by the command", 2}};
+  report.features = {{"PT-04", 3}};
+  report.dialect = "auto";
   report.errors = 1;
   report.warnings = 2;
   return report;

@@ -23,6 +23,7 @@ TEST(Targets, AreFoundByNameAndBySuffix) {
   EXPECT_EQ(nameFor("part.lst"), "listing");
   EXPECT_EQ(nameFor("part.svg"), "svg");
   EXPECT_EQ(nameFor("part.ir"), "ir");
+  EXPECT_EQ(nameFor("part.deck"), "deck");
   EXPECT_EQ(nameFor("part"), "");
   EXPECT_EQ(nameFor(".svg"), "");
   EXPECT_EQ(nameFor("part.svg.gz"), "");
@@ -54,6 +55,14 @@ TEST(Targets, TheProgramNeedsAProgram) {
   CollectingSink quiet;
   EXPECT_EQ(written("ir", {record(1, cl::Fini{})}, context, quiet), expected.str());
   EXPECT_EQ(quiet.errors(), 0U);
+}
+
+TEST(Targets, TheDeckIsWhatWasPunched) {
+  backend::Context context;
+  context.deck = "A,0,SCALAR,1,4\nENDPCH\n";
+  CollectingSink sink;
+  EXPECT_EQ(written("deck", {}, context, sink), context.deck);
+  EXPECT_EQ(sink.errors(), 0U);
 }
 
 }  // namespace

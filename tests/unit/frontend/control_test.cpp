@@ -31,8 +31,10 @@ TEST(Control, ALabelAloneIsAPlace) {
 }
 
 TEST(Control, JumpsOutsideAreas) {
-  EXPECT_EQ(errors("A1)B=1\nJUMPTO/A1"), "407");
-  EXPECT_EQ(errors("A1)B=1\nIF(B)A1,A1,A1"), "407");
+  EXPECT_EQ(errors("A1)B=1\nJUMPTO/A1", Dialect::apt360), "407");
+  EXPECT_EQ(reported("A1)B=1\nJUMPTO/A1"), "W0208");
+  EXPECT_EQ(reported("A1)B=1\nJUMPTO/A1", Dialect::native), "");
+  EXPECT_EQ(errors("A1)B=1\nIF(B)A1,A1,A1", Dialect::apt360), "407");
 }
 
 TEST(Control, LoopErrors) {

@@ -64,7 +64,7 @@ std::vector<Example> syntax() {
           {"E0214", "A=1\nA)B=1"},
           {"E0215", "A)B=1\nA)B=2"},
           {"E0216", "TRANTO/A"},
-          {"E0217", "JUMPTO/A"},
+          {"E0217", "JUMPTO/A", Dialect::apt360},
           {"E0218", "TRANTO/(1+2)"},
           {"E0219", "LOOPST\nLOOPST\nLOOPND"},
           {"E0220", "LOOPND"},
@@ -87,6 +87,7 @@ std::vector<Example> syntax() {
           {"W0204", "DISPLY/HELLO"},
           {"W0205", "P=POINT/1+1,2"},
           {"W0206", "POINT/1,2"},
+          {"W0208", "A)B=1\nJUMPTO/A"},
           {"W0207", "STOP/1"}};
 }
 

@@ -1,0 +1,195 @@
+#include <iostream>
+#include <set>
+
+#include "app/command.h"
+#include "app/messages.h"
+#include "app/nearest.h"
+#include "app/options.h"
+#include <fmt/ranges.h>
+
+#include "frontend/dialect.h"
+#include "ir/define/matcher.h"
+#include "ir/diag/render_json.h"
+#include "ir/program/feature.h"
+
+namespace arelem::app {
+
+namespace {
+/// One JSON object of strings a row, as the manual's generator reads them.
+class JsonRows {
+ public:
+  explicit JsonRows(std::string_view name) {
+    std::cout << (opened_ ? ",\n" : "{\n") << jsonString(name) << ": [";
+    opened_ = true;
+  }
+  ~JsonRows() { std::cout << "\n]"; }
+  JsonRows(const JsonRows&) = delete;
+  JsonRows& operator=(const JsonRows&) = delete;
+
+  void row(std::initializer_list<std::pair<std::string_view, std::string>> fields) {
+    std::cout << (first_ ? "\n  {" : ",\n  {");
+    first_ = false;
+    std::string_view separator;
+    for (const auto& [key, value] : fields) {
+      std::cout << separator << jsonString(key) << ": " << jsonString(value);
+      separator = ", ";
+    }
+    std::cout << '}';
+  }
+
+ private:
+  bool first_ = true;
+  static inline bool opened_ = false;
+};
+
+std::string_view textOf(frontend::Leave leave) {
+  constexpr std::array texts = {"refused", "warned", "taken"};
+  return texts.at(static_cast<std::size_t>(leave));
+}
+
+std::string_view className(WordClass wordClass) {
+  constexpr std::array names = {
+#define ARELEM_WORD_CLASS(name) #name,
+#include "ir/words/classes.def"
+#undef ARELEM_WORD_CLASS
+  };
+  return names.at(static_cast<std::size_t>(wordClass));
+}
+
+void printForms() {
+  JsonRows rows("forms");
+  for (const define::FormRow& form : define::formTable()) {
+    const std::string noun(form.anyNoun ? "TYPE" : spell(form.noun));
+    rows.row({{"id", std::string(form.idText)},
+              {"noun", noun},
+              {"pattern", std::string(form.pattern)},
+              {"meaning", std::string(form.meaning)}});
+  }
+}
+
+void printTables() {
+  printForms();
+  {
+    JsonRows rows("features");
+    for (const ir::FeatureRow& feature : ir::featureTable()) {
+      rows.row({{"group", std::string(feature.group)},
+                {"id", std::string(feature.idText)},
+                {"syntax", std::string(feature.syntax)},
+                {"meaning", std::string(feature.meaning)}});
+    }
+  }
+  {
+    JsonRows rows("words");
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
+      const WordRow& word = row(static_cast<Word>(i));
+      rows.row({{"word", std::string(word.text)},
+                {"class", std::string(className(word.wordClass))},
+                {"type", std::to_string(word.type)},
+                {"code", std::to_string(word.code)},
+                {"extension", word.extension ? "yes" : ""}});
+    }
+  }
+  {
+    JsonRows rows("dialects");
+    for (const frontend::DialectRow& d : frontend::dialectTable()) {
+      rows.row({{"what", std::string(d.what)},
+                {"auto", std::string(textOf(d.leave[0]))},
+                {"apt360", std::string(textOf(d.leave[1]))},
+                {"apt4", std::string(textOf(d.leave[2]))},
+                {"cl", std::string(textOf(d.leave[3]))},
+                {"native", std::string(textOf(d.leave[4]))}});
+    }
+  }
+  {
+    JsonRows rows("clMarks");
+    for (const frontend::ClMark& mark : frontend::clMarks()) {
+      rows.row({{"begin", std::string(mark.begin)}, {"writer", std::string(mark.writer)}});
+    }
+  }
+  {
+    JsonRows rows("limits");
+    for (const LimitRow& limit : limitTable) {
+      rows.row({{"flag", std::string(limit.flag)},
+                {"default", std::to_string(Limits{}.*limit.member)},
+                {"what", std::string(limit.what)}});
+    }
+  }
+  std::cout << "\n}\n";
+}
+
+/// "PT-04" of PT_04.
+std::string publicId(std::string_view id) {
+  std::string text(id);
+  std::replace(text.begin(), text.end(), '_', '-');
+  return text;
+}
+
+/// Syntax lines of the forms of a noun.
+bool printNoun(std::string_view noun) {
+  bool any = false;
+  for (const define::FormRow& form : define::formTable()) {
+    if (!form.anyNoun && spell(form.noun) == noun) {
+      std::cout << fmt::format("{:7} {}\n        {}\n", publicId(form.idText),
+                               define::syntaxLine(form.noun, form.id), form.meaning);
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// Statements whose syntax contains the word.
+bool printFeatures(std::string_view word) {
+  bool any = false;
+  for (const ir::FeatureRow& feature : ir::featureTable()) {
+    if (feature.syntax.find(word) != std::string_view::npos) {
+      std::cout << fmt::format("{:7} {}\n        {}\n", publicId(feature.idText), feature.syntax,
+                               feature.meaning);
+      any = true;
+    }
+  }
+  return any;
+}
+
+void printNouns() {
+  std::set<std::string_view> nouns;
+  for (const define::FormRow& form : define::formTable()) {
+    if (!form.anyNoun) {
+      nouns.insert(spell(form.noun));
+    }
+  }
+  std::cout << fmt::format("nouns: {}\n", fmt::join(nouns, " "));
+}
+}  // namespace
+
+int runLanguage(const Invocation& invocation) {
+  CLI::App app(
+      "The language: definition forms of a noun (POINT, CIRCLE, ...) or statements with a word.",
+      "language");
+  std::string word;
+  bool json = false;
+  app.add_option("WORD", word, "a noun or a word of the language; none lists the nouns");
+  app.add_flag("--json", json, "all tables that the compiler is made of");
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  for (char& c : word) {
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  if (json) {
+    printTables();
+  } else if (word.empty()) {
+    printNouns();
+  } else if (!printNoun(word) && !printFeatures(word)) {
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
+      known.emplace_back(spell(static_cast<Word>(i)));
+    }
+    const std::string guess = nearest(word, known);
+    printUsageError("language", "there is no form or statement of `" + word + "`" +
+                                    (guess.empty() ? "" : "; did you mean `" + guess + "`?"));
+    return static_cast<int>(ExitCode::wrongUse);
+  }
+  return static_cast<int>(ExitCode::ok);
+}
+
+}  // namespace arelem::app

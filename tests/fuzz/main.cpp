@@ -1,0 +1,119 @@
+// fuzz TARGET [--rounds N | --seconds S] [--seed N] [--keep FILE] FOLDER...
+//
+// Runs every part program below the folders, then changed copies of them, through a target. The
+// text in work is written to FILE first, so that a crash leaves its input there. A text that takes
+// longer than `slowest` is a failure too.
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "tests/fuzz/mutate.h"
+#include "tests/fuzz/targets.h"
+
+namespace {
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+constexpr double slowest = 10.0;  // seconds, with sanitizers
+
+struct Plan {
+  void (*target)(const std::string&) = nullptr;
+  std::uint64_t rounds = 0;
+  double seconds = 0.0;
+  std::uint64_t seed = 1;
+  std::string keep;
+  std::vector<std::string> folders;
+};
+
+std::vector<std::string> readCorpus(const std::vector<std::string>& folders) {
+  std::vector<fs::path> paths;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() == ".apt") {
+        paths.push_back(entry.path());
+      }
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> texts;
+  for (const fs::path& path : paths) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    texts.push_back(std::move(text).str());
+  }
+  return texts;
+}
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+bool runOne(const Plan& plan, const std::string& text) {
+  if (!plan.keep.empty()) {
+    std::ofstream(plan.keep, std::ios::binary) << text;
+  }
+  const auto start = Clock::now();
+  plan.target(text);
+  if (since(start) <= slowest) {
+    return true;
+  }
+  std::cerr << "a text of " << text.size() << " bytes took " << since(start) << " s\n";
+  return false;
+}
+
+int run(const Plan& plan) {
+  const std::vector<std::string> corpus = readCorpus(plan.folders);
+  if (corpus.empty()) {
+    std::cerr << "no part programs in the folders\n";
+    return 2;
+  }
+  const auto start = Clock::now();
+  bool good = true;
+  for (const std::string& text : corpus) {
+    good = runOne(plan, text) && good;
+  }
+  arelem::fuzz::Mutator mutator(corpus, plan.seed);
+  std::uint64_t rounds = 0;
+  while (good && (rounds < plan.rounds || since(start) < plan.seconds)) {
+    good = runOne(plan, mutator.next());
+    ++rounds;
+  }
+  std::cout << corpus.size() << " programs and " << rounds << " changed ones in " << since(start)
+            << " s\n";
+  return good ? 0 : 1;
+}
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::map<std::string, void (*)(const std::string&)> targets = {
+      {"reader", arelem::fuzz::readText}, {"program", arelem::fuzz::wholeProgram}};
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  Plan plan;
+  if (!words.empty() && targets.contains(words[0])) {
+    plan.target = targets.at(words[0]);
+  }
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const bool option = words[i].starts_with("--") && i + 1 < words.size();
+    if (option && words[i] == "--rounds") {
+      plan.rounds = std::stoull(words[++i]);
+    } else if (option && words[i] == "--seconds") {
+      plan.seconds = std::stod(words[++i]);
+    } else if (option && words[i] == "--seed") {
+      plan.seed = std::stoull(words[++i]);
+    } else if (option && words[i] == "--keep") {
+      plan.keep = words[++i];
+    } else {
+      plan.folders.push_back(words[i]);
+    }
+  }
+  if (plan.target == nullptr || plan.folders.empty()) {
+    std::cerr
+        << "fuzz {reader|program} [--rounds N | --seconds S] [--seed N] [--keep FILE] FOLDER...\n";
+    return 2;
+  }
+  return run(plan);
+}

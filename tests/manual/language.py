@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+"""Writes the language reference, docs/manual/language, from the tables that the compiler is made of.
+
+  language.py --arelem build/arelem            fails if the pages are stale
+  language.py --arelem build/arelem --write    writes them
+
+The tables come from `arelem language --json`, the examples are the golden programs of tests/golden/reference, one an id,
+and the results are what `arelem geometry` prints for them. ambiguities.md is written by hand; its links to tests are
+checked here.
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = PROJECT / "docs" / "manual" / "language"
+EXAMPLES = PROJECT / "tests" / "golden" / "reference"
+GENERATED = "<!-- Made by tests/manual/language.py from the compiler's tables: ./dev manual writes it again. -->"
+
+# The canonical numbers of each type; the counts are checked against the results.
+CANON = {
+    "POINT": "x y z",
+    "LINE": "a b 0 d of the vertical plane a x + b y = d, a b a unit normal",
+    "PLANE": "a b c d of a x + b y + c z = d, a b c a unit normal",
+    "CIRCLE": "x y 0, the axis 0 0 1, r: a vertical cylinder",
+    "CYLNDR": "x y z of a point of the axis, unit axis i j k, r",
+    "ELLIPS": "a b c d f g h p q r of a x^2 + b y^2 + c z^2 + d + 2 f y z + 2 g x z + 2 h x y + 2 p x + 2 q y + 2 r z = 0",
+    "HYPERB": "as ELLIPS", "GCONIC": "as ELLIPS", "LCONIC": "as ELLIPS", "QADRIC": "as ELLIPS",
+    "CONE": "x y z of the vertex, unit axis i j k into the nappe, cosine of the half angle",
+    "VECTOR": "i j k, not normalized",
+    "MATRIX": "twelve coefficients by rows; a point p becomes A p + t, t in the last column",
+    "SPHERE": "x y z of the center, r",
+    "TABCYL": "n intervals, k values behind k, the 3 x 3 matrix of the controlling plane, then u v a b length max min an "
+              "interval and the last u v; the first and last interval are straight",
+    "POLCON": "jroots, m1 to m12, t, cb, pb, 7 x 8 coefficients, 7 coefficients of the square root",
+    "RLDSRF": "sub-forms one after another, each with its type code and count",
+    "PATERN": "x y z of each point",
+    "TORUS": "x y z of the center, unit axis i j k, radius of the center circle, radius of the tube",
+    "TYPE": "those of the type",
+}
+ABOUT = {
+    "LINE": "A LINE is a vertical plane. LEFT and RIGHT are seen in the direction from the first entity to the second.",
+    "CIRCLE": "A CIRCLE is a vertical cylinder; z of its points is ignored. XLARGE and its kin speak of the new center.",
+    "PLANE": "A LINE may stand wherever the syntax says plane.",
+    "MATRIX": "In a product the right factor acts first. Only a rotation beside TRANSL reads in time order.",
+    "TYPE": "Canonical input for every type, and copies with some numbers replaced.",
+}
+CLASSES = {
+    "fixedField": "texts", "arelemValue": "motion parameters", "arelemSwitch": "motion switches",
+    "geometry": "types", "function": "functions", "modifier": "modifiers", "motion": "motion", "toolPosition": "tool positions",
+    "postWithParameters": "post-processor words with parameters", "postWithoutParameters": "post-processor words alone",
+    "transformation": "transformations of the output", "runControl": "run control", "unused": "reserved without a use",
+}
+
+
+def public(identifier):
+    return "-".join(identifier.split("_")[:2])
+
+
+def read_tables(arelem):
+    return json.loads(subprocess.run([arelem, "language", "--json"], capture_output=True, text=True, check=True).stdout)
+
+
+def example_path(identifier):
+    name = public(identifier).lower().replace("-", "_") + ".apt"
+    fails = EXAMPLES / ("fail_" + name)
+    return fails if fails.exists() else EXAMPLES / name
+
+
+def example(arelem, identifier):
+    """The fenced program of a form and the table of what it defines."""
+    path = example_path(identifier)
+    if not path.exists():
+        sys.exit(f"{public(identifier)}: there is no example {path.relative_to(PROJECT)}")
+    lines = []
+    for line in path.read_text().splitlines():
+        if re.match(r"\$\$ (RUN|CHECK|CHECK-NOT|CHECK-NEXT|VALUES):", line):
+            continue
+        lines.append(re.sub(r"\s*\$\$ (warning|error)\[.*", "", line))
+    fails = path.name.startswith("fail_")
+    text = ["```text" if fails else "```apt", *lines, "```"]
+    names = [line.split()[2] for line in path.read_text().splitlines() if line.startswith("$$ VALUES:")]
+    done = subprocess.run([arelem, "geometry", "--json", str(path)], capture_output=True, text=True, timeout=60)
+    rows = []
+    for entry in json.loads(done.stdout) if not fails else []:
+        name = entry["name"] + (f"({entry['subscript']})" if entry["subscript"] else "")
+        if name in names or (not names and entry["type"] not in ("POINT", "PLANE", "VECTOR", "SCALAR")):
+            shown = " ".join(f"{v:.10g}" for v in entry["values"][:24])
+            rows.append(f"| {name} | {entry['type']} | {shown}{' ...' if len(entry['values']) > 24 else ''} |")
+    if rows:
+        text += ["", "| name | type | canonical numbers |", "|---|---|---|", *rows]
+    return text
+
+
+def noun_page(arelem, noun, rows):
+    text = [GENERATED, "", f"# {noun}", ""]
+    if noun in ABOUT:
+        text += [ABOUT[noun], ""]
+    text += [f"Canonical numbers: {CANON[noun]}.", ""]
+    done = set()
+    for row in rows:
+        text += [f"## {row['id'].replace('_', '-')}", "", f"`{noun}/ {row['pattern']}`", "", row["meaning"] + ".", ""]
+        if public(row["id"]) not in done:
+            text += [*example(arelem, row["id"]), ""]
+        done.add(public(row["id"]))
+    return "\n".join(text)
+
+
+def statements_page(arelem, features):
+    text = [GENERATED, "", "# Statements and rules", "",
+            "Motion and post-processor statements are not on this page. An example that is refused is in a block without color.", ""]
+    group = None
+    for row in features:
+        if row["group"] != group:
+            group = row["group"]
+            text += [f"## {group}", ""]
+        text += [f"### {public(row['id'])}", "", f"`{row['syntax']}`", "", row["meaning"] + ".", "",
+                 *example(arelem, row["id"]), ""]
+    return "\n".join(text)
+
+
+def words_page(words):
+    text = [GENERATED, "", "# Words", "",
+            "Words are reserved: no name may be one. Those marked * came with later systems and yield to a name that the "
+            "program defines. The number is the code in CL records; a modifier is stored as that number.", ""]
+    groups = {}
+    for row in words:
+        groups.setdefault(CLASSES.get(row["class"], "other statements"), []).append(row)
+    for name in sorted(groups):
+        text += [f"## {name[0].upper() + name[1:]}", ""]
+        shown = [f"{r['word']}{'*' if r['extension'] else ''}" + (f" ({r['code']})" if r["code"] != "0" else "")
+                 for r in sorted(groups[name], key=lambda r: r["word"])]
+        text += [", ".join(shown) + ".", ""]
+    return "\n".join(text)
+
+
+def dialects_page(tables):
+    names = ["auto", "apt360", "apt4", "cl", "native"]
+    text = [GENERATED, "", "# Dialects", "",
+            "`--dialect NAME` says how a text is read. `auto`, the default, takes what programs of all times need and "
+            "warns of what APT360 would refuse; CL text of a CAM system it recognizes (below) and reads as `cl`. The "
+            "report of a run (`--report`) names the dialect. All that differs:", "",
+            "| what | " + " | ".join(names) + " |", "|---|" + "---|" * len(names)]
+    text += [f"| {row['what']} | " + " | ".join(row[n] for n in names) + " |" for row in tables["dialects"]]
+    text += ["", "## What tells CL text", "",
+             "A line that begins like this (blanks do not count), with no `name =` before it:", "",
+             "| begin | written by |", "|---|---|"]
+    text += [f"| `{row['begin']}` | {row['writer']} |" for row in tables["clMarks"]]
+    return "\n".join(text) + "\n"
+
+
+def limits_page(limits):
+    text = [GENERATED, "", "# Limits", "", "Reaching one is an error that names the flag, with exit code 7; nothing is written.", "",
+            "| flag | default | bounds |", "|---|---|---|"]
+    return "\n".join(text + [f"| `{r['flag']} N` | {r['default']} | {r['what']} |" for r in limits]) + "\n"
+
+
+def index_page(nouns, tables):
+    text = [GENERATED, "", "# The language", "",
+            "A statement is `name = TYPE/ parameters` (a definition), `name = expression`, or `WORD/ parameters`. In syntax "
+            "lines WORD is written as it stands, lower case is a value: the name of an entity or a definition in "
+            "parentheses for `point`, `line`, ...; else a number, a name or an expression in parentheses. `{a | b}` is one "
+            "of several, `[a]` may be absent, `a ...` stands once or more. Angles are degrees.", "",
+            "`arelem language CIRCLE` prints the forms of a type.", "",
+            "* [Statements and rules](statements.md): lines, computing, arrays, control, listing, run control",
+            "* [Dialects](dialects.md) · [limits](limits.md) · [words](words.md) · [ambiguities decided](ambiguities.md)", "",
+            "| type | forms | canonical numbers |", "|---|---|---|"]
+    for noun, rows in nouns.items():
+        text.append(f"| [{noun}]({noun.lower()}.md) | {len({public(r['id']) for r in rows})} | {CANON[noun]} |")
+    count = len({public(r["id"]) for rows in nouns.values() for r in rows})
+    return "\n".join(text + ["", f"{count} forms, {len(tables['features'])} statements and rules; each has an example that "
+                                 "the tests run."]) + "\n"
+
+
+def pages(arelem):
+    tables = read_tables(arelem)
+    nouns = {}
+    for row in tables["forms"]:
+        nouns.setdefault(row["noun"], []).append(row)
+    result = {"README.md": index_page(nouns, tables), "statements.md": statements_page(arelem, tables["features"]),
+              "words.md": words_page(tables["words"]), "dialects.md": dialects_page(tables),
+              "limits.md": limits_page(tables["limits"])}
+    for noun, rows in nouns.items():
+        result[noun.lower() + ".md"] = noun_page(arelem, noun, rows)
+    return result
+
+
+def check_ambiguities():
+    """Each decision A-01 to A-26 names a test that exists."""
+    text = (PAGES / "ambiguities.md").read_text()
+    problems = [f"ambiguities.md: A-{n:02} is missing" for n in range(1, 27) if f"| A-{n:02} |" not in text]
+    sources = {}
+    for line in text.splitlines():
+        if not line.startswith("| A-"):
+            continue
+        tests = re.findall(r"`(tests/[^` ]+)(?: ([\w.]+))?`", line)
+        if not tests:
+            problems.append(f"ambiguities.md: {line[:6]} names no test")
+        for path, name in tests:
+            file = PROJECT / path
+            if not file.exists():
+                problems.append(f"ambiguities.md: there is no {path}")
+            elif name:
+                body = sources.setdefault(path, file.read_text())
+                suite, _, test = name.partition(".")
+                if not re.search(rf"TEST(_F|_P)?\(\s*{suite},\s*{test}\)", body):
+                    problems.append(f"ambiguities.md: there is no {name} in {path}")
+    return problems
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--arelem", default=str(PROJECT / "build" / "arelem"), type=os.path.abspath)
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    problems, wanted = [], pages(options.arelem)
+    PAGES.mkdir(exist_ok=True)
+    for name, text in wanted.items():
+        page, text = PAGES / name, text.rstrip("\n") + "\n"
+        if options.write:
+            page.write_text(text)
+        elif not page.exists() or page.read_text() != text:
+            problems.append(f"docs/manual/language/{name} is stale: `./dev manual` writes it again")
+    problems += [f"docs/manual/language/{p.name}: no table makes it" for p in PAGES.glob("*.md")
+                 if p.name not in wanted and p.name != "ambiguities.md"]
+    problems += check_ambiguities()
+    print("\n".join(problems))
+    print(f"{len(wanted)} pages of the language, {len(problems)} problems")
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()
