@@ -66,6 +66,28 @@ def cl_file(path, lines):
         file.write("FINI\n")
 
 
+def definitions(path, count):
+    """Points, lines and circles that name one another, and scalars, one statement a line."""
+    with path.open("w") as file:
+        for i in range(count // 4):
+            file.write(f"P{i}=POINT/{i % 97}.25,{i % 89}\nL{i}=LINE/P{i},ATANGL,{i % 170 + 1}\n"
+                       f"C{i}=CIRCLE/CENTER,P{i},RADIUS,{i % 7 + 1}\nA{i}={i}*2+1\n")
+        file.write("FINI\n")
+
+
+def growth(arelem, folder):
+    """Statements a second of `check` from 1 000 to 1 000 000 definitions: linear means a level rate."""
+    rows = []
+    for count in (1_000, 10_000, 100_000, 1_000_000):
+        source = pathlib.Path(folder) / f"definitions{count}.apt"
+        definitions(source, count)
+        run = median_run([arelem, "check", str(source)], 3 if count > 100_000 else REPEATS)
+        rate = f"{count / run.seconds:,.0f}" if run.code == 0 else ""
+        work = f"{count} statements" if run.code == 0 else f"exit {run.code}"
+        rows.append((f"definitions, {count}", work, f"{run.seconds:.3f}", rate, f"{run.megabytes:.0f}"))
+    return rows
+
+
 def measure(arelem):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
@@ -88,6 +110,7 @@ def measure(arelem):
                 rows.append((what, f"exit {run.code}", "", "", ""))
                 continue
             rows.append((what, f"{lines} statements", f"{run.seconds:.3f}", f"{lines / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
+        rows += growth(arelem, folder)
         starts = [Run([arelem, "compile", str(SPEED / "empty.apt"), "-o", out]) for _ in range(25)]
         start = statistics.median(r.seconds for r in starts)
         rows.append(("start-up: PARTNO, FINI", "2 statements", f"{start:.4f}", "", f"{starts[0].megabytes:.0f}"))

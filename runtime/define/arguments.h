@@ -59,6 +59,13 @@ class Arguments {
     return {place.x(), place.y(), context_.z(place.x(), place.y())};
   }
 
+  /// Something to be told though the definition succeeds.
+  void remark(Failure remark) const {
+    if (context_.remarks != nullptr) {
+      context_.remarks->push_back(std::move(remark));
+    }
+  }
+
  private:
   template <class Shape>
   [[nodiscard]] Shape as(std::size_t i) const {

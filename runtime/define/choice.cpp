@@ -1,5 +1,6 @@
 #include "runtime/define/choice.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -44,7 +45,10 @@ Result<geometry::Vec2> choose(Word modifier, const Candidates& candidates) {
   const Sense sense = senseOf(modifier);
   const geometry::Vec2 apart = candidates.second - candidates.first;
   const double difference = apart(sense.axis);
-  if (std::abs(difference) <= tolerance::symmetric * apart.norm()) {
+  // Far from the origin the rounding of the coordinates decides nothing either.
+  const double size = std::max(candidates.first.norm(), candidates.second.norm());
+  if (std::abs(difference) <=
+      std::max(tolerance::symmetric * apart.norm(), tolerance::rounding * size)) {
     return fail(diag::Undecided, spell(modifier), axisName(sense.axis), std::abs(difference))
         .note("one result is at " + show(candidates.first))
         .note("the other is at " + show(candidates.second));
@@ -52,10 +56,10 @@ Result<geometry::Vec2> choose(Word modifier, const Candidates& candidates) {
   return sense.sign * difference > 0.0 ? candidates.second : candidates.first;
 }
 
-Result<Vec3> orient(Word modifier, const Vec3& direction) {
+Result<Vec3> orient(Word modifier, const Vec3& direction, double uncertainty) {
   const Sense sense = senseOf(modifier);
   const double component = direction(sense.axis);
-  if (std::abs(component) <= tolerance::symmetric * direction.norm()) {
+  if (std::abs(component) <= std::max(tolerance::symmetric, uncertainty) * direction.norm()) {
     return fail(diag::NoSense, spell(modifier), axisName(sense.axis), component)
         .note("the direction is " + show(direction) + " or its reverse");
   }

@@ -27,8 +27,9 @@ struct Candidates {
 [[nodiscard]] Result<geometry::Vec2> choose(Word modifier, const Candidates& candidates);
 
 /// The direction or its reverse, so that the named component has the named sign. Fails on a
-/// component of no more than rounding.
-[[nodiscard]] Result<Vec3> orient(Word modifier, const Vec3& direction);
+/// component of no more than rounding, or than `uncertainty` (the angle by which a computed
+/// direction may be off).
+[[nodiscard]] Result<Vec3> orient(Word modifier, const Vec3& direction, double uncertainty = 0.0);
 
 /// "(1.5, -2, 0)": coordinates for notes.
 [[nodiscard]] std::string show(const geometry::Vec2& place);

@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "ir/diag/result.h"
 #include "ir/geometry/entity.h"
@@ -22,6 +23,8 @@ struct Context {
   double zsurfA = 0.0, zsurfB = 0.0, zsurfC = 1.0, zsurfD = 0.0;
   const files::Files* files = nullptr;  ///< data files of the program; null: there are none
   double millimeters = 1.0;             ///< length of the part program's unit, mm
+  /// Takes what is to be told of a definition that succeeds; may be null.
+  std::vector<Failure>* remarks = nullptr;
   [[nodiscard]] double z(double x, double y) const {
     return (zsurfD - zsurfA * x - zsurfB * y) / zsurfC;
   }

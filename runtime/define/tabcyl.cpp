@@ -112,12 +112,17 @@ Result<bool> moveInPlane(const Matrix& matrix,
   return true;
 }
 
-Result<Resolved> fitted(const std::vector<CurveNode>& nodes,
+Result<Resolved> fitted(const Arguments& given,
+                        const std::vector<CurveNode>& nodes,
                         FitMethod method,
                         const Eigen::Matrix3d& frame) {
-  Result<TabulatedCylinder> surface = fitCurve(nodes, method);
+  std::optional<Failure> remark;
+  Result<TabulatedCylinder> surface = fitCurve(nodes, method, remark);
   if (!surface) {
     return surface.takeFailure();
+  }
+  if (remark) {
+    given.remark(*std::move(remark));
   }
   surface->frame = frame;
   return Resolved(*surface);
@@ -153,7 +158,7 @@ Result<Resolved> tabcylInPlane(const Arguments& given) {
   Eigen::Matrix3d frame;
   frame << Vec3::Unit(axes.u).transpose(), Vec3::Unit(axes.v).transpose(),
       Vec3::Unit(axes.w).transpose();
-  return fitted(nodes, methodOf(given.word(1)), frame);
+  return fitted(given, nodes, methodOf(given.word(1)), frame);
 }
 
 Result<Resolved> tabcylInSpace(const Arguments& given) {
@@ -172,7 +177,7 @@ Result<Resolved> tabcylInSpace(const Arguments& given) {
     next += isPoint ? 1 : 3;
     nodes.push_back({(frame * place).head<2>(), {}});
   }
-  return fitted(nodes, methodOf(given.word(1)), frame);
+  return fitted(given, nodes, methodOf(given.word(1)), frame);
 }
 
 }  // namespace arelem::define

@@ -212,19 +212,33 @@ std::vector<double> betweenChords(const std::vector<CurveNode>& nodes,
 
 Result<std::vector<double>> splineTangents(const std::vector<CurveNode>& nodes,
                                            const std::vector<Chord>& chords,
-                                           const std::vector<double>& guess) {
+                                           const std::vector<double>& circles,
+                                           std::optional<Failure>& remark) {
   std::vector<bool> fixed;
   for (const CurveNode& node : nodes) {
     fixed.push_back(node.tangent.has_value());
   }
-  Result<std::vector<double>> solved = solveTangents(chords, fixed, guess);
-  if (solved) {
-    return solved;
+  const std::vector<double> between = betweenChords(nodes, chords, circles);
+  for (const std::vector<double>* guess : {&circles, &between}) {
+    Result<std::optional<std::vector<double>>> solved = solveTangents(chords, fixed, *guess);
+    if (!solved && guess == &between) {
+      return solved.takeFailure();
+    }
+    if (solved && *solved) {
+      return **std::move(solved);
+    }
   }
-  return solveTangents(chords, fixed, betweenChords(nodes, chords, guess));
+  RelaxedTangents relaxed = relaxTangents(chords, fixed, between);
+  if (relaxed.jump > 0.0) {
+    remark = fail(diag::CurvatureJumps, relaxed.jump, relaxed.worst + 1)
+                 .withHelp("give more points where the curve turns sharply, or slopes with TWOPT");
+  }
+  return std::move(relaxed.angles);
 }
 
-Result<std::vector<Interval>> cubics(const std::vector<CurveNode>& nodes, FitMethod method) {
+Result<std::vector<Interval>> cubics(const std::vector<CurveNode>& nodes,
+                                     FitMethod method,
+                                     std::optional<Failure>& remark) {
   Result<std::vector<Chord>> chords = chordsOf(nodes);
   if (!chords) {
     return chords.takeFailure();
@@ -234,7 +248,7 @@ Result<std::vector<Interval>> cubics(const std::vector<CurveNode>& nodes, FitMet
   }
   std::vector<double> angles = firstTangents(nodes, *chords);
   if (method == FitMethod::spline) {
-    Result<std::vector<double>> solved = splineTangents(nodes, *chords, angles);
+    Result<std::vector<double>> solved = splineTangents(nodes, *chords, angles, remark);
     if (!solved) {
       return solved.takeFailure();
     }
@@ -245,12 +259,14 @@ Result<std::vector<Interval>> cubics(const std::vector<CurveNode>& nodes, FitMet
 
 }  // namespace
 
-Result<TabulatedCylinder> fitCurve(const std::vector<CurveNode>& nodes, FitMethod method) {
+Result<TabulatedCylinder> fitCurve(const std::vector<CurveNode>& nodes,
+                                   FitMethod method,
+                                   std::optional<Failure>& remark) {
   constexpr std::size_t fewest = 3;
   if (nodes.size() < fewest) {
     return fail(diag::TooFewPoints, nodes.size(), "TABCYL", static_cast<int>(fewest));
   }
-  Result<std::vector<Interval>> intervals = cubics(nodes, method);
+  Result<std::vector<Interval>> intervals = cubics(nodes, method, remark);
   if (!intervals) {
     return intervals.takeFailure();
   }

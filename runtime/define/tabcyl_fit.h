@@ -22,7 +22,10 @@ struct CurveNode {
 /// Fits the chain of cubics through the nodes and adds the straight intervals at both ends; the
 /// frame is left to the caller. Tangents at an end that are not given mirror those of the neighbor
 /// in the chord. Needs at least three nodes, neighbors more than tolerance::coincidence apart.
+/// Through points that zigzag sharply there may be no curve of continuous curvature: then `remark`
+/// tells of the jump that is left.
 [[nodiscard]] Result<geometry::TabulatedCylinder> fitCurve(const std::vector<CurveNode>& nodes,
-                                                           FitMethod method);
+                                                           FitMethod method,
+                                                           std::optional<Failure>& remark);
 
 }  // namespace arelem::define

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int mostSteps = 100;
 constexpr int mostHalvings = 40;
+constexpr int mostSweeps = 40;
 constexpr double degree = std::numbers::pi / 180.0;
 
 /// A curvature with its derivatives by the tangent angles at both ends of the chord.
@@ -57,19 +58,65 @@ class Solver {
   Solver(const std::vector<Chord>& chords, const std::vector<bool>& fixed)
       : chords_(chords), fixed_(fixed), size_(fixed.size()) {}
 
-  Result<std::vector<double>> run(const std::vector<double>& guess) {
+  Result<std::optional<std::vector<double>>> run(const std::vector<double>& guess) {
     if (!allowed(guess)) {
       return refusal(guess);
     }
     std::vector<double> angles = guess;
     if (!newton(angles)) {
-      return fail(diag::CurveNotFitted, worstJump_, worst_ + 1)
-          .withHelp("give more points where the curve turns sharply, or slopes with TWOPT");
+      return std::optional<std::vector<double>>();
     }
-    return angles;
+    return std::optional(std::move(angles));
+  }
+
+  RelaxedTangents relax(std::vector<double> angles) {
+    for (int sweep = 0; sweep < mostSweeps; ++sweep) {
+      for (std::size_t i = 0; i < size_; ++i) {
+        if (!fixed_[i]) {
+          relaxAt(angles, i);
+        }
+      }
+    }
+    const bool smooth = newton(angles);
+    return {std::move(angles), smooth ? 0.0 : worstJump_, worst_};
   }
 
  private:
+  /// The longest halved Newton step of one angle that lessens its own jump.
+  void relaxAt(std::vector<double>& angles, std::size_t i) {
+    resize();
+    fillRow(angles, i);
+    const double jump = std::abs(residual_[i]);
+    const double before = angles[i];
+    const double step = residual_[i] / main_[i];
+    double fraction = 1.0;
+    for (int half = 0; half < mostHalvings / 4; ++half, fraction *= 0.5) {
+      for (const double sense : {1.0, -1.0}) {  // where the derivative has the wrong sign
+        angles[i] = before - sense * fraction * step;
+        if (!allowedAt(angles, i)) {
+          continue;
+        }
+        fillRow(angles, i);
+        if (std::abs(residual_[i]) < jump) {
+          return;
+        }
+      }
+    }
+    angles[i] = before;
+  }
+
+  [[nodiscard]] bool allowedAt(const std::vector<double>& angles, std::size_t i) const {
+    const double limit = largestTangentAngle * degree;
+    return (i == 0 || std::abs(angles[i] - chords_[i - 1].angle) < limit) &&
+           (i + 1 == size_ || std::abs(angles[i] - chords_[i].angle) < limit);
+  }
+
+  void resize() {
+    for (auto* row : {&residual_, &below_, &main_, &above_}) {
+      row->resize(size_);
+    }
+  }
+
   /// A jump far below the curvatures' own rounding cannot be reached.
   [[nodiscard]] double goal() const { return 8.0 * tolerance::rounding * largestCurvature_; }
 
@@ -201,10 +248,16 @@ class Solver {
 
 }  // namespace
 
-Result<std::vector<double>> solveTangents(const std::vector<Chord>& chords,
-                                          const std::vector<bool>& fixed,
-                                          const std::vector<double>& angles) {
+Result<std::optional<std::vector<double>>> solveTangents(const std::vector<Chord>& chords,
+                                                         const std::vector<bool>& fixed,
+                                                         const std::vector<double>& angles) {
   return Solver(chords, fixed).run(angles);
+}
+
+RelaxedTangents relaxTangents(const std::vector<Chord>& chords,
+                              const std::vector<bool>& fixed,
+                              const std::vector<double>& angles) {
+  return Solver(chords, fixed).relax(angles);
 }
 
 }  // namespace arelem::define

@@ -23,8 +23,8 @@ Result<Resolved> cleanUnit(const Vec3& vector) {
       [](double v) { return std::abs(v) <= tolerance::nullDirection ? 0.0 : v; })});
 }
 
-Result<Resolved> oriented(Word modifier, const Vec3& direction) {
-  Result<Vec3> result = orient(modifier, direction);
+Result<Resolved> oriented(Word modifier, const Vec3& direction, double uncertainty = 0.0) {
+  Result<Vec3> result = orient(modifier, direction, uncertainty);
   if (!result) {
     return result.takeFailure();
   }
@@ -80,7 +80,7 @@ Result<Resolved> vectorAlongPlanes(const Arguments& given) {
   if (along.norm() <= tolerance::singular) {
     return fail(diag::Parallel, "the planes", along.norm(), "line");
   }
-  return oriented(given.word(4), along.normalized());
+  return oriented(given.word(4), along.normalized(), tolerance::rounding / along.norm());
 }
 
 Result<Resolved> vectorSum(const Arguments& given) {

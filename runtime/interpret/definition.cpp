@@ -108,12 +108,18 @@ std::shared_ptr<Entity> compute(State& state,
   if (!given) {
     return nullptr;
   }
-  Result<Entity> result = defineWithTraces(definition, *given, items, state.context);
+  std::vector<Failure> remarks;
+  define::Context context = state.context;
+  context.remarks = &remarks;
+  Result<Entity> result = defineWithTraces(definition, *given, items, context);
   if (!result) {
     Diagnostic d = at(definition.span, result.takeFailure());
     labelOperands(d, items);
     state.report(std::move(d));
     return nullptr;
+  }
+  for (Failure& remark : remarks) {
+    state.report(at(definition.span, std::move(remark)));
   }
   auto entity = std::make_shared<Entity>(*std::move(result));
   ++state.out.forms[static_cast<std::size_t>(entity->form)];

@@ -3,6 +3,7 @@
 // Runs every part program below the folders, then changed copies of them, through a target. The
 // text in work is written to FILE first, so that a crash leaves its input there. A text that takes
 // longer than `slowest` is a failure too.
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>

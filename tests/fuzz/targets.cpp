@@ -55,7 +55,7 @@ void wholeProgram(const std::string& text) {
   const frontend::Options options = optionsFor(text);
   const ir::Program program = frontend::compile(sources, buffer, options, silence);
   const runtime::Evaluation evaluation =
-      runtime::evaluate(program, {options.limits, nullptr}, silence);
+      runtime::evaluate(program, {options.limits, nullptr, {}}, silence);
   static_cast<void>(evaluation);
 }
 

@@ -42,7 +42,8 @@ TabulatedCylinder middleSegment(const Json& points) {
   for (const Json& p : points) {
     nodes.push_back({{p[0].get<double>(), p[1].get<double>()}, {}});
   }
-  TabulatedCylinder surface = *define::fitCurve(nodes, define::FitMethod::fourPoint);
+  std::optional<Failure> remark;
+  TabulatedCylinder surface = *define::fitCurve(nodes, define::FitMethod::fourPoint, remark);
   surface.intervals = {surface.intervals[2]};
   return surface;
 }
