@@ -70,20 +70,6 @@ Result<Resolved> conicThrough(const Pencil& pencil, const Vec2& place, int numbe
   return Resolved(std::move(canon));
 }
 
-/// Fails when three of the places lie on one line: then the conic is a pair of lines.
-Result<bool> spread(const std::vector<Vec2>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = i + 1; j < places.size(); ++j) {
-      const double apart = (places[j] - places[i]).norm();
-      if (apart <= tolerance::coincidence) {
-        return fail(diag::BadConic, "the given places",
-                    fmt::format("points {} and {} coincide ({:.3g} apart)", i + 1, j + 1, apart));
-      }
-    }
-  }
-  return true;
-}
-
 /// The line with this slope through a place.
 Line tangentAt(const Vec2& place, double slope) {
   const auto [s, c] = geometry::sinCosOfTangent(slope);
@@ -94,6 +80,44 @@ Line tangentAt(const Vec2& place, double slope) {
 Line joining(const Vec2& first, const Vec2& second) {
   const Vec2 u = (second - first).normalized();
   return lineAlong(first, u.x(), u.y());
+}
+
+/// Fails when two of the places coincide, or three lie on one line: then the conic is a pair of
+/// lines.
+Result<bool> spread(const std::vector<Vec2>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      const double apart = (places[j] - places[i]).norm();
+      if (apart <= tolerance::coincidence) {
+        return fail(diag::BadConic, "the given places",
+                    fmt::format("points {} and {} coincide ({:.3g} apart)", i + 1, j + 1, apart));
+      }
+      const Line chord = joining(places[i], places[j]);
+      for (std::size_t k = j + 1; k < places.size(); ++k) {
+        const double off = std::abs(chord.height(places[k]));
+        if (off <= tolerance::coincidence) {
+          return fail(diag::BadConic, "the given places",
+                      fmt::format("point {} lies on the line of points {} and {} ({:.3g} off)",
+                                  k + 1, i + 1, j + 1, off));
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/// Fails when a place other than `touched` lies on the tangent there: the conic is a pair of lines.
+Result<bool> offTangent(const std::vector<Vec2>& places, std::size_t touched, double slope) {
+  const Line tangent = tangentAt(places[touched], slope);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double off = std::abs(tangent.height(places[i]));
+    if (i != touched && off <= tolerance::coincidence) {
+      return fail(diag::BadConic, "the given places",
+                  fmt::format("point {} lies on the tangent at point {} ({:.3g} off)", i + 1,
+                              touched + 1, off));
+    }
+  }
+  return true;
 }
 
 Result<Resolved> fivePoints(const std::vector<Vec2>& p) {
@@ -108,9 +132,10 @@ Result<Resolved> fivePoints(const std::vector<Vec2>& p) {
 
 /// The conic touches the tangent at p0 and passes p1, p2, p3; p1 fixes it.
 Result<Resolved> fourPoints(const std::vector<Vec2>& p, double slope) {
-  Result<bool> apart = spread(p);
-  if (!apart) {
-    return apart.takeFailure();
+  for (Result<bool> good : std::array{spread(p), offTangent(p, 0, slope)}) {
+    if (!good) {
+      return good.takeFailure();
+    }
   }
   return conicThrough(
       {tangentAt(p[0], slope), joining(p[2], p[3]), joining(p[0], p[2]), joining(p[0], p[3])}, p[1],
@@ -119,9 +144,11 @@ Result<Resolved> fourPoints(const std::vector<Vec2>& p, double slope) {
 
 /// The conic touches the tangents at p0 and p1 and passes p2.
 Result<Resolved> threePoints(const std::vector<Vec2>& p, double slope0, double slope1) {
-  Result<bool> apart = spread(p);
-  if (!apart) {
-    return apart.takeFailure();
+  for (Result<bool> good :
+       std::array{spread(p), offTangent(p, 0, slope0), offTangent(p, 1, slope1)}) {
+    if (!good) {
+      return good.takeFailure();
+    }
   }
   const Line chord = joining(p[0], p[1]);
   return conicThrough({tangentAt(p[0], slope0), tangentAt(p[1], slope1), chord, chord}, p[2], 3);

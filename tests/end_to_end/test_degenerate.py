@@ -50,7 +50,7 @@ CASES = [
     (L + "X=VECTOR/ATANGL,90,L1,POSX", "E0313", "L1", "x component"),
     ("M1=MATRIX/SCALE,0\nX=MATRIX/INVERS,M1", "E0322", "M1", "determinant"),
     (PL + "X=MATRIX/PL1,PL2,PL3", "E0321", "PL1 PL2 PL3", "cosine"),
-    ("P1=POINT/0,0\nV1=VECTOR/1,0,0\nV2=VECTOR/2,0,0\nX=MATRIX/P1,V1,V2", "E0314", "V1 V2", ""),
+    ("P1=POINT/0,0\nV1=VECTOR/1,0,0\nV2=VECTOR/2,0,0\nX=MATRIX/P1,V1,V2", "E0310", "V1 V2", ""),
     ("P1=POINT/0,0\nP2=POINT/1,0\nP3=POINT/0,1\nP4=POINT/1,1\nX=SPHERE/P1,P2,P3,P4", "E0316", "P1 P2 P3 P4", ""),
     ("PL1=PLANE/0,0,1,0\nP1=POINT/0,0\nX=SPHERE/CENTER,P1,TANTO,PL1", "E0319", "PL1 P1", "greater than 0"),
     ("X=TABCYL/NOZ,SPLINE,0,0,1,0", "E0327", "", "at least 3"),

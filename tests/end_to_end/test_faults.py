@@ -81,7 +81,7 @@ class LimitsAndFaults(ArelemCase):
         self.assertExit(0, "check", "--help")
         flags = re.findall(r"^ +--(max-[a-z-]+) N +(?:[\s]*)(.*) \((\d+)\)$", self.out, re.M)
         told = {(name, default) for name, _, default in flags if name != "max-errors"}
-        manual = (PROJECT / "docs" / "manual" / "cli.md").read_text()
+        manual = (PROJECT / "docs" / "manual" / "language" / "limits.md").read_text()
         written = set(re.findall(r"^\| `--(max-[a-z-]+) N` \| (\d+) \|", manual, re.M))
         self.assertEqual(told, written)
         self.assertGreaterEqual(len(told), 11)
