@@ -1,4 +1,5 @@
 // Dialect cl: statements of CAM systems, whose words and texts need not be in the vocabulary.
+#include <algorithm>
 #include <charconv>
 
 #include "frontend/check/program_reader.h"
@@ -63,7 +64,7 @@ ir::Argument rawArgument(
   const Span span{buffer, from, begin == end ? 0 : raw.offsets[end - 1] + 1 - from};
   const std::string_view item = std::string_view(raw.text).substr(begin, end - begin);
   if (item.empty()) {
-    return {ir::Omitted{}, span};
+    return {std::string(), span};  // passed on as it stands
   }
   if (const auto number = wholeNumber(item)) {
     return {values.number(*number, span), span};
@@ -75,10 +76,26 @@ ir::Argument rawArgument(
   return {cleanText(quoted ? item.substr(1, item.size() - 2) : item), span};
 }
 
-bool isPost(Word word) {
+/// Words that pass with their parameters as they stand; a modifier at the head is another system's
+/// word of its own.
+bool passes(Word word) {
   const WordClass c = row(word).wordClass;
   return c == WordClass::postWithParameters || c == WordClass::postWithoutParameters ||
-         c == WordClass::transformation;
+         c == WordClass::transformation || c == WordClass::modifier;
+}
+
+/// CIRCLE/ x, y, z, i, j, k, r and more numbers: the parser takes it. Other CIRCLE statements of
+/// CAM systems (without a radius, with a word for the direction) pass as they stand.
+bool isArcRecord(const std::vector<ir::Argument>& list) {
+  constexpr std::size_t fewest = 7;
+  return list.size() >= fewest && std::all_of(list.begin(), list.end(), [](const auto& a) {
+           return std::holds_alternative<ir::ExprId>(a.value);
+         });
+}
+
+/// UNIT/MM of SolidWorks CAM is UNITS/MM.
+bool isUnit(Word word, const std::vector<ir::Argument>& list) {
+  return word == Word::UNIT && list.size() == 1 && std::holds_alternative<Word>(list[0].value);
 }
 }  // namespace
 
@@ -89,11 +106,12 @@ bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {
   const char after = headEnd < statement.text.size() ? statement.text[headEnd] : '\0';
   const auto word = context_.vocabulary.find(std::string_view(statement.text).substr(0, headEnd));
   const bool raw =
-      word ? isPost(*word) && after == '/' && statement.text.find('(') == std::string::npos
+      word ? passes(*word) && after == '/' && statement.text.find('(') == std::string::npos
            : after == '/' || after == '\0' || after == ',';
+  const bool arc = word == Word::CIRCLE && after == '/';
   const bool assignment = !word && statement.text.find('=') < statement.text.find('/');
   const bool label = !word && statement.text.find(')') < headEnd;
-  if (!raw || assignment || label || headEnd == 0) {
+  if (!(raw || arc) || assignment || label || headEnd == 0) {
     return false;
   }
   const RawText text = joined(statement, context_.sources);
@@ -105,8 +123,16 @@ bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {
     list.push_back(rawArgument(text, i + 1, next, buffer_, frame.values));
     i = next;
   }
+  if (arc && isArcRecord(list)) {
+    return false;
+  }
+  if (list.size() == 1 && list[0].span.length == 0) {
+    list.clear();  // nothing behind the slash
+  }
   const bool slash = after == '/';
-  if (word) {
+  if (word && isUnit(*word, list)) {
+    frame.block.emit(ir::Command{Word::UNITS, slash, std::move(list)});
+  } else if (word && !arc && row(*word).wordClass != WordClass::modifier) {
     frame.block.emit(ir::Command{*word, slash, std::move(list)});
   } else {
     const std::string name = head.substr(0, head.find_last_not_of(' ') + 1);

@@ -75,11 +75,40 @@ void inputOutput(State& state, const ir::Command& command) {
   }
 }
 
+/// CIRCLE/ x, y, z, i, j, k, r of CL files: the circle along which the next locations lie. Systems
+/// add more numbers, of the tool and the tolerance.
+void arcRecord(State& state, const ir::Command& command) {
+  constexpr std::size_t numbers = 7;
+  const auto items = evaluate(state, command.arguments, Use::motion);
+  if (!items) {
+    return;
+  }
+  cl::SurfaceValue circle{EntityType::circle, "", 0, {}};
+  for (std::size_t i = 0; i < numbers && i < items->size(); ++i) {
+    if (const double* number = (*items)[i].number()) {
+      circle.canon.push_back(*number);
+    }
+  }
+  if (circle.canon.size() != numbers) {
+    state.report(diagnose(state.statement->span, diag::CommandForm, "CIRCLE", describe(*items),
+                          "CIRCLE/x,y,z,i,j,k,r"));
+    return;
+  }
+  if (items->size() > numbers) {
+    state.ignore("what follows the radius of CIRCLE", "it describes the tool that follows the arc");
+  }
+  constexpr int drive = 2;
+  state.emit(Pass{cl::Surface{drive, 0, std::move(circle)}});
+}
+
 void other(State& state, const ir::Command& command) {
   switch (command.word) {
     case Word::BEVELS:
     case Word::DMILL:
       state.ignore(std::string(spell(command.word)), "the old system never described it");
+      return;
+    case Word::CIRCLE:
+      arcRecord(state, command);
       return;
     default:
       state.report(diagnose(state.statement->span, diag::Unsupported, spell(command.word),

@@ -190,9 +190,38 @@ TEST(Statements, ClText) {
   EXPECT_EQ(cl("TPRINT/T1 Face Mill,T1$\n x"), "TPRINT/ 'T1 Face Mill', 'T1 x'  $$ foreign");
   EXPECT_EQ(cl("SWITCH/9"), "SWITCH/ 9");
   EXPECT_EQ(cl("UNITS / MM"), "UNITS/ MM");
+  EXPECT_EQ(cl("UNIT/MM"), "UNITS/ MM");
+  EXPECT_EQ(cl("CIRCLE/1,2,3,0,0,-1."), "CIRCLE/ 1, 2, 3, 0, 0, -1  $$ foreign");
+  EXPECT_EQ(cl("CIRCLE/1,2,3,0,0,1,5"), "CIRCLE/ 1, 2, 3, 0, 0, 1, 5");
+  EXPECT_EQ(cl("TOOLNO/1,,2"), "TOOLNO/ 1, '', 2");
+  EXPECT_EQ(cl("NURBS/"), "NURBS/   $$ foreign");
   EXPECT_EQ(cl("TLON,GOFWD/(CIRCLE/0,0,0,5),ON,(LINE/0,0,0,1,1,0)"),
             "GOFWD/ (CIRCLE/ 0, 0, 0, 5), ON, (LINE/ 0, 0, 0, 1, 1, 0)");
   EXPECT_EQ(cl("CSI_SET_FLUTE_LENGTH/10"), "CSI_SET_FLUTE_LENGTH/ 10  $$ foreign");
+}
+
+TEST(Dialects, ClTextIsRecognizedByItsFirstLines) {
+  const auto dialectOf = [](const std::string& text) {
+    return std::string(compileText(text)->program.dialect);
+  };
+  EXPECT_EQ(dialectOf("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\n"), "cl");
+  EXPECT_EQ(dialectOf("\xEF\xBB\xBF$$*   Pro/CLfile  Version 8.0\nGOTO/1,2,3\n"), "cl");
+  EXPECT_EQ(dialectOf("$$ A = 1\nPARTNO A=1\nPPRINT/'Roughing'\n"), "cl");
+  EXPECT_EQ(dialectOf("A=1\nTLDATA/MILL,1\nFINI\n"), "auto");
+  EXPECT_EQ(dialectOf("A1) P1 = POINT/1,2\nPAINT/PATH\nFINI\n"), "auto");
+  EXPECT_EQ(dialectOf("PARTNO PART\nGOTO/1,2,3\nFINI\n"), "auto");
+  EXPECT_EQ(compileText("TOOL PATH/A\nFINI\n", Dialect::native)->program.dialect, "native");
+}
+
+TEST(Dialects, EveryRuleIsTakenBySomeDialectAndRefusedByAnother) {
+  for (const DialectRow& row : dialectTable()) {
+    bool taken = false, refused = false;
+    for (const Leave leave : row.leave) {
+      (leave == Leave::refused ? refused : taken) = true;
+    }
+    EXPECT_TRUE(taken) << row.what;
+    EXPECT_TRUE(refused) << row.what;
+  }
 }
 
 }  // namespace
