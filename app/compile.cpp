@@ -129,7 +129,7 @@ bool makeFolder(const std::string& folder) {
     std::filesystem::create_directories(folder, error);
   }
   if (error) {
-    printUsageError("compile", "cannot make the folder `" + folder + "`: " + error.message());
+    printError("cannot make the folder `" + folder + "`: " + error.message());
   }
   return !error;
 }
@@ -148,7 +148,11 @@ int runCompile(const Invocation& invocation) {
   }
   std::vector<PlannedJob> jobs;
   if (const auto refusal = planOutputs(options.inputs, options.outputs, jobs)) {
-    printUsageError("compile", refusal->text);
+    if (refusal->code == ExitCode::wrongUse) {
+      printUsageError("compile", refusal->text);
+    } else {
+      printError(refusal->text);
+    }
     return static_cast<int>(refusal->code);
   }
   if (!makeFolder(options.outputs.folder)) {

@@ -48,6 +48,28 @@ void printList() {
   }
 }
 
+/// What stands behind the code on the first line of a page, or the name of a row without one.
+std::string titleOf(const DiagRow& row) {
+  for (const ManualPage& page : manualPages()) {
+    const std::string_view line = page.text.substr(0, page.text.find('\n'));
+    if (const std::size_t colon = line.find(": "); page.code == row.code && colon != line.npos) {
+      return std::string(line.substr(colon + 2));
+    }
+  }
+  return std::string(row.name);
+}
+
+/// An old number stands for several diagnostics: a line each.
+void printChoice(const std::string& number, const std::vector<const DiagRow*>& rows) {
+  std::cout << fmt::format("The old number {} stands for {} diagnostics here:\n\n", number,
+                           rows.size());
+  for (const DiagRow* row : rows) {
+    std::cout << fmt::format("{}  {}\n", row->code, titleOf(*row));
+  }
+  std::cout << fmt::format("\n`arelem explain {}` shows the page of the first.\n",
+                           rows.front()->code);
+}
+
 std::string guess(const std::string& word) {
   std::vector<std::string> known;
   for (const DiagRow& row : diagnosticTable()) {
@@ -82,8 +104,10 @@ int runExplain(const Invocation& invocation) {
                                    : "there is no diagnostic `" + word + "`" + guess(word));
     return static_cast<int>(ExitCode::wrongUse);
   }
-  for (const DiagRow* row : rows) {
-    printRow(*row);
+  if (rows.size() == 1) {
+    printRow(*rows.front());
+  } else {
+    printChoice(word, rows);
   }
   return static_cast<int>(ExitCode::ok);
 }

@@ -34,9 +34,14 @@ bool useColor(ColorChoice choice) {
   return set("CLICOLOR_FORCE") || ::isatty(STDERR_FILENO) == 1;
 }
 
+void printError(const std::string& text) {
+  std::cerr << "arelem: error: " << displayText(text) << '\n';
+}
+
 void printUsageError(const std::string& command, const std::string& text) {
   const std::string help = command.empty() ? "arelem --help" : "arelem " + command + " --help";
-  std::cerr << "arelem: error: " << displayText(text) << "\n   try `" << help << "`\n";
+  printError(text);
+  std::cerr << "   try `" << help << "`\n";
 }
 
 void DiagnosticLog::accept(Diagnostic diagnostic) {

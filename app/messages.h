@@ -36,7 +36,10 @@ class DiagnosticLog : public DiagnosticSink {
   ExitCode exitCode_ = ExitCode::ok;
 };
 
-/// `arelem: error: text` for wrong use of the command itself, with the line that leads to the help.
+/// `arelem: error: text`.
+void printError(const std::string& text);
+
+/// The same for wrong use of the command itself, with the line that leads to the help.
 void printUsageError(const std::string& command, const std::string& text);
 
 /// "1 error", "2 errors".

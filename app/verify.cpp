@@ -164,6 +164,12 @@ int runVerify(const Invocation& invocation) {
   if (const auto code = parse(app, invocation.words)) {
     return *code;
   }
+  if (const backend::Target* target = backend::targetForFile(output);
+      target != nullptr && !target->readsBack) {
+    printUsageError("verify", "`" + output + "` is " + std::string(target->name) +
+                                  ", which is not read back; verify reads CL text and CL tapes");
+    return static_cast<int>(ExitCode::wrongUse);
+  }
   return static_cast<int>(verify(output, program, settings, allowed, invocation.interrupt.flag()));
 }
 

@@ -47,6 +47,7 @@ struct Target {
   std::string_view summary;
   std::vector<std::string_view> suffixes;  ///< with the dot; the first is the default
   bool binary = false;
+  bool readsBack = false;   ///< there is a reader for it
   bool needsMotion = true;  ///< false: made from program and context alone
   std::unique_ptr<Writer> (*make)(std::ostream& out,
                                   const Context& context,

@@ -57,7 +57,10 @@ class TextWriter : public Writer {
   /// columns.
   void operator()(const cl::Text& body) {
     const std::string clean = statementText(body.text);
-    const std::string_view text = trimmed(clean);
+    std::string_view text = trimmed(clean);
+    if (body.word != Word::INSERT && text.starts_with('/')) {
+      text = trimmed(text.substr(1));  // `PARTNO / PLATE` in the source too: one slash is enough
+    }
     buffer_.append(spell(body.word));
     if (!text.empty()) {
       const bool fits = spell(body.word).size() + 3 + text.size() <= StatementWriter::columns;

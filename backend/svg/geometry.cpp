@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -60,21 +61,9 @@ void addExtent(const Entity& entity, Bounds& bounds) {
   }
 }
 
-bool hasPicture(EntityType type) {
-  switch (type) {
-    case EntityType::quadric:
-    case EntityType::polyconic:
-    case EntityType::mesh:
-    case EntityType::ruledSurface:
-      return false;
-    default:
-      return true;
-  }
-}
-
-void GeometryDrawer::draw(const Entity& entity) {
+bool GeometryDrawer::draw(const Entity& entity) {
   if (!isComplete(entity)) {
-    return;
+    return false;
   }
   switch (entity.type) {
     case EntityType::point:
@@ -100,8 +89,11 @@ void GeometryDrawer::draw(const Entity& entity) {
       return pattern(entity);
     case EntityType::tabulatedCylinder:
       return tabulated(entity);
+    case EntityType::vector:
+    case EntityType::matrix:
+      return true;  // there is nothing to see
     default:
-      return;  // no picture: see hasPicture
+      return false;
   }
 }
 
@@ -111,14 +103,15 @@ void GeometryDrawer::cross(const Vec3& place) {
   canvas_.line({p.x, p.y - crossArm}, {p.x, p.y + crossArm}, geometryClass);
 }
 
-void GeometryDrawer::point(const Entity& entity) {
+bool GeometryDrawer::point(const Entity& entity) {
   const Vec3 place = vectorAt(entity.canon, 0);
   cross(place);
   const Pixel p = view_(place);
   labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}, {p.x - 20, p.y - 4}});
+  return true;
 }
 
-void GeometryDrawer::pattern(const Entity& entity) {
+bool GeometryDrawer::pattern(const Entity& entity) {
   for (std::size_t i = 0; i + 3 <= entity.canon.size(); i += 3) {
     cross(vectorAt(entity.canon, i));
   }
@@ -126,12 +119,13 @@ void GeometryDrawer::pattern(const Entity& entity) {
     const Pixel p = view_(vectorAt(entity.canon, 0));
     labels_.place(nameOf(entity), {{p.x + 6, p.y - 5}, {p.x + 6, p.y + 13}});
   }
+  return true;
 }
 
-bool GeometryDrawer::edge(double a, double b, double d, const std::string& name) {
+void GeometryDrawer::edge(double a, double b, double d, const std::string& name) {
   const auto ends = view_.clip(a, b, d);
   if (!ends) {
-    return false;
+    return;
   }
   const Pixel from = view_.place((*ends)[0].x(), (*ends)[0].y());
   const Pixel to = view_.place((*ends)[1].x(), (*ends)[1].y());
@@ -141,15 +135,16 @@ bool GeometryDrawer::edge(double a, double b, double d, const std::string& name)
     candidates.push_back({from.x + t * (to.x - from.x) + 4, from.y + t * (to.y - from.y) - 3});
   }
   labels_.place(name, candidates);
-  return true;
 }
 
-void GeometryDrawer::plane(const Entity& entity) {
+bool GeometryDrawer::plane(const Entity& entity) {
   const std::vector<double>& c = entity.canon;
   const Vec3 normal = vectorAt(c, 0);
-  if (std::abs(normal[view_.depth]) <= edgeOn * normal.norm()) {
-    edge(normal[view_.across], normal[view_.up], c[3], nameOf(entity));
+  if (std::abs(normal[view_.depth]) > edgeOn * normal.norm()) {
+    return false;  // it fills this view
   }
+  edge(normal[view_.across], normal[view_.up], c[3], nameOf(entity));
+  return true;
 }
 
 void GeometryDrawer::ring(const Vec3& center, double radius, const std::string& name) {
@@ -164,59 +159,96 @@ void GeometryDrawer::ring(const Vec3& center, double radius, const std::string& 
                        {p.x - 6, p.y + 4}});
 }
 
-void GeometryDrawer::sphere(const Entity& entity) {
+bool GeometryDrawer::sphere(const Entity& entity) {
   ring(vectorAt(entity.canon, 0), entity.canon[3], nameOf(entity));
+  return true;
 }
 
-void GeometryDrawer::cylinder(const Entity& entity) {
+bool GeometryDrawer::cylinder(const Entity& entity) {
   const Vec3 center = vectorAt(entity.canon, 0);
   const Vec3 axis = vectorAt(entity.canon, 3);
   const double radius = entity.canon[6];
   const Eigen::Vector2d seen(axis[view_.across], axis[view_.up]);
   if (seen.norm() <= edgeOn) {
     ring(center, radius, nameOf(entity));
-    return;
+    return true;
   }
-  if (std::abs(axis[view_.depth]) > edgeOn || entity.type == EntityType::circle) {
-    return;  // an ellipse in this view, or a contour in another one
+  if (entity.type == EntityType::circle && axis.cwiseAbs().maxCoeff() > 1.0 - edgeOn) {
+    return false;  // a circle is seen along its axis, in another view
   }
-  const Eigen::Vector2d normal(-seen.y(), seen.x());
+  // However it is tilted, the outline lies a radius beside the axis.
+  const Eigen::Vector2d normal = Eigen::Vector2d(-seen.y(), seen.x()).normalized();
   const double middle = normal.dot(Eigen::Vector2d(center[view_.across], center[view_.up]));
   edge(normal.x(), normal.y(), middle + radius, nameOf(entity));
   edge(normal.x(), normal.y(), middle - radius, "");
+  return true;
 }
 
-void GeometryDrawer::cone(const Entity& entity) {
+bool GeometryDrawer::cone(const Entity& entity) {
   const Vec3 vertex = vectorAt(entity.canon, 0);
   const Vec3 axis = vectorAt(entity.canon, 3);
   const Eigen::Vector2d seen(axis[view_.across], axis[view_.up]);
   const double cosine = std::clamp(entity.canon[6], -1.0, 1.0);
-  if (std::abs(axis[view_.depth]) > edgeOn || seen.norm() <= edgeOn) {
-    return;
-  }
-  const double reach = (view_.box.width + view_.box.height) / view_.scale;
+  const double depth = axis[view_.depth];
+  cross(vertex);
   const Pixel tip = view_(vertex);
+  labels_.place(nameOf(entity), {{tip.x + 5, tip.y - 4}});
+  // The generators whose normal lies in the view: cos(angle to the seen axis) =
+  // sqrt(cos(half angle)^2 - depth^2) / |seen|. Seen from within the cone there is none.
+  const double square = cosine * cosine - depth * depth;
+  if (square <= 0.0 || seen.norm() <= edgeOn) {
+    return true;
+  }
+  const double angle = std::acos(std::clamp(std::sqrt(square) / seen.norm(), -1.0, 1.0));
+  const double reach = (view_.box.width + view_.box.height) / view_.scale;
   for (const double side : {1.0, -1.0}) {
-    const Eigen::Vector2d along = Eigen::Rotation2Dd(side * std::acos(cosine)) * seen;
+    const Eigen::Vector2d along = Eigen::Rotation2Dd(side * angle) * seen.normalized();
     const Eigen::Vector2d end =
         Eigen::Vector2d(vertex[view_.across], vertex[view_.up]) + reach * along;
     canvas_.line(tip, view_.place(end.x(), end.y()), geometryClass);
   }
-  labels_.place(nameOf(entity), {{tip.x + 5, tip.y - 4}});
+  return true;
 }
 
-void GeometryDrawer::torus(const Entity& entity) {
+void GeometryDrawer::besideEllipse(const Vec3& center,
+                                   const Vec3& axis,
+                                   double radius,
+                                   double distance) {
+  constexpr int pieces = 96;
+  const Vec3 first = axis.unitOrthogonal();
+  const Vec3 second = axis.cross(first).normalized();
+  const auto flat = [this](const Vec3& v) { return Eigen::Vector2d(v[view_.across], v[view_.up]); };
+  std::vector<Pixel> curve;
+  for (int i = 0; i <= pieces; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / pieces;
+    const Vec3 out = std::cos(turn) * first + std::sin(turn) * second;
+    const Eigen::Vector2d along = flat(std::cos(turn) * second - std::sin(turn) * first);
+    Eigen::Vector2d beside(along.y(), -along.x());
+    beside *= along.norm() > edgeOn ? distance / along.norm() : 0.0;
+    const Eigen::Vector2d place = flat(center + radius * out) + beside;
+    curve.push_back(view_.place(place.x(), place.y()));
+  }
+  canvas_.polyline(curve, geometryClass);
+}
+
+bool GeometryDrawer::torus(const Entity& entity) {
+  const Vec3 center = vectorAt(entity.canon, 0);
   const Vec3 axis = vectorAt(entity.canon, 3);
   if (Eigen::Vector2d(axis[view_.across], axis[view_.up]).norm() <= edgeOn) {
-    const Vec3 center = vectorAt(entity.canon, 0);
     ring(center, entity.canon[6] + entity.canon[7], nameOf(entity));
     ring(center, entity.canon[6] - entity.canon[7], "");
+    return true;
   }
+  besideEllipse(center, axis, entity.canon[6], entity.canon[7]);
+  besideEllipse(center, axis, entity.canon[6], -entity.canon[7]);
+  const Pixel p = view_(center);
+  labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}});
+  return true;
 }
 
-void GeometryDrawer::conic(const Entity& entity) {
+bool GeometryDrawer::conic(const Entity& entity) {
   if (view_.depth != 2) {
-    return;  // conics are cylinders along z
+    return false;  // conics are cylinders along z
   }
   const std::vector<Segment> segments = conicInView(entity.canon, view_);
   for (const Segment& s : segments) {
@@ -226,12 +258,13 @@ void GeometryDrawer::conic(const Entity& entity) {
     const Pixel p = segments[segments.size() / 3].from;
     labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}});
   }
+  return true;
 }
 
-void GeometryDrawer::tabulated(const Entity& entity) {
+bool GeometryDrawer::tabulated(const Entity& entity) {
   const std::vector<Vec3> curve = tabulatedCurve(entity.canon, view_.depth);
   if (curve.empty()) {
-    return;
+    return false;
   }
   std::vector<Pixel> points;
   points.reserve(curve.size());
@@ -241,6 +274,7 @@ void GeometryDrawer::tabulated(const Entity& entity) {
   canvas_.polyline(points, geometryClass);
   const Pixel p = points[points.size() / 4];
   labels_.place(nameOf(entity), {{p.x + 5, p.y - 5}, {p.x + 5, p.y + 13}});
+  return true;
 }
 
 }  // namespace arelem::backend::svg

@@ -11,6 +11,7 @@ constexpr double rowHeight = 18.0;
 constexpr double sampleWidth = 30.0;
 constexpr double columnWidth = 250.0;
 constexpr double longestBar = 140.0;
+constexpr double negligible = 1e-9;  // part unit
 
 /// Hands out places row by row, and column by column where the box is low.
 class Rows {
@@ -75,7 +76,8 @@ void drawBar(Canvas& canvas, Pixel at, const Shown& shown) {
 }  // namespace
 
 std::string shortNumber(double value) {
-  return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value);
+  // Rounding of the computation is no coordinate: 4e-16 is 0, and -0 too.
+  return fmt::format("{:.4g}", std::abs(value) < negligible ? 0.0 : value);
 }
 
 void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {

@@ -60,7 +60,7 @@ void PathCollector::accept(const cl::Record& record) {
   if (const auto* motion = std::get_if<cl::Motion>(&record.body)) {
     move(*motion, record.isn);
   } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
-    rapid_ = rapid_ || (post->foreign.empty() && post->word == Word::RAPID);
+    command(*post);
   } else if (std::holds_alternative<cl::Surface>(record.body)) {
     arc_ = true;
   } else if (const auto* values = std::get_if<cl::Values>(&record.body)) {
@@ -77,12 +77,23 @@ void PathCollector::accept(const cl::Record& record) {
   }
 }
 
+void PathCollector::command(const cl::Post& post) {
+  if (!post.foreign.empty()) {
+    return;
+  }
+  rapid_ = rapid_ || post.word == Word::RAPID;
+  if (post.word == Word::CYCLE) {
+    const auto* word = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
+    cycle_ = word == nullptr || (*word != Word::OFF && *word != Word::NOMORE);
+  }
+}
+
 void PathCollector::move(const cl::Motion& motion, int isn) {
   const bool continues = motion.kind == cl::Motion::Kind::continuation && isn == isn_;
   isn_ = isn;
   if (!continues) {
     addStop();
-    kind_ = rapid_ ? MoveKind::rapid : arc_ ? MoveKind::arc : MoveKind::feed;
+    kind_ = rapid_ || cycle_ ? MoveKind::rapid : arc_ ? MoveKind::arc : MoveKind::feed;
     rapid_ = false;
     arc_ = false;
   }

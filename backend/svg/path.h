@@ -59,6 +59,7 @@ class PathCollector {
   static constexpr std::size_t mostStops = 256;
 
  private:
+  void command(const cl::Post& post);
   void move(const cl::Motion& motion, int isn);
   void add(const Vec3& place, MoveKind kind);
   void addStop();
@@ -85,6 +86,7 @@ class PathCollector {
   std::string unit_;
   int isn_ = 0;
   bool rapid_ = false;    ///< RAPID was read and not used yet
+  bool cycle_ = false;    ///< a drilling cycle is on: the tool goes from place to place at rapid
   bool arc_ = false;      ///< a circular surface was read for the next motion
   bool pending_ = false;  ///< the last vertex ends a motion unless a continuation follows
   bool upright_ = true;   ///< the tool axis there is along z

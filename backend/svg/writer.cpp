@@ -55,6 +55,7 @@ class PictureWriter : public Writer {
     canvas.begin(title, fmt::format("Tool path of {} locations", path_.locations()));
     canvas.text({24, 30}, title, "class=\"title\"");
     canvas.text({24, 49}, extents(), "class=\"soft\"");
+    drawn_.assign(context_.entities.size(), false);
     int id = 0;
     for (const View& view : page.views) {
       drawView(canvas, view, id++);
@@ -111,14 +112,17 @@ class PictureWriter : public Writer {
                        shortNumber(b.high.x()), shortNumber(b.low.y()), shortNumber(b.high.y()),
                        shortNumber(b.low.z()), shortNumber(b.high.z()));
   }
+  /// What no view shows, by kind.
   std::string notDrawn() const {
     std::map<std::string_view, int> kinds;
-    for (const EntityPtr& entity : context_.entities) {
-      kinds[spell(entity->type)] += hasPicture(entity->type) ? 0 : 1;
+    for (std::size_t i = 0; i < context_.entities.size(); ++i) {
+      if (!drawn_[i]) {
+        ++kinds[spell(context_.entities[i]->type)];
+      }
     }
     std::string words;
     for (const auto& [kind, count] : kinds) {
-      words += count > 0 ? fmt::format("{}{} {}", words.empty() ? "" : ", ", count, kind) : "";
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, kind);
     }
     return words;
   }
@@ -129,7 +133,7 @@ class PictureWriter : public Writer {
     canvas.beginClip(view.box, id);
     GeometryDrawer geometry(canvas, view);
     for (std::size_t i = 0; i < std::min(context_.entities.size(), mostEntities); ++i) {
-      geometry.draw(*context_.entities[i]);
+      drawn_[i] = geometry.draw(*context_.entities[i]) || drawn_[i];
     }
     if (view.depth == 2) {
       drawOutlines(canvas, view);
@@ -223,6 +227,7 @@ class PictureWriter : public Writer {
   const Context& context_;
   PathCollector path_;
   std::size_t outlines_ = 0;
+  std::vector<bool> drawn_;  // by entity: some view shows it
 };
 }  // namespace
 

@@ -151,6 +151,10 @@ class Explain(ArelemCase):
         self.assertIn("E0201", self.out)
 
     def test_unknown_code(self):
+        self.assertExit(0, "explain", "1005")  # shared by many: a line each, not their pages
+        self.assertRegex(self.out, r"(?m)^E0315  \S")
+        self.assertIn("`arelem explain E03", self.out)
+        self.assertNotIn("# E0315", self.out)
         self.assertExit(2, "explain", "E9999")
         self.assertExit(2, "explain")
 

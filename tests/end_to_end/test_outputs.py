@@ -55,6 +55,19 @@ class Formats(ArelemCase):
 
 
 class Refused(ArelemCase):
+    def test_what_is_no_wrong_use_does_not_lead_to_the_help(self):
+        self.write("a.apt", GOOD)
+        (self.folder / "folder.cls").mkdir()
+        self.assertExit(6, "a.apt", "-o", "folder.cls")
+        self.assertEqual(self.err, "arelem: error: the output `folder.cls` is a folder\n")
+        self.assertExit(6, "a.apt", "--out-dir", "a.apt")
+        self.assertNotIn("--help", self.err)
+
+    def test_a_slash_before_the_part_name_is_written_once(self):
+        self.write("a.apt", GOOD.replace("PARTNO T", "PARTNO / PLATE"))
+        self.assertExit(0, "a.apt")
+        self.assertTrue(self.out.startswith("PARTNO / PLATE\n"), self.out)
+
     """Before any work: exit 2 or 6, nothing written."""
 
     def setUp(self):

@@ -12,6 +12,12 @@ class Verify(ArelemCase):
         self.write("a.apt", PROGRAM)
         self.assertExit(0, "a.apt", "-o", "a.cls", "-o", "a.cltape")
 
+    def test_a_format_without_a_reader_is_refused(self):
+        self.assertExit(0, "a.apt", "-o", "a.svg", "-o", "a.jsonl", "-o", "a.lst")
+        for name in ("a.svg", "a.jsonl", "a.lst"):
+            self.assertExit(2, "verify", name, "--with", "a.apt")
+            self.assertIn("is not read back", self.err)
+
     def test_fresh_outputs_pass(self):
         for output in ("a.cls", "a.cltape"):
             self.assertExit(0, "verify", output, "--with", "a.apt")

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <regex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -115,6 +116,82 @@ TEST(Svg, GeometryWithoutAPictureIsNamed) {
   CollectingSink sink;
   EXPECT_THAT(written("svg", {go(1, {0, 0, 0, 1, 1, 0})}, context, sink),
               HasSubstr("not drawn: 2 QADRIC"));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t times = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++times;
+  }
+  return times;
+}
+
+std::string pictureOf(EntityType type, const std::vector<double>& canon) {
+  Entity entity;
+  entity.type = type;
+  entity.canon = canon;
+  backend::Context context;
+  context.entities = {std::make_shared<const Entity>(entity)};
+  CollectingSink sink;
+  return written("svg", {go(1, {-5, -5, 0, 5, 5, 0})}, context, sink);
+}
+
+/// Every x1 of the vertical lines of the geometry.
+std::vector<double> verticals(const std::string& picture) {
+  std::vector<double> found;
+  std::smatch m;
+  std::string rest = picture.substr(0, picture.find(">geometry<"));
+  const std::regex line(
+      "<line x1=\"([0-9.]+)\" y1=\"[0-9.]+\" x2=\"\\1\" y2=\"[0-9.]+\" class=\"geometry\"");
+  while (std::regex_search(rest, m, line)) {
+    found.push_back(std::stod(m[1]));
+    rest = m.suffix();
+  }
+  return found;
+}
+
+TEST(Svg, ATiltedCylinderIsAsWideAsAnUprightOne) {
+  const double half = std::sqrt(0.5);
+  const auto tilted = verticals(pictureOf(EntityType::cylinder, {0, 0, 0, 0, half, half, 2}));
+  const auto lying = verticals(pictureOf(EntityType::cylinder, {0, 0, 0, 0, 1, 0, 2}));
+  ASSERT_EQ(tilted.size(), 2U);
+  EXPECT_EQ(tilted, lying);
+}
+
+TEST(Svg, AConeHasItsOutlineUnlessSeenFromWithin) {
+  // Axis 45 degrees out of the plan: the outline of a half angle of 60 degrees is not seen, that of
+  // 30 leans by acos(sqrt(3/4 - 1/2) / sqrt(1/2)) = 45 degrees from the axis.
+  const double half = std::sqrt(0.5);
+  const std::string wide = pictureOf(EntityType::cone, {0, 0, 0, 0, half, half, 0.5});
+  const std::string narrow = pictureOf(EntityType::cone, {0, 0, 0, 0, half, half, std::sqrt(0.75)});
+  const std::size_t legendAndCross = 3;
+  EXPECT_EQ(count(wide, "class=\"geometry\""), legendAndCross);
+  EXPECT_EQ(count(narrow, "class=\"geometry\""), legendAndCross + 2);
+}
+
+TEST(Svg, ATorusIsDrawnFromEverySide) {
+  EXPECT_EQ(count(pictureOf(EntityType::torus, {0, 0, 0, 0, 0, 1, 3, 1}), "<circle"),
+            count(pictureOf(EntityType::sphere, {0, 0, 0, 3}), "<circle") + 1);
+  EXPECT_THAT(pictureOf(EntityType::torus, {0, 0, 0, 0, 0.6, 0.8, 3, 1}),
+              Not(HasSubstr("not drawn")));
+}
+
+TEST(Svg, APlaneThatFillsTheViewIsNamed) {
+  EXPECT_THAT(pictureOf(EntityType::plane, {0, 0, 1, 3}), HasSubstr("not drawn: 1 PLANE"));
+  EXPECT_THAT(pictureOf(EntityType::plane, {1, 0, 0, 3}), Not(HasSubstr("not drawn")));
+}
+
+TEST(Svg, RoundingIsNoCoordinate) {
+  EXPECT_THAT(written("svg", {go(1, {0, 0, -4e-16}), go(2, {10, 4, 0})}), HasSubstr("Z 0 to 0"));
+}
+
+TEST(Svg, TheWaysBetweenThePlacesOfACycleAreRapid) {
+  const std::string picture =
+      written("svg", {go(1, {0, 0, 0}), record(2, cl::Post{Word::CYCLE, "", {Word::DRILL, 2.0}}),
+                      go(3, {10, 0, 0}), go(4, {10, 5, 0}),
+                      record(5, cl::Post{Word::CYCLE, "", {Word::OFF}}), go(6, {8, 5, 0})});
+  EXPECT_THAT(picture, HasSubstr("rapid, 15 long"));
+  EXPECT_THAT(picture, HasSubstr("feed, 2 long"));
 }
 
 TEST(SvgPath, AHugePathIsThinnedAndKeepsItsShape) {
