@@ -28,9 +28,13 @@ void substitute(const std::vector<Token>& tokens,
                 std::vector<Token>& result) {
   result.clear();
   const bool label = tokens.size() > 2 && tokens[1].kind == TokenKind::rightParen;
+  const std::size_t head = label ? 2 : 0;
+  const bool call = head < tokens.size() && tokens[head].kind == TokenKind::call;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     result.push_back(tokens[i]);
-    if (tokens[i].kind != TokenKind::symbol || (label && i == 0)) {
+    // The name before `=` of a CALL is a variable of the macro that is called.
+    const bool keyword = call && i + 1 < tokens.size() && tokens[i + 1].kind == TokenKind::equals;
+    if (tokens[i].kind != TokenKind::symbol || (label && i == 0) || keyword) {
       continue;
     }
     if (const auto found = values.find(tokens[i].text); found != values.end()) {

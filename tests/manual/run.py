@@ -33,7 +33,7 @@ REASONS = {
     "two files to compare; tests/end_to_end/test_verify.py shows them": "E0901 E0902 E0903",
     "a signal; tests/end_to_end/test_faults.py sends it": "E0810 E0890",
     "a program built in memory: the front end refuses the text first; tests/unit/runtime shows them":
-        "E0407 E0408 E0410 E0411 E0412 E0414 E0416 E0417 E0418 E0419 E0420 E0421 E0422 E0423 E0424 E0425 E0426 E0429 "
+        "E0407 E0408 E0410 E0411 E0412 E0414 E0416 E0417 E0419 E0420 E0421 E0422 E0423 E0424 E0425 E0426 E0429 "
         "E0430 E0432 E0433 E0435 E0441 E0451 E0465 E0467 W0468 E0475 E0501 E0802 E0804 E0805",
     "what Section 1 refuses before the motion or Section 3 sees it": "E0482 E0483 E0485 E0514 E0515 E0523 E0524",
     "a search that fails for rare data only": "E0340 E0512",

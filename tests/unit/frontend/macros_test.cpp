@@ -53,6 +53,16 @@ TEST(Macros, LabelsAreLocalAndJumpsNeedNoLoop) {
   EXPECT_EQ(c->block(2), (Lines{"1) A = 2", "IF (A) 1@0, 2@2, 2@2", "2) TERMAC"}));
 }
 
+TEST(Macros, KeywordsOfAnInnerCallAreNotReplaced) {
+  const auto c = compileText(
+      "A=MACRO/X\nB=X\nTERMAC\nC=MACRO/X,Y\nCALL/A,X=X\n1)CALL/A,X=Y\nTERMAC\nCALL/"
+      "C,X=3,Y=4\nFINI\n");
+  EXPECT_EQ(c->codes(), "");
+  ASSERT_EQ(c->program.blocks.size(), 4U);
+  EXPECT_EQ(c->block(2).front(), "B = 3");
+  EXPECT_EQ(c->block(3).front(), "B = 4");
+}
+
 TEST(Macros, RecursionIsFiniteHere) {
   const auto c = compileText("M=MACRO/\nA=1\nIF(A)1,1,2\n1)CALL/M\n2)TERMAC\nCALL/M\nFINI\n");
   EXPECT_EQ(c->codes(), "");
