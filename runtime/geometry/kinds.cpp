@@ -12,19 +12,13 @@ Vec3 vec(const std::vector<double>& c, std::size_t i) {
   return {c[i], c[i + 1], c[i + 2]};
 }
 
+/// Positive outside: the sign is turned so that the far side of a closed or curved sheet is
+/// positive.
 Quadric quadricOf(const std::vector<double>& c) {
-  Quadric q;
-  q.matrix << c[0], c[6], c[5], c[6], c[1], c[4], c[5], c[4], c[2];
-  q.linear = vec(c, 7);
-  q.constant = c[3];
-  // Positive outside: turn the sign so that the far side of a closed or curved sheet is positive.
-  if (q.matrix.trace() < 0.0) {
-    q.matrix = -q.matrix;
-    q.linear = -q.linear;
-    q.constant = -q.constant;
-  }
-  q.wall = q.findGeneratrix();
-  return q;
+  Eigen::Matrix3d matrix;
+  matrix << c[0], c[6], c[5], c[6], c[1], c[4], c[5], c[4], c[2];
+  const double sign = matrix.trace() < 0.0 ? -1.0 : 1.0;
+  return {sign * matrix, sign * vec(c, 7), sign * c[3]};
 }
 
 AnySurface tabulatedOf(const std::vector<double>& c) {

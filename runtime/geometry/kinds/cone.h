@@ -42,6 +42,11 @@ struct Cone {
     const double c = around.dot(t);
     return cosHalf / rho * c * c;
   }
+  /// The solid is convex. Behind the vertex the bend is 1/|w| <= cos(half)/rho too.
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot&, double within, Hint&) const {
+    const double least = (p - vertex).cross(axis).norm() - within;
+    return {0.0, least > 0.0 ? cosHalf / least : Bends{}.high};
+  }
 };
 
 }  // namespace arelem::surface

@@ -5,107 +5,168 @@
 
 #include <Eigen/Dense>
 
+#include "ir/space/tolerance.h"
+
 namespace arelem::surface {
 
 namespace {
 constexpr int newtonLimit = 40;
-constexpr int approachLimit = 60;
+constexpr int bisectionLimit = 200;
+/// An eigenvalue of at most this share of the largest is rounding.
+constexpr double rounding = 1e-14;
+/// Slack of the test for the nearest point, which is an equality on the medial axis.
+constexpr double medial = 1e-9;
+/// Share of the gradient by which it may change for the surface to count as a graph.
+constexpr double graphShare = 0.5;
+}  // namespace
 
-/// Newton on q - p + m grad F(q) = 0, F(q) = 0 from a point near the surface.
-std::optional<Vec3> refine(const Quadric& s, const Vec3& p, Vec3 q) {
-  const Vec3 start = s.gradient(q);
-  double multiplier = start.squaredNorm() > 0.0 ? (p - q).dot(start) / start.squaredNorm() : 0.0;
-  for (int i = 0; i < newtonLimit; ++i) {
-    const Vec3 gradient = s.gradient(q);
-    Eigen::Matrix4d jacobian = Eigen::Matrix4d::Zero();
-    jacobian.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() + 2.0 * multiplier * s.matrix;
-    jacobian.topRightCorner<3, 1>() = gradient;
-    jacobian.bottomLeftCorner<1, 3>() = gradient.transpose();
-    Eigen::Vector4d residual;
-    residual.head<3>() = q - p + multiplier * gradient;
-    residual[3] = s.value(q);
-    const Eigen::Vector4d step = jacobian.partialPivLu().solve(residual);
-    if (!step.allFinite()) {
-      return std::nullopt;
-    }
-    q -= step.head<3>();
-    multiplier -= step[3];
-    if (step.head<3>().norm() <= 1e-15 * (1.0 + q.norm())) {
-      return q;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Walks from p down the gradient until F is nearly zero: the start where there is no hint.
-Vec3 approach(const Quadric& s, const Vec3& p) {
-  Vec3 q = p;
-  for (int i = 0; i < approachLimit; ++i) {
-    const Vec3 gradient = s.gradient(q);
-    const double squared = gradient.squaredNorm();
-    if (squared <= 0.0) {
-      q += Vec3(1e-3, 2e-3, 3e-3) * (1.0 + q.norm());
-      continue;
-    }
-    const Vec3 step = s.value(q) / squared * gradient;
-    q -= step;
-    if (step.norm() <= 1e-6 * (1.0 + q.norm())) {
+Quadric::Quadric(const Eigen::Matrix3d& matrix, const Vec3& linear, double constant)
+    : matrix_(matrix), linear_(linear), constant_(constant) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrix_);
+  axes_ = eigen.eigenvectors();
+  roots_ = eigen.eigenvalues();
+  alongAxes_ = axes_.transpose() * linear_;
+  flat_ = rounding * roots_.cwiseAbs().maxCoeff();
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(roots_[i]) <= flat_ && std::abs(alongAxes_[i]) <= rounding * linear_.norm()) {
+      wall_ = axes_.col(i);
       break;
     }
   }
-  return q;
 }
-/// Nearest of the feet reached from several starts: gradient descent, and where the principal lines
-/// through p pierce the surface. Used where no hint tells which sheet or side is meant.
-std::optional<Vec3> nearestFoot(const Quadric& s, const Vec3& p) {
-  std::optional<Vec3> best = refine(s, p, approach(s, p));
-  const auto consider = [&](const Vec3& start) {
-    const auto q = refine(s, p, start);
-    if (q && (!best || (*q - p).squaredNorm() < (*best - p).squaredNorm())) {
-      best = q;
+
+/// Newton on q - p + m grad F(q) = 0, F(q) = 0 from a point near the surface.
+Quadric::Candidate Quadric::refine(const Vec3& p, const Vec3& start) const {
+  Candidate c{false, start, 0.0};
+  const Vec3 first = gradient(start);
+  c.multiplier = first.squaredNorm() > 0.0 ? (p - start).dot(first) / first.squaredNorm() : 0.0;
+  for (int i = 0; i < newtonLimit; ++i) {
+    const Vec3 slope = gradient(c.point);
+    Eigen::Matrix4d jacobian = Eigen::Matrix4d::Zero();
+    jacobian.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() + 2.0 * c.multiplier * matrix_;
+    jacobian.topRightCorner<3, 1>() = slope;
+    jacobian.bottomLeftCorner<1, 3>() = slope.transpose();
+    Eigen::Vector4d residual;
+    residual.head<3>() = c.point - p + c.multiplier * slope;
+    residual[3] = value(c.point);
+    const Eigen::Vector4d step = jacobian.partialPivLu().solve(residual);
+    if (!step.allFinite()) {
+      return c;
     }
-  };
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(s.matrix);
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 d = eigen.eigenvectors().col(i);
-    const double a = d.dot(s.matrix * d);
-    const double b = d.dot(s.matrix * p + s.linear);
-    const double c = s.value(p);
-    const double disc = b * b - a * c;
-    if (disc >= 0.0 && a != 0.0) {
-      consider(p + (-b + std::sqrt(disc)) / a * d);
-      consider(p + (-b - std::sqrt(disc)) / a * d);
+    c.point -= step.head<3>();
+    c.multiplier -= step[3];
+    if (step.head<3>().norm() <= 1e-15 * (1.0 + c.point.norm())) {
+      c.good = isNearest(c.multiplier);
+      return c;
     }
   }
-  return best;
+  return c;
 }
+
+bool Quadric::isNearest(double multiplier) const {
+  return 1.0 + 2.0 * multiplier * roots_[0] >= -medial &&
+         1.0 + 2.0 * multiplier * roots_[2] >= -medial;
+}
+
+namespace {
+/// F along the curve of feet q(m), in the basis of the eigenvectors.
+struct FootCurve {
+  Vec3 place, roots, linear;
+  double constant;
+
+  [[nodiscard]] Vec3 at(double m) const {
+    return (place - 2.0 * m * linear).cwiseQuotient(Vec3::Ones() + 2.0 * m * roots);
+  }
+  [[nodiscard]] double value(double m) const {
+    const Vec3 q = at(m);
+    return q.dot(roots.cwiseProduct(q)) + 2.0 * linear.dot(q) + constant;
+  }
+  /// Where the interval of multipliers ends without a zero, p lies on the medial axis: the foot
+  /// leaves along eigenvector i, whose 1 + 2 m root is 0.
+  [[nodiscard]] std::optional<Vec3> onMedialAxis(int i, double m) const {
+    Vec3 q = at(m);
+    double rest = constant;
+    for (int j = 0; j < 3; ++j) {
+      if (j != i) {
+        q[j] = std::isfinite(q[j]) ? q[j] : -linear[j] / roots[j];
+        rest += (roots[j] * q[j] + 2.0 * linear[j]) * q[j];
+      }
+    }
+    const double disc = linear[i] * linear[i] - roots[i] * rest;
+    if (disc < 0.0) {
+      return std::nullopt;
+    }
+    q[i] = (-linear[i] + std::sqrt(disc)) / roots[i];
+    return q;
+  }
+};
 }  // namespace
 
-Foot Quadric::foot(const Vec3& p, Hint& hint) const {
-  std::optional<Vec3> q = hint.valid ? refine(*this, p, hint.point) : std::nullopt;
-  if (!q) {
-    q = nearestFoot(*this, p);
+/// The nearest point by the zero of F over the multiplier.
+Vec3 Quadric::search(const Vec3& p) const {
+  const FootCurve curve{axes_.transpose() * p, roots_, alongAxes_, constant_};
+  const bool rising = curve.value(0.0) > 0.0;  // then m > 0
+  const int i = rising ? 0 : 2;
+  const bool ends = rising ? roots_[0] < -flat_ : roots_[2] > flat_;
+  const double end = ends ? -0.5 / roots_[i] : 0.0;
+  // From 0 towards the end until the sign changes.
+  double inner = 0.0;
+  double outer = 0.0;
+  for (int k = 1; k <= bisectionLimit; ++k) {
+    inner = outer;
+    outer = ends ? end * (1.0 - std::ldexp(1.0, -k)) : std::ldexp(rising ? 1.0 : -1.0, k - 60);
+    if ((ends && outer == end) || (curve.value(outer) > 0.0) != rising) {
+      break;
+    }
   }
-  const Vec3 found = q ? *q : approach(*this, p);
-  hint = {true, found};
-  const Vec3 outward = gradient(found).normalized();
-  const Vec3 w = p - found;
+  if ((ends && outer == end) || (curve.value(outer) > 0.0) == rising) {
+    const auto q = ends ? curve.onMedialAxis(i, end) : std::nullopt;
+    // No real point: a quadric without a surface is met nowhere.
+    return q ? Vec3(axes_ * *q) : Vec3(p + tolerance::farAway * Vec3::UnitZ());
+  }
+  for (int k = 0; k < bisectionLimit; ++k) {
+    const double middle = 0.5 * (inner + outer);
+    if (middle == inner || middle == outer) {
+      break;
+    }
+    ((curve.value(middle) > 0.0) == rising ? inner : outer) = middle;
+  }
+  return axes_ * curve.at(outer);
+}
+
+Foot Quadric::foot(const Vec3& p, Hint& hint) const {
+  Candidate found = hint.valid ? refine(p, hint.point) : Candidate{};
+  if (!found.good) {
+    const Vec3 near = search(p);
+    found = refine(p, near);
+    if (!found.good) {
+      found.point = near;
+    }
+  }
+  hint = {true, found.point};
+  const Vec3 outward = gradient(found.point).normalized();
+  const Vec3 w = p - found.point;
   return {w.dot(outward), outward};
 }
 
+namespace {
+/// The form 2 Q restricted to the plane square to the normal: its values over |grad F| are the
+/// normal curvatures.
+Eigen::Matrix2d acrossNormal(const Eigen::Matrix3d& matrix, const Vec3& e1, const Vec3& e2) {
+  Eigen::Matrix2d form;
+  form << e1.dot(matrix * e1), e1.dot(matrix * e2), e1.dot(matrix * e2), e2.dot(matrix * e2);
+  return 2.0 * form;
+}
+}  // namespace
+
 double Quadric::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
-  const Vec3 grad = gradient(hint.point);
-  const double length = grad.norm();
+  const double length = gradient(hint.point).norm();
   if (!hint.valid || length <= 0.0) {
     return 0.0;
   }
   const Vec3 e1 = foot.normal.unitOrthogonal();
   const Vec3 e2 = foot.normal.cross(e1);
-  const auto curvature = [&](const Vec3& a, const Vec3& b) {
-    return 2.0 * a.dot(matrix * b) / length;
-  };
-  Eigen::Matrix2d shape;
-  shape << curvature(e1, e1), curvature(e1, e2), curvature(e1, e2), curvature(e2, e2);
+  const Eigen::Matrix2d shape = acrossNormal(matrix_, e1, e2) / length;
   // The parallel surface at distance d has the shape operator (1 + d S)^-1 S.
   const Eigen::Matrix2d parallel =
       (Eigen::Matrix2d::Identity() + foot.distance * shape).inverse() * shape;
@@ -113,17 +174,44 @@ double Quadric::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) c
   return along.dot(parallel * along);
 }
 
-Vec3 Quadric::findGeneratrix() const {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrix);
-  const double scale = eigen.eigenvalues().cwiseAbs().maxCoeff();
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 axis = eigen.eigenvectors().col(i);
-    if (std::abs(eigen.eigenvalues()[i]) <= 1e-14 * scale &&
-        std::abs(linear.dot(axis)) <= 1e-14 * linear.norm()) {
-      return axis;
-    }
+/// Normal curvatures of the surface within `reach` of one of its points; none where the gradient
+/// turns too much there for the surface to be a graph over its tangent plane.
+std::optional<Bends> Quadric::curvatures(const Vec3& at, double reach) const {
+  const Vec3 slope = gradient(at);
+  const double length = slope.norm();
+  const double most = 2.0 * roots_.cwiseAbs().maxCoeff();
+  const double change = most * reach;
+  if (!(change < graphShare * length)) {
+    return std::nullopt;
   }
-  return Vec3::Zero();
+  const Vec3 normal = slope / length;
+  const Vec3 e1 = normal.unitOrthogonal();
+  const Eigen::Matrix2d form = acrossNormal(matrix_, e1, normal.cross(e1));
+  const double middle = 0.5 * form.trace();
+  const double half = std::hypot(0.5 * (form(0, 0) - form(1, 1)), form(0, 1));
+  // A tangent plane turned by an angle a changes a value of the form by at most 2 a |2Q|.
+  const double turned = 2.0 * most * change / (length - change);
+  const double low = middle - half - turned;
+  const double high = middle + half + turned;
+  return Bends{low / (length + (low < 0.0 ? -change : change)),
+               high / (length + (high > 0.0 ? -change : change))};
+}
+
+Bends Quadric::bends(const Vec3&, const Foot& foot, double radius, Hint& hint) const {
+  Bends b = bendsOfAnySet(foot.distance, radius);
+  const double away = std::abs(foot.distance);
+  // Feet of all places within the radius lie within 2 (away + radius) of the foot.
+  if (const auto range = curvatures(hint.point, 2.0 * (away + radius))) {
+    // Two feet of one place would have a place between them where the curvature reaches 1 over the
+    // distance.
+    const double sharpest = std::max(std::abs(range->low), std::abs(range->high));
+    b = both(
+        b, bendsOfCurvature(*range, foot.distance, radius, sharpest * (away + 3.0 * radius) < 1.0));
+  }
+  if (isConvex()) {
+    b.low = std::max(b.low, 0.0);
+  }
+  return b;
 }
 
 }  // namespace arelem::surface

@@ -1,31 +1,58 @@
 #pragma once
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "runtime/geometry/surface.h"
 
 namespace arelem::surface {
 
-/// F(p) = p.Q p + 2 q.p + c = 0 with F scaled as given; positive where F is. The foot is found by
-/// Newton on the Lagrange equations, from the hint where there is one.
-struct Quadric {
+/// F(p) = p.Q p + 2 q.p + c = 0, positive where F is.
+///
+/// The foot of p is q = (I + 2 m Q)^-1 (p - 2 m q) with F = 0; it is the nearest point of all if
+/// I + 2 m Q has no negative eigenvalue, as the Lagrange function is then convex. Newton from the
+/// hint gives a candidate; one that fails this test is replaced by the zero of F over the interval
+/// of m in which the test holds, where F falls with m.
+class Quadric {
+ public:
   struct Hint {
     bool valid = false;
     Vec3 point = Vec3::Zero();  ///< the last foot
   };
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
-  Vec3 linear = Vec3::Zero();
-  double constant = -1.0;
+
+  Quadric(const Eigen::Matrix3d& matrix, const Vec3& linear, double constant);
 
   [[nodiscard]] double value(const Vec3& p) const {
-    return p.dot(matrix * p) + 2.0 * linear.dot(p) + constant;
+    return p.dot(matrix_ * p) + 2.0 * linear_.dot(p) + constant_;
   }
-  [[nodiscard]] Vec3 gradient(const Vec3& p) const { return 2.0 * (matrix * p + linear); }
+  [[nodiscard]] Vec3 gradient(const Vec3& p) const { return 2.0 * (matrix_ * p + linear_); }
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
-  [[nodiscard]] const Vec3& generatrix() const { return wall; }
-  /// Finds the direction along which the surface is a cylinder, or zero.
-  [[nodiscard]] Vec3 findGeneratrix() const;
-  Vec3 wall = Vec3::Zero();  ///< findGeneratrix(), kept by surfaceOf for quick use
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius, Hint& hint) const;
+  /// The direction along which the surface is a cylinder, or zero.
+  [[nodiscard]] const Vec3& generatrix() const { return wall_; }
+  /// True where F <= 0 is a convex solid.
+  [[nodiscard]] bool isConvex() const { return roots_[0] >= -flat_; }
+
+ private:
+  struct Candidate {
+    bool good = false;
+    Vec3 point = Vec3::Zero();
+    double multiplier = 0.0;
+  };
+  [[nodiscard]] Candidate refine(const Vec3& p, const Vec3& start) const;
+  [[nodiscard]] bool isNearest(double multiplier) const;
+  [[nodiscard]] Vec3 search(const Vec3& p) const;
+  [[nodiscard]] std::optional<Bends> curvatures(const Vec3& at, double reach) const;
+
+  Eigen::Matrix3d matrix_;
+  Vec3 linear_;
+  double constant_;
+  Eigen::Matrix3d axes_;  ///< columns: eigenvectors of Q
+  Vec3 roots_;            ///< eigenvalues of Q, ascending
+  Vec3 alongAxes_;        ///< q in the basis of the axes
+  double flat_ = 0.0;     ///< an eigenvalue of at most this is 0
+  Vec3 wall_ = Vec3::Zero();
 };
 
 }  // namespace arelem::surface

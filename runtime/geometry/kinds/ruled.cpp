@@ -230,4 +230,8 @@ double Ruled::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
   return products.dot(carried);
 }
 
+Bends Ruled::bends(const Vec3&, const Foot& foot, double radius, Hint&) const {
+  return bendsOfAnySet(foot.distance, radius);
+}
+
 }  // namespace arelem::surface

@@ -10,6 +10,8 @@ namespace {
 using Piece = TabulatedCylinder::Piece;
 
 constexpr int newtonLimit = 40;
+/// Directions of two neighbors that differ by less than this meet smoothly. Radians.
+constexpr double smoothJoint = 1e-7;
 
 double height(const Piece& p, double x) {
   return ((p.a * x + p.b) * x + p.c) * x;
@@ -153,11 +155,98 @@ double TabulatedCylinder::bend(const Vec3&, const Foot& foot, const Vec3& t, Hin
   const Piece& p = curve_->pieces[static_cast<std::size_t>(hint.piece)];
   const double s = slope(p, hint.x);
   const double squared = 1.0 + s * s;
+  const double across = curve_->w.cross(foot.normal).dot(t);
+  // At a corner of the curve the distance is that to the corner.
+  const double gu = foot.normal.dot(curve_->u);
+  const double gv = foot.normal.dot(curve_->v);
+  const double alongCurve = (gu * p.dirU + gv * p.dirV + s * (gv * p.dirU - gu * p.dirV));
+  if (std::abs(alongCurve) > smoothJoint * std::sqrt(squared) && foot.distance != 0.0) {
+    return across * across / foot.distance;
+  }
   // Curvature of the curve, positive where it turns left, that is towards the positive side.
   const double k = second(p, hint.x) / (squared * std::sqrt(squared));
   const double parallel = -k / std::max(1.0 - k * foot.distance, 1e-12);
-  const double along = curve_->w.cross(foot.normal).dot(t);
-  return parallel * along * along;
+  return parallel * across * across;
+}
+
+namespace {
+/// Range of the curvature, positive where the curve bends away from its left side, for the part of
+/// a piece with local x in [from, to].
+Bends curvatures(const Piece& p, double from, double to) {
+  const double s0 = second(p, from);
+  const double s1 = second(p, to);
+  // The slope is a parabola: its least square lies at an end, at the vertex, or is 0 between.
+  const double at0 = slope(p, from);
+  const double at1 = slope(p, to);
+  double least = at0 * at1 <= 0.0 ? 0.0 : std::min(at0 * at0, at1 * at1);
+  double most = std::max(at0 * at0, at1 * at1);
+  const double vertex = p.a != 0.0 ? -p.b / (3.0 * p.a) : from;
+  if (vertex > from && vertex < to) {
+    const double extreme = slope(p, vertex);
+    least = extreme * at0 <= 0.0 || extreme * at1 <= 0.0 ? 0.0 : std::min(least, extreme * extreme);
+    most = std::max(most, extreme * extreme);
+  }
+  const double large = std::pow(1.0 + least, -1.5);
+  const double small = std::pow(1.0 + most, -1.5);
+  const double low = -std::max(s0, s1);
+  const double high = -std::min(s0, s1);
+  return {low * (low < 0.0 ? large : small), high * (high > 0.0 ? large : small)};
+}
+
+void widen(Bends& range, const Bends& by) {
+  range = {std::min(range.low, by.low), std::max(range.high, by.high)};
+}
+
+/// Angle by which the direction turns from one piece to the next, positive to the left.
+double turnBetween(const Piece& p, const Piece& q) {
+  const double a = slope(p, p.length);
+  const double b = slope(q, 0.0);
+  const double cross = p.dirU * q.dirV - p.dirV * q.dirU;
+  const double dot = p.dirU * q.dirU + p.dirV * q.dirV;
+  // Directions (1, a) and (1, b) in frames turned by (dot, cross).
+  return std::atan2(cross * (1.0 + a * b) + dot * (b - a), dot * (1.0 + a * b) - cross * (b - a));
+}
+}  // namespace
+
+Bends TabulatedCylinder::bends(const Vec3& point, const Foot& foot, double radius, Hint&) const {
+  const Curve& curve = *curve_;
+  const double u = curve.u.dot(point);
+  const double v = curve.v.dot(point);
+  // Feet of all places within the radius lie within this of the place.
+  const double away = std::abs(foot.distance);
+  const double reach = away + 2.0 * radius;
+  // Along the generatrix nothing bends.
+  Bends curvature{0.0, 0.0};
+  // Whether the part of the curve within reach is one: then two feet of one place have a place
+  // between them where the curvature reaches 1 over the distance.
+  bool one = true;
+  bool seen = false;
+  bool joined = false;  // the end of the last piece is within reach
+  for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
+    const Piece& p = curve.pieces[i];
+    const Local q = toLocal(p, u, v);
+    if (boxBound(p, q) > reach * reach) {
+      joined = false;
+      continue;
+    }
+    one = one && (!seen || joined);
+    seen = true;
+    const double from = std::max(low(p), q.x - reach);
+    const double to = std::min(high(p), q.x + reach);
+    if (from < to) {
+      widen(curvature, curvatures(p, from, to));
+    }
+    joined = squaredTo(p, q, p.length) <= reach * reach;
+    if (joined && i + 1 < curve.pieces.size()) {
+      const double turn = turnBetween(p, curve.pieces[i + 1]);
+      if (std::abs(turn) > smoothJoint) {
+        widen(curvature, turn > 0.0 ? Bends{Bends{}.low, 0.0} : Bends{0.0, Bends{}.high});
+      }
+    }
+  }
+  const double sharpest = std::max(std::abs(curvature.low), std::abs(curvature.high));
+  return bendsOfCurvature(curvature, foot.distance, radius,
+                          one && sharpest * (away + 3.0 * radius) < 1.0);
 }
 
 }  // namespace arelem::surface

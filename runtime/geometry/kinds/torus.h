@@ -23,6 +23,18 @@ struct Torus {
     const Vec3 normal = length > 0.0 ? Vec3(((rho - major) * out + along * axis) / length) : out;
     return {length - minor, normal};
   }
+  /// The meridian's bend is 1/L, L the distance to the axis circle; the one about the axis is
+  /// (rho - major)/(L rho), less than 1/L, and negative where rho < major.
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double within, Hint&) const {
+    const double tube = foot.distance + minor - within;
+    const double rho = (p - center).cross(axis).norm();
+    const double nearest = rho - within;
+    if (tube <= 0.0 || nearest <= 0.0) {
+      return {};
+    }
+    const double inward = std::min(1.0, std::max(0.0, major - nearest) / tube);
+    return {-inward / nearest, 1.0 / tube};
+  }
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
     const Vec3 w = p - center;
     const double along = w.dot(axis);

@@ -54,13 +54,10 @@ Torus arbitrary(Random& r) {
 }
 template <>
 Quadric arbitrary(Random& r) {
-  Quadric q;  // an ellipsoid in general position
+  // An ellipsoid in general position.
   const Eigen::Matrix3d m = Eigen::AngleAxisd(r.in(0, 3), r.direction()).toRotationMatrix();
-  q.matrix =
-      m * Vec3(r.in(0.05, 0.3), r.in(0.05, 0.3), r.in(0.05, 0.3)).asDiagonal() * m.transpose();
-  q.linear = r.point(0.1);
-  q.constant = -1.0;
-  return q;
+  const Vec3 roots(r.in(0.05, 0.3), r.in(0.05, 0.3), r.in(0.05, 0.3));
+  return {m * roots.asDiagonal() * m.transpose(), r.point(0.1), -1.0};
 }
 template <>
 TabulatedCylinder arbitrary(Random& r) {
@@ -73,7 +70,7 @@ TabulatedCylinder arbitrary(Random& r) {
   TabulatedCylinder::Piece arch{};
   arch.dirU = 1.0;
   arch.length = 4.0;
-  arch.b = -r.in(0.01, 0.05);
+  arch.b = -r.in(0.01, 0.15);
   arch.c = -arch.b * arch.length;
   arch.highY = arch.c * arch.length;
   const double slope = arch.c;
@@ -85,10 +82,12 @@ TabulatedCylinder arbitrary(Random& r) {
   before.u = -before.dirU;
   before.v = -before.dirV;
   before.openStart = true;
+  // Sometimes with a corner, to either side.
+  const double corner = r.in(0, 3) < 1.0 ? r.in(-0.8, 0.8) : 0.0;
   TabulatedCylinder::Piece after{};
   after.u = 4.0;
-  after.dirU = 1.0 / norm;
-  after.dirV = -slope / norm;
+  after.dirU = std::cos(corner) / norm + std::sin(corner) * slope / norm;
+  after.dirV = std::sin(corner) / norm - std::cos(corner) * slope / norm;
   after.length = 1.0;
   after.openEnd = true;
   curve->pieces = {before, arch, after};
@@ -171,6 +170,33 @@ TYPED_TEST(SurfaceLaws, BendIsTheSecondDerivativeOfTheDistance) {
     ++tested;
   }
   EXPECT_GT(tested, 300);
+}
+
+TYPED_TEST(SurfaceLaws, BendsBoundEveryBendAround) {
+  Random r;
+  int bounded = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const TypeParam s = arbitrary<TypeParam>(r);
+    const Vec3 p = r.point(6);
+    const double radius = r.in(0.01, 0.8);
+    typename TypeParam::Hint a{};
+    const Foot foot = s.foot(p, a);
+    const Bends bounds = s.bends(p, foot, radius, a);
+    bounded += std::isfinite(bounds.low) || std::isfinite(bounds.high) ? 1 : 0;
+    for (int k = 0; k < 20; ++k) {
+      // Not the second derivative at a place but over a span, so that kinks are seen too.
+      const Vec3 u = p + r.in(0, radius) * r.direction();
+      const Vec3 v = p + r.in(0, radius) * r.direction();
+      typename TypeParam::Hint h1{}, h2{}, h3{};
+      const double squared = (v - u).squaredNorm();
+      const double dip = 0.5 * (s.foot(u, h1).distance + s.foot(v, h2).distance) -
+                         s.foot(0.5 * (u + v), h3).distance;
+      // A function whose second derivative lies in [low, high] dips by that much of |v - u|^2 / 8.
+      ASSERT_LE(dip, bounds.high * squared / 8 + 1e-9) << i;
+      ASSERT_GE(dip, bounds.low * squared / 8 - 1e-9) << i;
+    }
+  }
+  EXPECT_GT(bounded, 500);
 }
 
 TYPED_TEST(SurfaceLaws, DistanceIsLipschitz) {

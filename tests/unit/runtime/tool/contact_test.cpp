@@ -118,11 +118,8 @@ TEST(Contact, TorusAgainstBruteForce) {
 TEST(Contact, EllipsoidAgainstBruteForce) {
   compare<surface::Quadric>(
       [](auto in) {
-        surface::Quadric q;
-        q.matrix = Vec3(0.04, 0.06, 0.1).asDiagonal();
-        q.linear = Vec3(0, 0, 0.1 * in(5, 6));
-        q.constant = q.linear.z() * q.linear.z() / 0.1 - 1.0;
-        return q;
+        const double z = 0.1 * in(5, 6);
+        return surface::Quadric(Vec3(0.04, 0.06, 0.1).asDiagonal(), {0, 0, z}, z * z / 0.1 - 1.0);
       },
       1.0, 5);
 }
