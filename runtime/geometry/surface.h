@@ -42,7 +42,7 @@ concept Surface = requires(const S& s,
                            double radius) {
   { s.foot(p, hint) } -> std::same_as<Foot>;
   { s.bend(p, foot, t, hint) } -> std::convertible_to<double>;
-  { s.bends(p, foot, radius, hint) } -> std::same_as<Bends>;
+  { s.bends(p, foot, radius) } -> std::same_as<Bends>;
 };
 
 /// What holds for the distance to any set of points: at distance d from it, it bends by at most 1/d

@@ -43,7 +43,7 @@ struct Cone {
     return cosHalf / rho * c * c;
   }
   /// The solid is convex. Behind the vertex the bend is 1/|w| <= cos(half)/rho too.
-  [[nodiscard]] Bends bends(const Vec3& p, const Foot&, double within, Hint&) const {
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot&, double within) const {
     const double least = (p - vertex).cross(axis).norm() - within;
     return {0.0, least > 0.0 ? cosHalf / least : Bends{}.high};
   }

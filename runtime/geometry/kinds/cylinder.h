@@ -21,7 +21,7 @@ struct Cylinder {
     const double axial = axis.dot(t);
     return (t.squaredNorm() - along * along - axial * axial) / (foot.distance + radius);
   }
-  [[nodiscard]] Bends bends(const Vec3&, const Foot& foot, double within, Hint&) const {
+  [[nodiscard]] Bends bends(const Vec3&, const Foot& foot, double within) const {
     const double least = foot.distance + radius - within;
     return {0.0, least > 0.0 ? 1.0 / least : Bends{}.high};
   }

@@ -11,7 +11,7 @@ struct Plane {
 
   [[nodiscard]] Foot foot(const Vec3& p, Hint&) const { return {normal.dot(p) - offset, normal}; }
   [[nodiscard]] double bend(const Vec3&, const Foot&, const Vec3&, Hint&) const { return 0.0; }
-  [[nodiscard]] Bends bends(const Vec3&, const Foot&, double, Hint&) const { return {0.0, 0.0}; }
+  [[nodiscard]] Bends bends(const Vec3&, const Foot&, double) const { return {0.0, 0.0}; }
 };
 
 }  // namespace arelem::surface

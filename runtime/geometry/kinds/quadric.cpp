@@ -197,11 +197,11 @@ std::optional<Bends> Quadric::curvatures(const Vec3& at, double reach) const {
                high / (length + (high > 0.0 ? -change : change))};
 }
 
-Bends Quadric::bends(const Vec3&, const Foot& foot, double radius, Hint& hint) const {
+Bends Quadric::bends(const Vec3& p, const Foot& foot, double radius) const {
   Bends b = bendsOfAnySet(foot.distance, radius);
   const double away = std::abs(foot.distance);
   // Feet of all places within the radius lie within 2 (away + radius) of the foot.
-  if (const auto range = curvatures(hint.point, 2.0 * (away + radius))) {
+  if (const auto range = curvatures(p - foot.distance * foot.normal, 2.0 * (away + radius))) {
     // Two feet of one place would have a place between them where the curvature reaches 1 over the
     // distance.
     const double sharpest = std::max(std::abs(range->low), std::abs(range->high));

@@ -28,7 +28,7 @@ class Quadric {
   [[nodiscard]] Vec3 gradient(const Vec3& p) const { return 2.0 * (matrix_ * p + linear_); }
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
-  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius, Hint& hint) const;
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
   /// The direction along which the surface is a cylinder, or zero.
   [[nodiscard]] const Vec3& generatrix() const { return wall_; }
   /// True where F <= 0 is a convex solid.

@@ -230,7 +230,7 @@ double Ruled::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
   return products.dot(carried);
 }
 
-Bends Ruled::bends(const Vec3&, const Foot& foot, double radius, Hint&) const {
+Bends Ruled::bends(const Vec3&, const Foot& foot, double radius) const {
   return bendsOfAnySet(foot.distance, radius);
 }
 

@@ -24,7 +24,7 @@ class Ruled {
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
 
-  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius, Hint& hint) const;
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
 
  private:
   std::shared_ptr<const Sheet> sheet_;

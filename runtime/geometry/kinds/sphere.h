@@ -18,7 +18,7 @@ struct Sphere {
     const double along = foot.normal.dot(t);
     return (t.squaredNorm() - along * along) / (foot.distance + radius);
   }
-  [[nodiscard]] Bends bends(const Vec3&, const Foot& foot, double within, Hint&) const {
+  [[nodiscard]] Bends bends(const Vec3&, const Foot& foot, double within) const {
     const double least = foot.distance + radius - within;
     return {0.0, least > 0.0 ? 1.0 / least : Bends{}.high};
   }

@@ -208,7 +208,7 @@ double turnBetween(const Piece& p, const Piece& q) {
 }
 }  // namespace
 
-Bends TabulatedCylinder::bends(const Vec3& point, const Foot& foot, double radius, Hint&) const {
+Bends TabulatedCylinder::bends(const Vec3& point, const Foot& foot, double radius) const {
   const Curve& curve = *curve_;
   const double u = curve.u.dot(point);
   const double v = curve.v.dot(point);

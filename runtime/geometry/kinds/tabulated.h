@@ -33,7 +33,7 @@ class TabulatedCylinder {
 
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
-  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius, Hint& hint) const;
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
   [[nodiscard]] const Vec3& generatrix() const { return curve_->w; }
   [[nodiscard]] const Curve& curve() const { return *curve_; }
 

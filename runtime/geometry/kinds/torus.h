@@ -25,7 +25,7 @@ struct Torus {
   }
   /// The meridian's bend is 1/L, L the distance to the axis circle; the one about the axis is
   /// (rho - major)/(L rho), less than 1/L, and negative where rho < major.
-  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double within, Hint&) const {
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double within) const {
     const double tube = foot.distance + minor - within;
     const double rho = (p - center).cross(axis).norm();
     const double nearest = rho - within;

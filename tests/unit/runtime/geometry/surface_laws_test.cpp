@@ -181,7 +181,7 @@ TYPED_TEST(SurfaceLaws, BendsBoundEveryBendAround) {
     const double radius = r.in(0.01, 0.8);
     typename TypeParam::Hint a{};
     const Foot foot = s.foot(p, a);
-    const Bends bounds = s.bends(p, foot, radius, a);
+    const Bends bounds = s.bends(p, foot, radius);
     bounded += std::isfinite(bounds.low) || std::isfinite(bounds.high) ? 1 : 0;
     for (int k = 0; k < 20; ++k) {
       // Not the second derivative at a place but over a span, so that kinks are seen too.

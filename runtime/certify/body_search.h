@@ -1,0 +1,233 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "runtime/certify/probe.h"
+
+/// Proof that no point of a cutter comes nearer to a surface than some gap while it moves along a
+/// part of a cut vector: branch and bound over time, angle about the axis and place on the profile.
+namespace arelem::certify {
+
+/// A piece of the half-profile turned about the axis, thickened by a ball. It is the straight line
+/// from a to b, or, with a radius, the arc about a from angle `low` to `high`, counted from
+/// straight below a outwards.
+struct Piece {
+  tool::ProfilePoint a, b;
+  double ball = 0.0;
+  double radius = 0.0, low = 0.0, high = 0.0;
+
+  [[nodiscard]] double length() const {
+    return radius > 0.0 ? radius * (high - low) : std::hypot(b.rho - a.rho, b.z - a.z);
+  }
+  [[nodiscard]] tool::ProfilePoint at(double share) const {
+    const double angle = low + share * (high - low);
+    return radius > 0.0
+               ? tool::ProfilePoint{a.rho + radius * std::sin(angle),
+                                    a.z - radius * std::cos(angle)}
+               : tool::ProfilePoint{a.rho + share * (b.rho - a.rho), a.z + share * (b.z - a.z)};
+  }
+  /// Largest distance from the axis, and from the tool end.
+  [[nodiscard]] double widest() const { return std::max(a.rho, b.rho) + radius; }
+  [[nodiscard]] double reach() const {
+    return std::max(std::hypot(a.rho, a.z), std::hypot(b.rho, b.z)) + radius;
+  }
+  /// Least of x rho + y z over the part with shares in [from, to].
+  [[nodiscard]] double least(double x, double y, double from, double to) const;
+};
+
+/// The pieces whose union covers all cutting points of a profile.
+[[nodiscard]] std::vector<Piece> piecesOf(const tool::Profile& cutter);
+
+/// A point of the profile that reaches farthest against a unit normal whose component along the
+/// axis is nz.
+[[nodiscard]] tool::ProfilePoint farthestAgainst(const tool::Profile& cutter, double nz);
+
+/// Part of a piece at part of the time: centers and half widths of s, of the angle and of the share
+/// of the way from a to b.
+struct Box {
+  double s, halfS;
+  double angle, halfAngle;
+  double share, halfShare;
+};
+
+struct BodyResult {
+  bool proven = false;
+  double sample = unbounded;  ///< least gap measured
+  double sampleAt = 0.0;      ///< its s
+};
+
+template <surface::Surface S>
+class BodySearch {
+ public:
+  BodySearch(const S& surface, const Relation& relation)
+      : surface_(surface), side_(relation.side), thick_(relation.thick) {}
+
+  /// Whether the gap of the piece is at least `aim` for s in [from, to]. Ends at the first gap
+  /// below it, or when `budget` places were measured.
+  BodyResult run(
+      const Chord& chord, const Piece& piece, double from, double to, double aim, int budget) {
+    chord_ = &chord;
+    piece_ = &piece;
+    reach_ = piece.reach();
+    length_ = piece.length();
+    widest_ = piece.widest();
+    BodyResult result;
+    boxes_.clear();
+    const double half = widest_ > 0.0 ? pi : 0.0;
+    boxes_.push_back(
+        {0.5 * (from + to), 0.5 * (to - from), 0.0, half, 0.5, length_ > 0.0 ? 0.5 : 0.0});
+    while (!boxes_.empty()) {
+      const Box box = boxes_.back();
+      boxes_.pop_back();
+      const double gap = measure(box);
+      if (gap < result.sample) {
+        result.sample = gap;
+        result.sampleAt = box.s;
+      }
+      if (gap < aim || --budget < 0) {
+        return result;
+      }
+      if (bound(box, gap) < aim) {
+        split(box);
+      }
+    }
+    result.proven = true;
+    return result;
+  }
+
+ private:
+  static constexpr double pi = std::numbers::pi;
+
+  struct Frame {
+    Vec3 toolEnd, axis, radial, around;
+  };
+
+  /// The frame turns with the tool: its first radial direction lies in the plane of the turn.
+  [[nodiscard]] Frame frameAt(double s, double angle) const {
+    Frame f{chord_->toolEnd(s), chord_->axis(s), {}, {}};
+    const Vec3 e2 = chord_->turn() > 0.0 ? chord_->pole() : Vec3(f.axis.unitOrthogonal());
+    const Vec3 e1 = e2.cross(f.axis);
+    const double c = std::cos(angle);
+    const double t = std::sin(angle);
+    f.radial = c * e1 + t * e2;
+    f.around = c * e2 - t * e1;
+    return f;
+  }
+  double measure(const Box& box) {
+    frame_ = frameAt(box.s, box.angle);
+    profile_ = piece_->at(box.share);
+    offset_ = profile_.rho * frame_.radial + profile_.z * frame_.axis;
+    point_ = frame_.toolEnd + offset_;
+    foot_ = surface_.foot(point_, hint_);
+    normal_ = side_ * foot_.normal;
+    return side_ * foot_.distance - piece_->ball - thick_;
+  }
+
+  /// Lower bound of the gap over the box, from the measured one at its center.
+  double bound(const Box& box, double gap) {
+    const double moved = chord_->length() * box.halfS;
+    const double turned = chord_->turn() * box.halfS;
+    // How far a point of the box is from its center: on the cutter, and in all.
+    const double onCutter =
+        std::min(2.0 * widest_, widest_ * box.halfAngle) + length_ * box.halfShare;
+    const double away = moved + turned * reach_ + onCutter;
+    double best = gap - away;
+    const surface::Bends bends = surface_.bends(point_, foot_, away);
+    const double low = side_ > 0.0 ? bends.low : -bends.high;
+    if (std::isfinite(low)) {
+      best = std::max(best, gap + tilt(box, turned, onCutter) + 0.5 * low * away * away);
+    }
+    const double high = side_ > 0.0 ? bends.high : -bends.low;
+    if (std::isfinite(high) && !(low >= 0.0)) {
+      best = std::max(best, fromCorners(box, high));
+    }
+    return best;
+  }
+
+  /// Least change over the box of the linear function that touches the distance at its center.
+  [[nodiscard]] double tilt(const Box& box, double turned, double onCutter) const {
+    const double out = normal_.dot(frame_.radial);
+    const double along = normal_.dot(frame_.around);
+    // Least of out cos x + along sin x for |x| <= halfAngle.
+    const double turn = pi - std::atan2(std::abs(along), out);  // where the least value is reached
+    const double least = turn <= box.halfAngle ? -std::hypot(out, along)
+                                               : out * std::cos(box.halfAngle) -
+                                                     std::abs(along) * std::sin(box.halfAngle);
+    const double nz = normal_.dot(frame_.axis);
+    double change = piece_->least(least, nz, box.share - box.halfShare, box.share + box.halfShare) -
+                    (profile_.rho * out + profile_.z * nz);
+    const Vec3 velocity = chord_->velocity(offset_);
+    change -= std::abs(normal_.dot(velocity)) * box.halfS;
+    if (turned > 0.0) {
+      // Points off the center turn differently, and along arcs.
+      change -= turned * onCutter + 0.5 * turned * turned * reach_;
+    }
+    return change;
+  }
+
+  /// Where the distance bends away from the surface by at most `high`, it is lowest at the corners,
+  /// but for the parabola of that bend and for what the box bulges beyond them.
+  double fromCorners(const Box& box, double high) {
+    const Vec3 center = point_;
+    double least = unbounded;
+    for (int corner = 0; corner < 8; ++corner) {
+      if (((corner & 1) != 0 && box.halfS == 0.0) || ((corner & 2) != 0 && box.halfAngle == 0.0) ||
+          ((corner & 4) != 0 && box.halfShare == 0.0)) {
+        continue;
+      }
+      const auto pick = [&](int bit, double middle, double half) {
+        return (corner & bit) != 0 ? middle + half : middle - half;
+      };
+      const Frame f = frameAt(pick(1, box.s, box.halfS), pick(2, box.angle, box.halfAngle));
+      const tool::ProfilePoint p = piece_->at(pick(4, box.share, box.halfShare));
+      const Vec3 at = f.toolEnd + p.rho * f.radial + p.z * f.axis;
+      auto hint = hint_;
+      const double gap = side_ * surface_.foot(at, hint).distance - piece_->ball - thick_;
+      least = std::min(least, gap - 0.5 * high * (high > 0.0 ? (at - center).squaredNorm() : 0.0));
+    }
+    const double turned = chord_->turn() * box.halfS;
+    const double bulge =
+        widest_ * (1.0 - std::cos(std::min(box.halfAngle, pi))) + 0.5 * turned * turned * reach_ +
+        piece_->radius * (1.0 - std::cos((piece_->high - piece_->low) * box.halfShare));
+    return least - bulge;
+  }
+
+  void split(const Box& box) {
+    const double s = (chord_->length() + chord_->turn() * reach_) * box.halfS;
+    const double angle = widest_ * box.halfAngle;
+    const double share = length_ * box.halfShare;
+    Box first = box;
+    Box second = box;
+    const auto halve = [](double& a, double& b, double& halfA, double& halfB) {
+      halfA *= 0.5;
+      halfB = halfA;
+      a -= halfA;
+      b += halfB;
+    };
+    if (s >= angle && s >= share) {
+      halve(first.s, second.s, first.halfS, second.halfS);
+    } else if (angle >= share) {
+      halve(first.angle, second.angle, first.halfAngle, second.halfAngle);
+    } else {
+      halve(first.share, second.share, first.halfShare, second.halfShare);
+    }
+    boxes_.push_back(first);
+    boxes_.push_back(second);
+  }
+
+  const S& surface_;
+  double side_, thick_;
+  typename S::Hint hint_{};
+  const Chord* chord_ = nullptr;
+  const Piece* piece_ = nullptr;
+  double reach_ = 0.0, length_ = 0.0, widest_ = 0.0;
+  std::vector<Box> boxes_;
+  Frame frame_;
+  tool::ProfilePoint profile_;
+  Vec3 offset_, point_, normal_;
+  surface::Foot foot_;
+};
+
+}  // namespace arelem::certify

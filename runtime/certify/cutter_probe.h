@@ -1,0 +1,225 @@
+#pragma once
+#include "runtime/certify/body_search.h"
+#include "runtime/certify/core_probe.h"
+#include "runtime/tool/contact.h"
+
+namespace arelem::certify {
+
+/// True where the solid on the negative side is convex; then the distance is a convex function.
+template <surface::Surface S>
+[[nodiscard]] bool isConvexSolid(const S& s) {
+  if constexpr (requires { s.isConvex(); }) {
+    return s.isConvex();
+  } else {
+    return std::is_same_v<S, surface::Cylinder> || std::is_same_v<S, surface::Cone>;
+  }
+}
+
+/// True where the cutter is a convex body.
+[[nodiscard]] bool isConvex(const tool::Profile& cutter);
+
+/// A cutter against any kind of surface. It takes one of three ways:
+///   core     walls along the axis and ball ends are one ball; what is beside it is cleared by the
+///            plane that supports the contact, else searched
+///   convex   outside a convex solid the gap of a convex cutter is a convex function of the tool
+///   end:
+///            chords bound it from above, supporting planes from below
+///   general  search of all pieces from below, the contact kept on the cutter from above
+/// Contacts are guesses by runtime/tool: a bound holds whatever they are.
+template <surface::Surface S>
+class CutterProbe final : public Probe {
+ public:
+  CutterProbe(S surface, const Relation& relation)
+      : surface_(std::move(surface)),
+        cutter_(*relation.cutter),
+        relation_(relation),
+        core_(surface_, relation_),
+        search_(surface_, relation_),
+        pieces_(piecesOf(cutter_)) {
+    relation_.cutter = &cutter_;
+    convex_ = relation.side > 0.0 && isConvexSolid(surface_) && isConvex(cutter_);
+    for (const Piece& p : pieces_) {
+      reach_ = std::max(reach_, p.reach() + p.ball);
+    }
+  }
+
+  void take(const Chord& chord) override {
+    chord_ = chord;
+    rest_.clear();
+    if (isWall()) {
+      way_ = Way::core;
+      core_.take(chord_, {0.0, cutter_.maxRadius()});
+    } else if (!cutter_.ring && cutter_.e == 0.0 && pieces_.front().radius == 0.0) {
+      way_ = Way::core;
+      core_.take(chord_, {cutter_.f, cutter_.r});
+      rest_.assign(pieces_.begin() + 1, pieces_.end());
+    } else {
+      way_ = convex_ ? Way::convex : Way::general;
+    }
+  }
+
+  Node at(double s) override {
+    if (way_ == Way::core) {
+      return core_.at(s);
+    }
+    Node n;
+    n.s = s;
+    n.toolEnd = chord_.toolEnd(s);
+    n.axis = chord_.axis(s);
+    touch(n);
+    n.low = convex_ ? supported(n, n) : -unbounded;
+    return n;
+  }
+
+  Stretch over(const Node& a, const Node& b, double aim) override {
+    Stretch result;
+    if (way_ == Way::core) {
+      static_cast<Range&>(result) = core_.over(a, b);
+      clearRest(a, b, aim, result);
+    } else if (way_ == Way::convex) {
+      static_cast<Range&>(result) = overConvex(a, b);
+    } else {
+      result.high = highest(a, b);
+      result.low = searched(a.s, b.s, aim, pieces_, result);
+    }
+    return result;
+  }
+
+  void settle(Node& node, double aim) override {
+    Stretch result;
+    if (way_ == Way::general) {
+      node.low = std::max(node.low, searched(node.s, node.s, aim, pieces_, result));
+    }
+  }
+
+ private:
+  enum class Way : std::uint8_t { core, convex, general };
+  /// Places measured for one part of a chord.
+  static constexpr int budget = 20000;
+  /// Sine of the angle between generatrix and axis below which the surface is a wall.
+  static constexpr double alongAxis = 1e-12;
+  /// A contact this near to the cutter is on it. Part unit.
+  static constexpr double onCutter = 1e-9;
+
+  [[nodiscard]] bool isWall() const {
+    const Vec3 wall = surface::generatrix(surface_);
+    return chord_.turn() == 0.0 && !cutter_.ring && wall.squaredNorm() > 0.5 &&
+           wall.cross(chord_.axis(0.0)).norm() <= alongAxis;
+  }
+
+  /// Measures the gap at a point of the cutter that is likely to be the contact.
+  void touch(Node& n) {
+    const tool::Contact guess =
+        tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, guess_);
+    const Vec3 w = guess.point - n.toolEnd;
+    const double z = w.dot(n.axis);
+    const Vec3 across = w - z * n.axis;
+    const double rho = across.norm();
+    tool::ProfilePoint nearest;
+    const double off = std::abs(tool::distanceTo(cutter_, {rho, z}, nearest));
+    const Vec3 out = rho > 0.0 ? Vec3(across / rho) : Vec3(n.axis.unitOrthogonal());
+    n.point =
+        off <= onCutter ? guess.point : Vec3(n.toolEnd + nearest.rho * out + nearest.z * n.axis);
+    n.foot = surface_.foot(n.point, hint_);
+    n.normal = relation_.side * n.foot.normal;
+    n.high = relation_.side * n.foot.distance - relation_.thick;
+    n.slope = n.normal.dot(chord_.velocity(n.point - n.toolEnd));
+  }
+
+  /// Lower bound of the gap at `there` by the plane that supports the convex solid at the foot of
+  /// `of`.
+  [[nodiscard]] double supported(const Node& of, const Node& there) const {
+    const double plane = of.foot.distance + of.normal.dot(there.toolEnd - of.point);
+    return plane - tool::reach(cutter_, of.normal.dot(there.axis)) - relation_.thick;
+  }
+
+  [[nodiscard]] Range overConvex(const Node& a, const Node& b) const {
+    const double h = b.s - a.s;
+    const double rate = chord_.length() + chord_.turn() * reach_;
+    if (chord_.turn() == 0.0) {
+      const Known left{a.low, a.high, a.normal.dot(chord_.step())};
+      const Known right{b.low, b.high, b.normal.dot(chord_.step())};
+      return between(left, right, h, {0.0, unbounded}, rate);
+    }
+    // The reach towards a fixed plane is the greatest of circular motions: over a chord it bulges
+    // by at most turn^2 reach h^2 / 8.
+    const double bulge = 0.125 * chord_.turn() * chord_.turn() * reach_ * h * h;
+    const double byA = std::min(supported(a, a), supported(a, b));
+    const double byB = std::min(supported(b, a), supported(b, b));
+    return {std::max(byA, byB) - bulge, highest(a, b)};
+  }
+
+  /// Upper bound between two nodes: the contacts of both, kept on the cutter.
+  [[nodiscard]] double highest(const Node& a, const Node& b) const {
+    const double h = b.s - a.s;
+    const double lever = std::max((a.point - a.toolEnd).norm(), (b.point - b.toolEnd).norm());
+    const double speed = chord_.length() + chord_.turn() * lever;
+    const Curving bends = bendsOnSide(surface_, relation_.side, a, b, speed * h);
+    const double aside = chord_.turn() * chord_.turn() * lever;
+    return between(a, b, h, bySpeed({-unbounded, bends.most}, speed, aside), speed).high;
+  }
+
+  /// The pieces beside the core: above `aim` by the plane that supports the core's contact, or by
+  /// search.
+  void clearRest(const Node& a, const Node& b, double aim, Stretch& result) {
+    if (rest_.empty() || cleared(a, b, std::min(aim, result.low))) {
+      return;
+    }
+    result.low = std::min(result.low, searched(a.s, b.s, aim, rest_, result));
+  }
+
+  [[nodiscard]] bool cleared(const Node& a, const Node& b, double aim) const {
+    const double h = b.s - a.s;
+    const double way = h * (chord_.length() + chord_.turn() * reach_);
+    const double size = reach_ + cutter_.f + way;
+    const surface::Bends bends = surface_.bends(a.point, a.foot, size);
+    const double low = std::min(0.0, relation_.side > 0.0 ? bends.low : -bends.high);
+    const double nz = a.normal.dot(a.axis);
+    const double sine = std::sqrt(std::max(0.0, 1.0 - nz * nz));
+    for (const Piece& p : rest_) {
+      // Least of n . (y - core) over the piece.
+      const double least = p.least(-sine, nz, 0.0, 1.0) - nz * cutter_.f;
+      const double gap = relation_.side * a.foot.distance - relation_.thick + least +
+                         std::min(0.0, a.slope) * h - (chord_.turn() > 0.0 ? way : 0.0) +
+                         0.5 * low * size * size;
+      if (!(gap >= aim)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// `aim` if the gap of the pieces is proven to be at least that, else nothing; notes a lower gap
+  /// that was measured.
+  double searched(
+      double from, double to, double aim, const std::vector<Piece>& pieces, Stretch& result) {
+    bool proven = true;
+    for (const Piece& p : pieces) {
+      const BodyResult r = search_.run(chord_, p, from, to, aim, budget);
+      if (r.sample < result.sample) {
+        result.sample = r.sample;
+        result.sampleAt = r.sampleAt;
+      }
+      proven = proven && r.proven;
+      if (!proven) {
+        break;
+      }
+    }
+    return proven ? aim : -unbounded;
+  }
+
+  S surface_;
+  tool::Profile cutter_;
+  Relation relation_;
+  CoreGap<S> core_;
+  BodySearch<S> search_;
+  std::vector<Piece> pieces_, rest_;
+  tool::Search<S> guess_;
+  typename S::Hint hint_{};
+  Chord chord_;
+  Way way_ = Way::general;
+  bool convex_ = false;
+  double reach_ = 0.0;
+};
+
+}  // namespace arelem::certify

@@ -1,0 +1,68 @@
+#include "runtime/certify/body_search.h"
+
+namespace arelem::certify {
+
+double Piece::least(double x, double y, double from, double to) const {
+  const tool::ProfilePoint p = at(from);
+  const tool::ProfilePoint q = at(to);
+  const double ends = std::min(x * p.rho + y * p.z, x * q.rho + y * q.z);
+  if (radius == 0.0) {
+    return ends;
+  }
+  // radius (x sin t - y cos t) is least where (sin t, -cos t) points against (x, y).
+  const double lowest = std::atan2(-x, y);
+  const double start = low + from * (high - low);
+  const double stop = low + to * (high - low);
+  const bool inside = lowest >= start && lowest <= stop;
+  return inside ? x * a.rho + y * a.z - radius * std::hypot(x, y) : ends;
+}
+
+std::vector<Piece> piecesOf(const tool::Profile& cutter) {
+  std::vector<Piece> pieces;
+  const tool::ProfilePoint corner{cutter.e, cutter.f};
+  if (cutter.ring) {
+    pieces.push_back({corner, corner});
+    return pieces;
+  }
+  const auto addLine = [&](tool::ProfilePoint a, tool::ProfilePoint b) {
+    if (std::hypot(b.rho - a.rho, b.z - a.z) > 0.0) {
+      pieces.push_back({a, b});
+    }
+  };
+  // The whole ball of the corner lies within the cutter, unless it looks out at the top.
+  if (cutter.r > 0.0 && cutter.h < cutter.f + cutter.r) {
+    Piece arc{corner, corner};
+    arc.radius = cutter.r;
+    arc.low = cutter.alpha;
+    arc.high = std::atan2(cutter.cosBeta, cutter.sinBeta);
+    pieces.push_back(arc);
+  } else {
+    pieces.push_back({corner, corner, cutter.r});
+  }
+  addLine({0.0, 0.0}, cutter.bottomEnd);
+  addLine(cutter.sideStart, cutter.sideEnd);
+  return pieces;
+}
+
+tool::ProfilePoint farthestAgainst(const tool::Profile& p, double nz) {
+  const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
+  tool::ProfilePoint best{p.e, p.f};
+  if (p.ring) {
+    return best;
+  }
+  if (nz <= p.cosAlpha && nz >= p.sinBeta) {
+    best = {p.e + p.r * across, p.f - p.r * nz};
+  }
+  const auto consider = [&](tool::ProfilePoint q) {
+    if (q.rho * across - q.z * nz > best.rho * across - best.z * nz) {
+      best = q;
+    }
+  };
+  consider({0.0, 0.0});
+  consider(p.bottomEnd);
+  consider(p.sideStart);
+  consider(p.sideEnd);
+  return best;
+}
+
+}  // namespace arelem::certify

@@ -1,0 +1,132 @@
+#include "runtime/certify/probe.h"
+
+#include "runtime/certify/cutter_probe.h"
+
+namespace arelem::certify {
+
+/// The directions of the profile turn one way, from the tool end to the top.
+bool isConvex(const tool::Profile& p) {
+  constexpr double rounding = 1e-9;
+  const double bottom = std::atan2(p.bottomEnd.z, p.bottomEnd.rho);
+  const double side = std::atan2(p.sideEnd.rho - p.sideStart.rho, p.sideEnd.z - p.sideStart.z);
+  const bool hasBottom = p.bottomEnd.rho > 0.0;
+  const bool hasSide = p.sideEnd.z > p.sideStart.z;
+  return !p.ring && (!hasBottom || (bottom >= -rounding && bottom <= p.alpha + rounding)) &&
+         (!hasSide || (side >= -rounding && side <= p.beta + rounding));
+}
+
+namespace {
+/// The tool end alone: relation ON, and tools without size.
+template <surface::Surface S>
+class PointProbe final : public Probe {
+ public:
+  PointProbe(S surface, const Relation& relation)
+      : surface_(std::move(surface)), core_(surface_, relation) {}
+  void take(const Chord& chord) override {
+    chord_ = chord;
+    core_.take(chord_, {});
+  }
+  Node at(double s) override { return core_.at(s); }
+  Stretch over(const Node& a, const Node& b, double) override { return {core_.over(a, b)}; }
+  void settle(Node&, double) override {}
+
+ private:
+  S surface_;
+  CoreGap<S> core_;
+  Chord chord_;
+};
+
+/// Kinds for which the contact of any cutter has a closed form.
+template <surface::Surface S>
+class ClosedProbe final : public Probe {
+ public:
+  ClosedProbe(const S& surface, const Relation& relation)
+      : surface_(surface), cutter_(*relation.cutter), relation_(relation) {
+    for (const Piece& p : piecesOf(cutter_)) {
+      reach_ = std::max(reach_, p.reach() + p.ball);
+    }
+    convexBody_ = isConvex(cutter_);
+  }
+  void take(const Chord& chord) override { chord_ = chord; }
+  Node at(double s) override {
+    Node n;
+    n.s = s;
+    n.toolEnd = chord_.toolEnd(s);
+    n.axis = chord_.axis(s);
+    tool::Search<S> search;
+    const tool::Contact c =
+        tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, search);
+    n.point = c.point;
+    n.normal = c.normal;
+    if constexpr (std::is_same_v<S, surface::Plane>) {
+      // The contact of a plane stands for a whole circle or disc of the cutter: one of its points.
+      const double nz = n.normal.dot(n.axis);
+      const Vec3 across = nz * n.axis - n.normal;
+      const double length = across.norm();
+      const tool::ProfilePoint q = farthestAgainst(cutter_, nz);
+      n.point = n.toolEnd + q.z * n.axis +
+                q.rho * (length > 0.0 ? Vec3(across / length) : Vec3(n.axis.unitOrthogonal()));
+    }
+    n.high = c.gap - relation_.thick;
+    n.low = n.high;
+    n.slope = n.normal.dot(chord_.velocity(n.point - n.toolEnd));
+    return n;
+  }
+  Stretch over(const Node& a, const Node& b, double) override {
+    const double h = b.s - a.s;
+    const double turn = chord_.turn();
+    const double rate = chord_.length() + turn * reach_;
+    const double least = 0.5 * (a.low + b.low - rate * h) + relation_.thick;
+    Curving c = bySpeed(bends(least), rate, turn * turn * reach_);
+    if (turn > 0.0 || !isConvexGap()) {
+      c.least = -unbounded;
+    }
+    return {between(a, b, h, c, rate)};
+  }
+  void settle(Node&, double) override {}
+
+ private:
+  /// Of the distance, for those points of the cutter that may be the contact.
+  [[nodiscard]] Curving bends(double least) const {
+    if constexpr (std::is_same_v<S, surface::Sphere>) {
+      const double radius = surface_.radius + least;
+      if (relation_.side < 0.0) {
+        return {-unbounded, 0.0};
+      }
+      return {0.0, radius > 0.0 ? 1.0 / radius : unbounded};
+    } else {
+      return {0.0, 0.0};
+    }
+  }
+  /// A plane's gap is linear without a turn; a sphere's is convex for convex bodies outside.
+  [[nodiscard]] bool isConvexGap() const {
+    return std::is_same_v<S, surface::Plane> || (convexBody_ && relation_.side > 0.0);
+  }
+
+  S surface_;
+  tool::Profile cutter_;
+  Relation relation_;
+  Chord chord_;
+  bool convexBody_ = false;
+  double reach_ = 0.0;
+};
+}  // namespace
+
+std::unique_ptr<Probe> makeProbe(const surface::AnySurface& any, const Relation& relation) {
+  return std::visit(
+      [&]<class S>(const S& s) -> std::unique_ptr<Probe> {
+        if (relation.cutter == nullptr) {
+          Relation point = relation;
+          point.thick = 0.0;
+          return std::make_unique<PointProbe<S>>(s, point);
+        }
+        if constexpr (std::is_same_v<S, surface::Plane> || std::is_same_v<S, surface::Sphere>) {
+          return std::make_unique<ClosedProbe<S>>(s, relation);
+        } else {
+          return std::make_unique<CutterProbe<S>>(s, relation);
+        }
+      },
+      any);
+}
+
+}  // namespace arelem::certify

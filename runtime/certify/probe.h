@@ -1,0 +1,54 @@
+#pragma once
+#include <memory>
+
+#include "runtime/certify/bounds.h"
+#include "runtime/certify/chord.h"
+#include "runtime/geometry/kinds.h"
+#include "runtime/tool/profile.h"
+
+namespace arelem::certify {
+
+/// What is known about the gap at one place of a cut vector.
+struct Node : Known {
+  double s = 0.0;
+  Vec3 toolEnd = Vec3::Zero(), axis = Vec3::UnitZ();
+  Vec3 point = Vec3::Zero();    ///< of the cutter, where `high` was measured; the core's place
+  surface::Foot foot;           ///< of `point`, by the surface's own side
+  Vec3 normal = Vec3::UnitZ();  ///< unit, towards the tool
+};
+
+/// What is known about the gap over a part of a cut vector.
+struct Stretch : Range {
+  double sample = unbounded;  ///< a gap that was measured there, with its place
+  double sampleAt = 0.0;
+};
+
+/// How the tool is to stand to a surface. The gap of a cutter is the least distance, positive on
+/// `side`, of any of its points to the surface, less `thick`; without a cutter the distance of the
+/// tool end.
+struct Relation {
+  const tool::Profile* cutter = nullptr;
+  double side = 1.0;
+  double thick = 0.0;
+};
+
+/// Measures the gap along cut vectors with bounds that hold for all of their points. It knows
+/// surfaces and cutters, nothing of how motion was computed. One belongs to one thread.
+class Probe {
+ public:
+  virtual ~Probe() = default;
+  /// The cut vector that the other calls speak of.
+  virtual void take(const Chord& chord) = 0;
+  /// `low` may be -unbounded where it is costly; `settle` then finds it.
+  virtual Node at(double s) = 0;
+  /// The gap between two nodes. A lower bound above `aim` need not be made narrower; where a gap
+  /// below it is measured, that ends the search.
+  virtual Stretch over(const Node& a, const Node& b, double aim) = 0;
+  /// Raises `low` of a node to at least `aim`, if that can be proven.
+  virtual void settle(Node& node, double aim) = 0;
+};
+
+[[nodiscard]] std::unique_ptr<Probe> makeProbe(const surface::AnySurface& surface,
+                                               const Relation& relation);
+
+}  // namespace arelem::certify

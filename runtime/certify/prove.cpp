@@ -1,0 +1,125 @@
+#include "runtime/certify/prove.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace arelem::certify {
+
+namespace {
+/// Extremes are told to this share of the band.
+constexpr double figureShare = 0.01;
+/// Parts of a cut vector that are not halved any more.
+constexpr double smallestPart = 1e-9;
+constexpr std::uint64_t nodeLimit = 4096;
+
+class Proof {
+ public:
+  Proof(Probe& probe, const Allowed& allowed)
+      : probe_(probe),
+        floor_(-allowed.inner - allowed.slack),
+        ceiling_(allowed.outer + allowed.slack),
+        figure_(figureShare * (allowed.inner + allowed.outer) + allowed.slack) {}
+
+  Verdict run(Node& first) {
+    Node last = probe_.at(1.0);
+    verdict_.least = {unbounded, unbounded, 0.0};
+    verdict_.greatest = {-unbounded, -unbounded, 0.0};
+    see(first);
+    see(last);
+    parts_.push_back({first, last});
+    while (!parts_.empty()) {
+      const Part part = parts_.back();
+      parts_.pop_back();
+      decide(part);
+    }
+    finish();
+    first = last;
+    return verdict_;
+  }
+
+ private:
+  struct Part {
+    Node a, b;
+  };
+
+  void see(const Node& n) {
+    ++verdict_.nodes;
+    if (n.high < verdict_.least.measured) {
+      verdict_.least.measured = n.high;
+      verdict_.least.at = n.s;
+    }
+    if (n.high > verdict_.greatest.measured) {
+      verdict_.greatest.measured = n.high;
+      verdict_.greatest.at = n.s;
+      farthest_ = n;
+    }
+  }
+
+  /// The bound that a part must reach: near what was measured, so that the figures mean something,
+  /// and within the limit as long as that was kept.
+  [[nodiscard]] double lowAim() const {
+    const double measured = verdict_.least.measured;
+    return measured < floor_ ? measured - figure_ : std::max(floor_, measured - figure_);
+  }
+  [[nodiscard]] double highAim() const {
+    const double measured = verdict_.greatest.measured;
+    return measured > ceiling_ ? measured + figure_ : std::min(ceiling_, measured + figure_);
+  }
+
+  void decide(const Part& part) {
+    const Stretch range = probe_.over(part.a, part.b, lowAim());
+    if (range.sample < verdict_.least.measured) {
+      verdict_.least.measured = range.sample;
+      verdict_.least.at = range.sampleAt;
+    }
+    if (range.low >= lowAim() && range.high <= highAim()) {
+      take(range);
+      return;
+    }
+    if (part.b.s - part.a.s <= smallestPart || verdict_.nodes >= nodeLimit) {
+      take(range);
+      return;
+    }
+    const Node middle = probe_.at(0.5 * (part.a.s + part.b.s));
+    see(middle);
+    parts_.push_back({part.a, middle});
+    parts_.push_back({middle, part.b});
+  }
+
+  void take(const Range& range) {
+    verdict_.least.proven = std::min(verdict_.least.proven, range.low);
+    verdict_.greatest.proven = std::max(verdict_.greatest.proven, range.high);
+  }
+
+  void finish() {
+    using State = Verdict::State;
+    if (verdict_.least.measured < floor_) {
+      verdict_.inner = State::refuted;
+    } else if (!(verdict_.least.proven >= floor_)) {
+      verdict_.inner = State::undecided;
+    }
+    if (verdict_.greatest.measured > ceiling_) {
+      // A measured point of the cutter is too far off; the nearest one may be another.
+      if (!(farthest_.low > ceiling_)) {
+        probe_.settle(farthest_, std::nextafter(ceiling_, unbounded));
+      }
+      verdict_.outer = farthest_.low > ceiling_ ? State::refuted : State::undecided;
+    } else if (!(verdict_.greatest.proven <= ceiling_)) {
+      verdict_.outer = State::undecided;
+    }
+  }
+
+  Probe& probe_;
+  double floor_, ceiling_, figure_;
+  std::vector<Part> parts_;
+  Verdict verdict_;
+  Node farthest_;
+};
+}  // namespace
+
+Verdict prove(Probe& probe, const Allowed& allowed, Node& first) {
+  return Proof(probe, allowed).run(first);
+}
+
+}  // namespace arelem::certify
