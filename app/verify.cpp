@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "app/certify.h"
 #include "app/command.h"
 #include "app/options.h"
 #include "app/pipeline.h"
@@ -144,33 +145,44 @@ ExitCode verify(const std::string& output,
 
 int runVerify(const Invocation& invocation) {
   CLI::App app(
-      "Reads an output again, with a reader that shares nothing with the writer, and compares "
-      "every location\n"
-      "with those that the part program gives. Reads CL text and CL tapes.",
+      "Proves that every cut vector keeps the tolerances of its part program: of the path that "
+      "arelem computes,\n"
+      "or of a CL file of any origin (CL text, CL tape, json). With --with, compares the locations "
+      "of an output\n"
+      "with those that the program gives.",
       "verify");
   Settings settings;
   Allowed allowed;
-  std::string output;
-  std::string program;
-  app.add_option("OUTPUT", output, "CL text or CL tape")->required();
-  app.add_option("--with", program, "the part program it was made from")
-      ->required()
+  CertifyRequest request;
+  std::string with;
+  app.add_option("FILE", request.program, "a part program; with --with, an output")->required();
+  app.add_option("CL", request.path, "the CL file of the program; without it, arelem's own path");
+  app.add_option("--with", with, "the part program that the output FILE was made from")
       ->type_name("FILE");
   app.add_option("--tolerance", allowed.distance,
-                 "largest distance of a location, part unit (1e-6)")
+                 "with --with: largest distance of a location, part unit (1e-6)")
       ->check(CLI::NonNegativeNumber);
+  app.add_option("--slack", request.slack,
+                 "what rounding may add to each tolerance, part unit (1e-6)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_flag("--json", request.json, "one object a statement instead of a table");
   addSourceOptions(app, settings);
   addMessageOptions(app, settings);
   if (const auto code = parse(app, invocation.words)) {
     return *code;
   }
+  const InterruptFlag& interrupted = invocation.interrupt.flag();
+  if (with.empty()) {
+    return static_cast<int>(certify(request, settings, interrupted));
+  }
+  const std::string& output = request.program;
   if (const backend::Target* target = backend::targetForFile(output);
       target != nullptr && !target->readsBack) {
     printUsageError("verify", "`" + output + "` is " + std::string(target->name) +
                                   ", which is not read back; verify reads CL text and CL tapes");
     return static_cast<int>(ExitCode::wrongUse);
   }
-  return static_cast<int>(verify(output, program, settings, allowed, invocation.interrupt.flag()));
+  return static_cast<int>(verify(output, with, settings, allowed, interrupted));
 }
 
 }  // namespace arelem::app

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "runtime/certify/body_search.h"
 #include "runtime/certify/core_probe.h"
 #include "runtime/tool/contact.h"
@@ -18,9 +20,10 @@ template <surface::Surface S>
 /// True where the cutter is a convex body.
 [[nodiscard]] bool isConvex(const tool::Profile& cutter);
 
-/// A cutter against any kind of surface. It takes one of three ways:
-///   core     walls along the axis and ball ends are one ball; what is beside it is cleared by the
-///            plane that supports the contact, else searched
+/// A cutter against any kind of surface. It takes one of four ways:
+///   wall     a wall along the axis meets the cutter as a ball of its largest radius
+///   ball     a ball end is its ball; what is beside it is cleared by the plane that supports the
+///            contact, else searched
 ///   convex   outside a convex solid the gap of a convex cutter is a convex function of the tool
 ///   end:
 ///            chords bound it from above, supporting planes from below
@@ -45,21 +48,24 @@ class CutterProbe final : public Probe {
 
   void take(const Chord& chord) override {
     chord_ = chord;
-    rest_.clear();
+    before_ = way_;
     if (isWall()) {
-      way_ = Way::core;
+      way_ = Way::wall;
       core_.take(chord_, {0.0, cutter_.maxRadius()});
     } else if (!cutter_.ring && cutter_.e == 0.0 && pieces_.front().radius == 0.0) {
-      way_ = Way::core;
+      way_ = Way::ball;
       core_.take(chord_, {cutter_.f, cutter_.r});
-      rest_.assign(pieces_.begin() + 1, pieces_.end());
     } else {
       way_ = convex_ ? Way::convex : Way::general;
     }
   }
 
+  Node resume(const Node& previous) override {
+    return way_ == before_ ? turned(previous, chord_) : at(0.0);
+  }
+
   Node at(double s) override {
-    if (way_ == Way::core) {
+    if (way_ == Way::wall || way_ == Way::ball) {
       return core_.at(s);
     }
     Node n;
@@ -73,9 +79,11 @@ class CutterProbe final : public Probe {
 
   Stretch over(const Node& a, const Node& b, double aim) override {
     Stretch result;
-    if (way_ == Way::core) {
+    if (way_ == Way::wall || way_ == Way::ball) {
       static_cast<Range&>(result) = core_.over(a, b);
-      clearRest(a, b, aim, result);
+      if (way_ == Way::ball) {
+        clearRest(a, b, aim, result);
+      }
     } else if (way_ == Way::convex) {
       static_cast<Range&>(result) = overConvex(a, b);
     } else {
@@ -93,7 +101,7 @@ class CutterProbe final : public Probe {
   }
 
  private:
-  enum class Way : std::uint8_t { core, convex, general };
+  enum class Way : std::uint8_t { none, wall, ball, convex, general };
   /// Places measured for one part of a chord.
   static constexpr int budget = 20000;
   /// Sine of the angle between generatrix and axis below which the surface is a wall.
@@ -162,13 +170,17 @@ class CutterProbe final : public Probe {
   /// The pieces beside the core: above `aim` by the plane that supports the core's contact, or by
   /// search.
   void clearRest(const Node& a, const Node& b, double aim, Stretch& result) {
-    if (rest_.empty() || cleared(a, b, std::min(aim, result.low))) {
+    const std::span<const Piece> rest = std::span(pieces_).subspan(1);
+    if (rest.empty() || cleared(a, b, rest, std::min(aim, result.low))) {
       return;
     }
-    result.low = std::min(result.low, searched(a.s, b.s, aim, rest_, result));
+    result.low = std::min(result.low, searched(a.s, b.s, aim, rest, result));
   }
 
-  [[nodiscard]] bool cleared(const Node& a, const Node& b, double aim) const {
+  [[nodiscard]] bool cleared(const Node& a,
+                             const Node& b,
+                             std::span<const Piece> rest,
+                             double aim) const {
     const double h = b.s - a.s;
     const double way = h * (chord_.length() + chord_.turn() * reach_);
     const double size = reach_ + cutter_.f + way;
@@ -176,7 +188,7 @@ class CutterProbe final : public Probe {
     const double low = std::min(0.0, relation_.side > 0.0 ? bends.low : -bends.high);
     const double nz = a.normal.dot(a.axis);
     const double sine = std::sqrt(std::max(0.0, 1.0 - nz * nz));
-    for (const Piece& p : rest_) {
+    for (const Piece& p : rest) {
       // Least of n . (y - core) over the piece.
       const double least = p.least(-sine, nz, 0.0, 1.0) - nz * cutter_.f;
       const double gap = relation_.side * a.foot.distance - relation_.thick + least +
@@ -192,7 +204,7 @@ class CutterProbe final : public Probe {
   /// `aim` if the gap of the pieces is proven to be at least that, else nothing; notes a lower gap
   /// that was measured.
   double searched(
-      double from, double to, double aim, const std::vector<Piece>& pieces, Stretch& result) {
+      double from, double to, double aim, std::span<const Piece> pieces, Stretch& result) {
     bool proven = true;
     for (const Piece& p : pieces) {
       const BodyResult r = search_.run(chord_, p, from, to, aim, budget);
@@ -213,11 +225,11 @@ class CutterProbe final : public Probe {
   Relation relation_;
   CoreGap<S> core_;
   BodySearch<S> search_;
-  std::vector<Piece> pieces_, rest_;
+  std::vector<Piece> pieces_;
   tool::Search<S> guess_;
   typename S::Hint hint_{};
   Chord chord_;
-  Way way_ = Way::general;
+  Way way_ = Way::none, before_ = Way::none;
   bool convex_ = false;
   double reach_ = 0.0;
 };

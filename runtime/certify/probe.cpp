@@ -26,6 +26,7 @@ class PointProbe final : public Probe {
     chord_ = chord;
     core_.take(chord_, {});
   }
+  Node resume(const Node& previous) override { return turned(previous, chord_); }
   Node at(double s) override { return core_.at(s); }
   Stretch over(const Node& a, const Node& b, double) override { return {core_.over(a, b)}; }
   void settle(Node&, double) override {}
@@ -48,6 +49,7 @@ class ClosedProbe final : public Probe {
     convexBody_ = isConvex(cutter_);
   }
   void take(const Chord& chord) override { chord_ = chord; }
+  Node resume(const Node& previous) override { return turned(previous, chord_); }
   Node at(double s) override {
     Node n;
     n.s = s;

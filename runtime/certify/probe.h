@@ -39,6 +39,8 @@ class Probe {
   virtual ~Probe() = default;
   /// The cut vector that the other calls speak of.
   virtual void take(const Chord& chord) = 0;
+  /// The node at s = 0 of the chord taken, from the one at s = 1 of the chord before it.
+  virtual Node resume(const Node& previous) = 0;
   /// `low` may be -unbounded where it is costly; `settle` then finds it.
   virtual Node at(double s) = 0;
   /// The gap between two nodes. A lower bound above `aim` need not be made narrower; where a gap
@@ -47,6 +49,13 @@ class Probe {
   /// Raises `low` of a node to at least `aim`, if that can be proven.
   virtual void settle(Node& node, double aim) = 0;
 };
+
+/// `previous` as the beginning of a chord: only its slope changes.
+[[nodiscard]] inline Node turned(Node previous, const Chord& chord) {
+  previous.s = 0.0;
+  previous.slope = previous.normal.dot(chord.velocity(previous.point - previous.toolEnd));
+  return previous;
+}
 
 [[nodiscard]] std::unique_ptr<Probe> makeProbe(const surface::AnySurface& surface,
                                                const Relation& relation);

@@ -1,0 +1,17 @@
+#pragma once
+#include <string_view>
+
+#include "ir/cl/record.h"
+#include "ir/diag/diagnostic.h"
+
+namespace arelem::backend {
+
+/// Reads the motion records of a `json` output: one record a line, or one object whose `cl` is the
+/// list of records. Of other records only their statement number is kept (as cl::Card). False after
+/// a fault, which is reported with its line.
+bool readJsonRecords(std::string_view text,
+                     std::string_view file,
+                     cl::RecordSink& records,
+                     DiagnosticSink& sink);
+
+}  // namespace arelem::backend

@@ -1,0 +1,411 @@
+#include "runtime/certify/association.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ir/diag/verify.h"
+#include "ir/space/tolerance.h"
+
+namespace arelem::certify {
+
+using runtime::Action;
+using runtime::Follow;
+using runtime::Locate;
+using runtime::Startup;
+
+Association::Association(const std::vector<Action>& actions,
+                         const Options& options,
+                         DiagnosticSink& sink)
+    : actions_(actions), options_(options), sink_(sink), check_(options_, sink) {
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (const auto* label = std::get_if<runtime::Label>(&actions[i].body)) {
+      labels_.emplace(label->key, i);
+    }
+  }
+}
+
+void Association::report(const Action& action, Failure failure) {
+  sink_.accept(at(action.origin, std::move(failure)));
+}
+
+void Association::add(StatementResult result) {
+  ++summary_.statements;
+  summary_.faults += result.good ? 0 : 1;
+  summary_.cutVectors += result.drive ? result.cutVectors : 0;
+  for (const auto* g : {&result.drive, &result.part}) {
+    summary_.places += *g ? (*g)->result.verdict.nodes : 0;
+  }
+  results_.push_back(std::move(result));
+}
+
+bool Association::putsOut(const Action& action) const {
+  const auto* toggle = std::get_if<runtime::Toggle>(&action.body);
+  if (toggle != nullptr) {
+    return toggle->word == Word::CUT && !modal_.output;
+  }
+  return std::holds_alternative<Locate>(action.body) ||
+         std::holds_alternative<Startup>(action.body) ||
+         std::holds_alternative<Follow>(action.body);
+}
+
+const Action* Association::advance() {
+  while (!ended_ && index_ < actions_.size() && !order_.expectsCopy()) {
+    const Action& action = actions_[index_];
+    if (putsOut(action)) {
+      if (modal_.output || std::holds_alternative<runtime::Toggle>(action.body)) {
+        return &action;
+      }
+      unseen(action);
+      ++index_;
+      continue;
+    }
+    ++index_;
+    if (++steps_ > options_.limits.steps) {
+      ended_ = true;
+    } else if (const auto* pass = std::get_if<runtime::Pass>(&action.body)) {
+      std::string objection;
+      order_.apply(pass->body, objection);
+      if (!objection.empty()) {
+        report(action, fail(diag::NotCertified, objection));
+      }
+    } else if (const auto* transfer = std::get_if<runtime::Transfer>(&action.body)) {
+      jump(transfer->label);
+    } else if (std::holds_alternative<runtime::Fini>(action.body)) {
+      ended_ = true;
+    } else {
+      modal_.apply(action);
+    }
+  }
+  return nullptr;
+}
+
+void Association::jump(std::uint64_t label) {
+  // The next place with this label, or, where there is none ahead, the last one behind.
+  const auto [first, last] = labels_.equal_range(label);
+  std::optional<std::size_t> ahead, behind;
+  for (auto i = first; i != last; ++i) {
+    auto& slot = i->second >= index_ ? ahead : behind;
+    slot = !slot                 ? i->second
+           : i->second >= index_ ? std::min(*slot, i->second)
+                                 : std::max(*slot, i->second);
+  }
+  index_ = ahead ? *ahead : behind ? *behind : actions_.size();
+}
+
+void Association::moveTo(const Location& l) {
+  modal_.toolEnd = l.toolEnd;
+  modal_.axis = l.axis;
+  modal_.positioned = true;
+}
+
+void Association::unseen(const Action& action) {
+  if (const auto* locate = std::get_if<Locate>(&action.body)) {
+    if (locate->axis && locate->axis->norm() > tolerance::nullDirection) {
+      modal_.axis = locate->axis->normalized();
+    }
+    if (locate->word != Word::GODLTA) {
+      modal_.toolEnd = locate->point;
+      modal_.positioned = true;
+    } else {
+      modal_.toolEnd += locate->axial ? Vec3(*locate->axial * modal_.axis) : locate->point;
+    }
+    return;
+  }
+  modal_.takeAutomaticPart();
+  if (const auto* startup = std::get_if<Startup>(&action.body);
+      startup && startup->surfaces.size() > 1) {
+    if (auto part = named(startup->surfaces[1].surface)) {
+      modal_.part = *std::move(part);
+    }
+  }
+  modal_.consumeOneShots();
+  modal_.positioned = false;
+}
+
+bool Association::numberAhead(int isn) const {
+  // A transfer may lead anywhere.
+  const auto has = [&](std::size_t from) {
+    return std::any_of(actions_.begin() + static_cast<std::ptrdiff_t>(from), actions_.end(),
+                       [&](const Action& a) { return a.isn == isn && putsOut(a); });
+  };
+  return has(labels_.empty() ? index_ : 0);
+}
+
+void Association::surplus(std::span<const Location> rest) {
+  if (surplus_ == 0 && !rest.empty()) {
+    firstSurplus_ = rest.front().toolEnd;
+  }
+  surplus_ += rest.size();
+}
+
+void Association::take(int isn, const Run& run) {
+  const Action* action = advance();
+  while (action != nullptr && action->isn != isn && numberAhead(isn)) {
+    miss(*action);
+    action = advance();
+  }
+  if (order_.expectsCopy()) {
+    judgeCopy(run);
+    order_.keep(run);
+  } else if (action == nullptr || action->isn != isn) {
+    surplus(run.locations);
+  } else {
+    order_.keep(run);
+    judge(*action, order_.programmed(run));
+  }
+}
+
+/// A motion for which the file has nothing.
+void Association::miss(const Action& action) {
+  report(action, fail(diag::MotionMissing, options_.file));
+  ++summary_.faults;
+  unseen(action);
+  ++index_;
+}
+
+void Association::judge(const Action& action, const Run& run) {
+  ++index_;
+  if (const auto* locate = std::get_if<Locate>(&action.body)) {
+    judgeLocate(action, *locate, run);
+  } else if (const auto* startup = std::get_if<Startup>(&action.body)) {
+    judgeStartup(action, *startup, run);
+  } else if (const auto* follow = std::get_if<Follow>(&action.body)) {
+    judgeFollow(action, *follow, run);
+  } else {
+    modal_.apply(action);  // CUT puts out where the tool is
+    moveTo(pathOf(run, nullptr).back());
+  }
+}
+
+std::vector<Location> Association::pathOf(const Run& run, const surface::AnySurface* drive) const {
+  std::vector<Location> path = run.locations;
+  if (!run.withAxis) {
+    for (Location& l : path) {
+      l.axis = drive != nullptr ? modal_.axisAt(l.toolEnd, *drive) : modal_.axis;
+    }
+  }
+  return path;
+}
+
+void Association::judgeLocate(const Action& action, const Locate& locate, const Run& run) {
+  const bool known = modal_.positioned;
+  if (locate.axis && locate.axis->norm() > tolerance::nullDirection) {
+    modal_.axis = locate.axis->normalized();
+  }
+  const Location end = pathOf(run, nullptr).back();
+  const bool relative = locate.word == Word::GODLTA;
+  Vec3 wanted = locate.point;
+  if (relative) {
+    wanted = modal_.toolEnd + (locate.axial ? Vec3(*locate.axial * modal_.axis) : locate.point);
+  }
+  StatementResult result;
+  result.origin = action.origin;
+  result.isn = action.isn;
+  result.statement = arelem::spell(locate.word);
+  result.cutVectors = run.locations.size();
+  const double away = (end.toolEnd - wanted).norm();
+  if (!(away <= options_.slack) && (known || !relative)) {
+    result.good = false;
+    report(action, fail(diag::LocationMoved, away));
+  }
+  moveTo(end);
+  add(std::move(result));
+}
+
+void Association::judgeStartup(const Action& action, const Startup& startup, const Run& run) {
+  modal_.takeAutomaticPart();
+  const Location before{modal_.toolEnd, modal_.axis};
+  Location after = pathOf(run, nullptr).back();
+  std::optional<Named> part;
+  if (startup.surfaces.size() > 1) {
+    if (auto second = named(startup.surfaces[1].surface)) {
+      part = *std::move(second);
+    }
+  }
+  auto drive = named(startup.surfaces[0].surface);
+  if (!run.withAxis && drive) {
+    const std::optional<Named> old = modal_.part;
+    modal_.part = part ? part : old;
+    after.axis = modal_.axisAt(after.toolEnd, drive->surface);
+    modal_.part = old;
+  }
+  StatementResult result = check_.startup(modal_, action, startup, before, after);
+  result.cutVectors = run.locations.size();
+  if (part) {
+    modal_.part = *std::move(part);
+  }
+  modal_.consumeOneShots();
+  moveTo(after);
+  add(std::move(result));
+}
+
+std::optional<Goal> Association::impliedGoal() const {
+  std::optional<Word> relation = modal_.driveRelation;
+  for (std::size_t i = index_; i < actions_.size(); ++i) {
+    const auto& body = actions_[i].body;
+    if (const auto* r = std::get_if<runtime::ToolRelation>(&body)) {
+      if (r->word != Word::TLONPS && r->word != Word::TLOFPS) {
+        relation = r->word;
+      }
+    } else if (const auto* next = std::get_if<Follow>(&body)) {
+      auto surface = named(next->drive);
+      if (!surface) {
+        return std::nullopt;
+      }
+      Goal goal{*std::move(surface), ir::Condition::tanto};
+      const bool left = next->heading == ir::Heading::left;
+      if (left || next->heading == ir::Heading::right) {
+        const bool on = !relation || *relation == Word::TLON || *relation == Word::TLNDON;
+        goal.condition = on                                   ? ir::Condition::on
+                         : (*relation == Word::TLLFT) == left ? ir::Condition::to
+                                                              : ir::Condition::past;
+      }
+      return goal;
+    } else if (std::holds_alternative<Startup>(body) || std::holds_alternative<Locate>(body)) {
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Goal> Association::goalsOf(const Follow& follow) const {
+  std::vector<Goal> goals;
+  for (const runtime::CheckUse& c : follow.checks) {
+    if (auto surface = named(c.use.surface)) {
+      const auto condition =
+          c.use.condition == ir::Condition::automatic ? ir::Condition::to : c.use.condition;
+      goals.push_back({*std::move(surface), condition});
+    }
+  }
+  if (follow.checks.empty()) {
+    if (auto goal = impliedGoal()) {
+      goals.push_back(*std::move(goal));
+    }
+  }
+  return goals;
+}
+
+/// The check surface that was met: of several the one that the end is nearest to.
+std::size_t Association::metOf(const Follow& follow,
+                               std::span<const Goal> goals,
+                               std::span<const Location> path) const {
+  auto drive = named(follow.drive);
+  std::size_t met = 0;
+  double least = unbounded;
+  for (std::size_t i = 0; i < goals.size() && drive; ++i) {
+    const double missed = check_.missed(modal_, goals[i], i, path, drive->surface);
+    if (missed < least) {
+      least = missed;
+      met = i;
+    }
+  }
+  return met;
+}
+
+void Association::judgeFollow(const Action& action, const Follow& follow, const Run& run) {
+  modal_.takeAutomaticPart();
+  const auto drive = named(follow.drive);
+  std::vector<Location> path{{modal_.toolEnd, modal_.axis}};
+  const std::vector<Location> points = pathOf(run, drive ? &drive->surface : nullptr);
+  path.insert(path.end(), points.begin(), points.end());
+  if (!modal_.positioned) {
+    report(action, fail(diag::NotCertified, std::string("the file does not tell where it begins")));
+    ++summary_.faults;
+    path.erase(path.begin());
+  }
+  const std::vector<Goal> goals = goalsOf(follow);
+  const std::size_t met = goals.size() > 1 ? metOf(follow, goals, path) : 0;
+  if (path.size() > 1) {
+    add(check_.follow(modal_, action, follow, goals, met, path));
+  }
+  modal_.consumeOneShots();
+  moveTo(path.back());
+  if (met < follow.checks.size() && follow.checks[met].label) {
+    jump(*follow.checks[met].label);
+  }
+}
+
+void Association::judgeCopy(const Run& run) {
+  const OutputOrder::Copy wanted = order_.takeCopy();
+  const Action& copy = actions_[index_ - 1];
+  const std::size_t count = std::min(run.locations.size(), wanted.run.locations.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const double away = (run.locations[i].toolEnd - wanted.run.locations[i].toolEnd).norm();
+    if (!(away <= options_.slack)) {
+      report(copy, fail(diag::CopyMoved, std::uint64_t{i + 1}, wanted.number, away));
+      ++summary_.faults;
+      return;
+    }
+  }
+  if (run.locations.size() != wanted.run.locations.size()) {
+    report(copy, fail(diag::CopyMoved, std::uint64_t{count + 1}, wanted.number, unbounded));
+    ++summary_.faults;
+  }
+}
+
+void Association::finish() {
+  for (const Action* action = advance(); action != nullptr; action = advance()) {
+    miss(*action);
+  }
+  if (order_.expectsCopy()) {
+    report(actions_[index_ - 1], fail(diag::MotionMissing, options_.file));
+    ++summary_.faults;
+  }
+  if (surplus_ > 0) {
+    sink_.accept(diagnose(Span{}, diag::SurplusLocations, options_.file, surplus_,
+                          firstSurplus_.x(), firstSurplus_.y(), firstSurplus_.z()));
+    ++summary_.faults;
+  }
+}
+
+/// How many of the locations from `used` belong to the action: one, or for a motion those up to the
+/// first that stands at a check surface.
+std::size_t Association::lengthOf(const Action& action, const Run& all, std::size_t used) {
+  const auto* follow = std::get_if<Follow>(&action.body);
+  const auto drive = follow != nullptr ? named(follow->drive) : Result<Named>(Named{});
+  if (follow == nullptr || !drive) {
+    return 1;
+  }
+  ++index_;  // what comes behind it implies check surfaces
+  const std::vector<Goal> goals = goalsOf(*follow);
+  --index_;
+  std::array<Location, 2> last{Location{modal_.toolEnd, modal_.axis}, {}};
+  for (std::size_t i = used; i < all.locations.size(); ++i) {
+    last[1] = order_.programmed(all.locations[i]);
+    if (!all.withAxis) {
+      last[1].axis = modal_.axisAt(last[1].toolEnd, drive->surface);
+    }
+    for (std::size_t g = 0; g < goals.size(); ++g) {
+      if (check_.missed(modal_, goals[g], g, last, drive->surface) == 0.0) {
+        return i + 1 - used;
+      }
+    }
+    last[0] = last[1];
+  }
+  return all.locations.size() - used;
+}
+
+void Association::takeAll(const Run& all) {
+  std::size_t used = 0;
+  while (used < all.locations.size()) {
+    const Action* action = advance();
+    const bool copies = order_.expectsCopy();
+    if (action == nullptr && !copies) {
+      break;
+    }
+    const std::size_t wanted = copies ? order_.copyLength() : lengthOf(*action, all, used);
+    const std::size_t count = std::min(wanted, all.locations.size() - used);
+    const auto from = all.locations.begin() + static_cast<std::ptrdiff_t>(used);
+    const Run run{{from, from + static_cast<std::ptrdiff_t>(count)}, all.withAxis};
+    used += count;
+    if (copies) {
+      judgeCopy(run);
+    } else {
+      judge(*action, order_.programmed(run));
+    }
+    order_.keep(run);
+  }
+  surplus(std::span(all.locations).subspan(used));
+}
+
+}  // namespace arelem::certify

@@ -1,0 +1,305 @@
+#include "runtime/certify/motion_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ir/diag/verify.h"
+#include "ir/space/tolerance.h"
+
+namespace arelem::certify {
+
+namespace {
+/// Share of the band, beside a fixed length, by which a motion may begin outside its band.
+constexpr double startShare = 0.2;
+constexpr double startLength = 5e-5;
+/// Components of a contact normal along the path below this do not tell whether the tool approaches
+/// the surface or leaves it.
+constexpr double glancing = 1e-3;
+/// Cosine of the angle within which contact normals agree at a tangency.
+constexpr double agreeing = 0.5;
+
+using State = Verdict::State;
+
+Vec3 directionAtEnd(std::span<const Location> path) {
+  for (std::size_t i = path.size() - 1; i > 0; --i) {
+    const Vec3 step = path[i].toolEnd - path[i - 1].toolEnd;
+    if (step.norm() > tolerance::sameSide) {
+      return step.normalized();
+    }
+  }
+  return Vec3::Zero();
+}
+
+double excess(const Touch& t, const Allowed& a) {
+  return std::max({0.0, -a.inner - a.slack - t.low, t.high - a.outer - a.slack});
+}
+}  // namespace
+
+std::string_view spell(ir::Condition condition) {
+  constexpr std::array names = {"TO", "TO", "ON", "PAST", "TANTO", "PSTAN"};
+  return names.at(static_cast<std::size_t>(condition));
+}
+std::string_view spell(ir::Heading heading) {
+  constexpr std::array names = {"GOLFT", "GORGT", "GOFWD", "GOBACK", "GOUP", "GODOWN"};
+  return names.at(static_cast<std::size_t>(heading));
+}
+
+void MotionCheck::report(StatementResult& result, const runtime::Action& action, Failure failure) {
+  result.good = result.good && failure.row->severity != Severity::error;
+  Diagnostic d = at(action.origin, std::move(failure));
+  for (auto call = action.calls; call; call = call->outer) {
+    d.calledFrom.push_back(call->call);
+  }
+  sink_.accept(std::move(d));
+}
+
+Allowed MotionCheck::allowedFor(const Modal& modal, Role role) const {
+  return {modal.inner[role], modal.outer[role], options_.slack};
+}
+
+GuideTask MotionCheck::taskOf(const Modal& modal, Role role, Named surface, bool on) const {
+  GuideTask task;
+  task.surface = std::move(surface);
+  task.cutter = on ? nullptr : modal.cutterFor(role);
+  task.thick = on ? 0.0 : modal.thick[role];
+  task.allowed = allowedFor(modal, role);
+  task.startSlack = startShare * (task.allowed.inner + task.allowed.outer) + startLength;
+  return task;
+}
+
+StatementResult MotionCheck::follow(const Modal& modal,
+                                    const runtime::Action& action,
+                                    const runtime::Follow& follow,
+                                    std::span<const Goal> goals,
+                                    std::size_t met,
+                                    std::span<const Location> path) {
+  StatementResult result;
+  result.origin = action.origin;
+  result.isn = action.isn;
+  result.statement = spell(follow.heading);
+  result.cutVectors = path.size() - 1;
+  auto drive = named(follow.drive);
+  if (!drive) {
+    report(result, action, fail(diag::NotCertified, drive.failure().message));
+    return result;
+  }
+  GuideTask driveTask = taskOf(modal, driveRole, *drive, modal.toolOnDrive());
+  GuideTask partTask = taskOf(modal, partRole, modal.partSurface(), modal.toolOnPart);
+  if (!modal.driveRelation) {
+    // No tool position was ever given: ON if the tool end is on the drive surface.
+    const Touch end = touch(drive->surface, {nullptr, 1.0, 0.0}, path.front(), driveTask.allowed);
+    const double band = driveTask.allowed.inner + driveTask.allowed.outer;
+    if (std::abs(end.high) <= band + startLength) {
+      driveTask.cutter = nullptr;
+      driveTask.thick = 0.0;
+    }
+  }
+  result.drive = GuideFigures{driveTask.surface.name, driveTask.allowed,
+                              proveGuide(driveTask, path, options_.interrupted)};
+  result.part = GuideFigures{partTask.surface.name, partTask.allowed,
+                             proveGuide(partTask, path, options_.interrupted)};
+  judge(result, action, *result.part);
+  judge(result, action, *result.drive);
+  if (driveTask.cutter != nullptr) {
+    judgeHand(modal, action, *result.drive, path);
+  }
+  if (met < goals.size()) {
+    const Goal& goal = goals[met];
+    const Contact contact = contactOf(modal, goal, met, path, drive->surface);
+    StopFigures stop{goal.surface.name, std::string(spell(goal.condition)), contact.touch.high,
+                     contact.missed() == 0.0};
+    const Allowed& a = contact.allowed;
+    const bool measuredGood = contact.touch.high >= -a.inner - a.slack;
+    if (!stop.good && measuredGood && contact.touch.high <= a.outer + a.slack) {
+      report(result, action,
+             fail(diag::StopUndecided, stop.condition, stop.surface, contact.touch.low,
+                  contact.touch.high, -a.inner, a.outer));
+    } else if (!stop.good && contact.tangent) {
+      report(result, action,
+             fail(diag::DoesNotTouch, stop.surface, std::abs(contact.touch.high), a.outer));
+    } else if (!stop.good) {
+      report(result, action,
+             fail(diag::StopMissed, contact.touch.high, stop.condition, stop.surface, -a.inner,
+                  a.outer));
+    }
+    result.stops.push_back(std::move(stop));
+  }
+  return result;
+}
+
+void MotionCheck::judge(StatementResult& result,
+                        const runtime::Action& action,
+                        const GuideFigures& figures) {
+  const GuideResult& r = figures.result;
+  const Verdict& v = r.verdict;
+  const Allowed& a = figures.allowed;
+  if (v.inner == State::refuted) {
+    const Vec3& p = r.leastPlace;
+    report(result, action,
+           fail(diag::Undercut, -v.least.measured, figures.surface, p.x(), p.y(), p.z(),
+                std::uint64_t{r.leastVector + 1}, a.inner));
+  } else if (v.inner == State::undecided) {
+    const Vec3& p = r.leastPlace;
+    report(result, action,
+           fail(diag::ToleranceUndecided, figures.surface, p.x(), p.y(), p.z(),
+                std::uint64_t{r.leastVector + 1}, v.least.proven, v.least.measured, -a.inner));
+  }
+  if (v.outer == State::refuted) {
+    const Vec3& p = r.greatestPlace;
+    report(result, action,
+           fail(diag::LeftOff, v.greatest.measured, figures.surface, p.x(), p.y(), p.z(),
+                std::uint64_t{r.greatestVector + 1}, a.outer));
+  } else if (v.outer == State::undecided) {
+    const Vec3& p = r.greatestPlace;
+    report(
+        result, action,
+        fail(diag::ToleranceUndecided, figures.surface, p.x(), p.y(), p.z(),
+             std::uint64_t{r.greatestVector + 1}, v.greatest.measured, v.greatest.proven, a.outer));
+  }
+}
+
+/// TLLFT: the drive surface lies to the right of the motion.
+void MotionCheck::judgeHand(const Modal& modal,
+                            const runtime::Action& action,
+                            const GuideFigures& drive,
+                            std::span<const Location> path) {
+  if (!modal.driveRelation || path.size() < 2) {
+    return;
+  }
+  const Vec3 step = path[1].toolEnd - path[0].toolEnd;
+  const double q = step.normalized().cross(Vec3(-drive.result.firstNormal)).dot(path[0].axis);
+  const bool left = *modal.driveRelation == Word::TLLFT;
+  if (left ? q > tolerance::coincidence : q < -tolerance::coincidence) {
+    sink_.accept(diagnose(action.origin, diag::OtherHand, arelem::spell(*modal.driveRelation),
+                          drive.surface));
+  }
+}
+
+double MotionCheck::Contact::missed() const {
+  return excess(touch, allowed);
+}
+
+MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
+                                            const Goal& goal,
+                                            std::size_t index,
+                                            std::span<const Location> path,
+                                            const surface::AnySurface& drive) const {
+  const Role role = index == 0 ? checkRole : secondCheckRole;
+  const bool touchesPart = goal.condition == ir::Condition::pstan;
+  Contact c;
+  c.tangent = goal.condition == ir::Condition::tanto || touchesPart;
+  c.allowed = allowedFor(modal, role);
+  const bool on = goal.condition == ir::Condition::on ||
+                  (c.tangent && (touchesPart ? modal.toolOnPart : modal.toolOnDrive()));
+  if (on || c.tangent) {
+    // Either side of the surface: the whole band counts on both.
+    const double band = c.allowed.inner + c.allowed.outer;
+    c.allowed.inner = c.tangent ? band : std::max(c.allowed.inner, c.allowed.outer);
+    c.allowed.outer = c.allowed.inner;
+  }
+  const Location& end = path.back();
+  if (on) {
+    c.touch = touch(goal.surface.surface, {nullptr, 1.0, 0.0}, end, c.allowed);
+    return c;
+  }
+  const tool::Profile* cutter = modal.cutterFor(role);
+  const std::array<Touch, 2> sides = {
+      touch(goal.surface.surface, {cutter, 1.0, modal.thick[role]}, end, c.allowed),
+      touch(goal.surface.surface, {cutter, -1.0, modal.thick[role]}, end, c.allowed)};
+  // TO ends while the tool comes nearer, PAST while it leaves; at a tangency the tool is on the
+  // side on which it is of its guide.
+  Vec3 towards = directionAtEnd(path);
+  double wanted = glancing;
+  double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
+  if (c.tangent) {
+    const Named part = modal.partSurface();
+    const surface::AnySurface& guide = touchesPart ? part.surface : drive;
+    const tool::Profile* guideCutter = modal.cutterFor(touchesPart ? partRole : driveRole);
+    const Touch plus = touch(guide, {guideCutter, 1.0, 0.0}, end, c.allowed);
+    const Touch minus = touch(guide, {guideCutter, -1.0, 0.0}, end, c.allowed);
+    towards = std::abs(plus.high) <= std::abs(minus.high) ? plus.normal : minus.normal;
+    wanted = -agreeing;
+    sign = 1.0;
+  }
+  const auto fits = [&](const Touch& t) { return sign * t.normal.dot(towards) >= -wanted; };
+  const bool first = fits(sides[0]) == fits(sides[1])
+                         ? std::abs(sides[0].high) <= std::abs(sides[1].high)
+                         : fits(sides[0]);
+  c.touch = sides[first ? 0 : 1];
+  return c;
+}
+
+double MotionCheck::missed(const Modal& modal,
+                           const Goal& goal,
+                           std::size_t index,
+                           std::span<const Location> path,
+                           const surface::AnySurface& drive) const {
+  return contactOf(modal, goal, index, path, drive).missed();
+}
+
+namespace {
+/// The side of a surface on which the tool is before a startup.
+double presentSide(const Modal& modal,
+                   const surface::AnySurface& surface,
+                   const Location& before,
+                   const std::optional<Vec3>& toPast) {
+  const double lift = modal.cutter ? std::min(modal.cutter->h, modal.cutter->d) / 2 : 0.0;
+  const Location judged{before.toolEnd + lift * before.axis, before.axis};
+  const Touch foot = touch(surface, {nullptr, 1.0, 0.0}, judged, {});
+  if (toPast) {
+    return toPast->dot(foot.normal) > 0.0 ? -1.0 : 1.0;
+  }
+  if (std::abs(foot.high) <= tolerance::sameSide) {
+    return foot.normal.dot(before.axis) < 0.0 ? -1.0 : 1.0;
+  }
+  return foot.high < 0.0 ? -1.0 : 1.0;
+}
+}  // namespace
+
+StatementResult MotionCheck::startup(const Modal& modal,
+                                     const runtime::Action& action,
+                                     const runtime::Startup& startup,
+                                     const Location& before,
+                                     const Location& after) {
+  StatementResult result;
+  result.origin = action.origin;
+  result.isn = action.isn;
+  result.statement = startup.offset ? "OFFSET" : "GO";
+  const auto check = [&](const Named& surface, ir::Condition condition, std::size_t index) {
+    const Role role = index == 0 ? driveRole : index == 1 ? partRole : checkRole;
+    const bool on = condition == ir::Condition::on;
+    const double present = presentSide(modal, surface.surface, before,
+                                       modal.surfaceVector[std::min<std::size_t>(index, 2)]);
+    const double side = condition == ir::Condition::past ? -present : present;
+    Allowed allowed = allowedFor(modal, role);
+    if (on) {
+      allowed.inner = allowed.outer = std::max(allowed.inner, allowed.outer);
+    }
+    const Touch t = touch(
+        surface.surface, {on ? nullptr : modal.cutterFor(role), on ? 1.0 : side, modal.thick[role]},
+        after, allowed);
+    const bool good = excess(t, allowed) == 0.0;
+    result.stops.push_back({surface.name, std::string(spell(condition)), t.high, good});
+    if (!good) {
+      report(result, action,
+             fail(diag::StartupMissed, t.high, spell(condition), surface.name, -allowed.inner,
+                  allowed.outer));
+    }
+  };
+  for (std::size_t i = 0; i < startup.surfaces.size(); ++i) {
+    auto surface = named(startup.surfaces[i].surface);
+    if (!surface) {
+      report(result, action, fail(diag::NotCertified, surface.failure().message));
+      continue;
+    }
+    const ir::Condition c = startup.surfaces[i].condition;
+    check(*surface, c == ir::Condition::automatic ? ir::Condition::to : c, i);
+  }
+  if (startup.surfaces.size() == 1 && !modal.ignorePart) {
+    check(modal.partSurface(), ir::Condition::to, 1);
+  }
+  return result;
+}
+
+}  // namespace arelem::certify
