@@ -130,8 +130,32 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     const double inner = std::max({guides[i].inner, -from.gap, -to.gap});
     const double outer = std::max({guides[i].outer, from.gap, to.gap});
     factor = std::min(factor, fittingFactor(first, second, inner, outer));
+    factor = std::min(factor, ridge(i, {a.toolEnd, from, first, inner, outer}, middle, between));
+    factor = std::min(factor, ridge(i, {middle, between, second, inner, outer}, b.toolEnd, to));
   }
   return factor;
+}
+
+/// Where the contact jumps from one place of the cutter to another the gap has a ridge that no
+/// cubic shows: measured where the tangents from both ends cross.
+double Path::ridge(std::size_t guide, const Half& half, const Vec3& end, const tool::Contact& to) {
+  const Vec3 jump = (to.point - end) - (half.from.point - half.start);
+  const ChordProfile& c = half.profile;
+  const double bend = c.slopeFrom - c.slopeTo;
+  if (jump.norm() <= c.length || bend <= 0.0) {
+    return tolerance::farAway;
+  }
+  const double at = (c.gapTo - c.gapFrom - c.slopeTo * c.length) / bend;
+  const double crossing = c.gapFrom + c.slopeFrom * at;
+  if (at <= 0.0 || at >= c.length || crossing <= half.outer) {
+    return tolerance::farAway;
+  }
+  const Vec3 place = half.start + at / c.length * (end - half.start);
+  const double gap = guides[guide].field->at(place, axis.at(place)).gap;
+  const double line = c.gapFrom + at / c.length * (c.gapTo - c.gapFrom);
+  return gap <= half.outer || gap <= line
+             ? tolerance::farAway
+             : std::sqrt(std::max(0.0, half.outer - line) / (gap - line));
 }
 
 std::optional<PathPoint> meet(Path& path,

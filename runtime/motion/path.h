@@ -50,7 +50,18 @@ class Path {
   [[nodiscard]] double fit(const PathPoint& a, const PathPoint& b);
 
  private:
+  /// Half of a chord with the gap of one guide, and what it may be.
+  struct Half {
+    const Vec3& start;
+    const tool::Contact& from;
+    const ChordProfile& profile;
+    double inner, outer;
+  };
   [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards) const;
+  [[nodiscard]] double ridge(std::size_t guide,
+                             const Half& half,
+                             const Vec3& end,
+                             const tool::Contact& to);
 };
 
 /// Where on the path a check surface is met, from a bracket on the chord after `from`.
