@@ -116,14 +116,8 @@ class Follower {
   /// The gap field of a guiding surface, on the side where the tool is.
   std::unique_ptr<Field> guideField(const NamedSurface& s, Role role, bool on) {
     if (on) {
-      // Either side would do; the convex one makes the band's outer edge the free one.
-      auto field = makeField(s.surface, 1.0, {});
-      const double step = 0.01 * std::sqrt(state_.band(role));
-      const Vec3 n = field->at(state_.toolEnd, state_.axis).normal;
-      const Vec3 t = n.unitOrthogonal();
-      const double bend = curvatureAlong(*field, state_.toolEnd, path_.axis, t, step) +
-                          curvatureAlong(*field, state_.toolEnd, path_.axis, n.cross(t), step);
-      return bend < 0.0 ? makeField(s.surface, -1.0, {}) : std::move(field);
+      const Guide& g = path_.guides[role];
+      return onField(s.surface, state_.toolEnd, path_.axis, g.inner, g.outer);
     }
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
     auto plus = makeField(s.surface, 1.0, tool);

@@ -89,6 +89,27 @@ double restGapAfter(Field& field,
                 outer);
 }
 
+std::unique_ptr<Field> onField(const surface::AnySurface& surface,
+                               const Vec3& toolEnd,
+                               const AxisRule& axis,
+                               double inner,
+                               double outer) {
+  auto plus = makeField(surface, 1.0, {});
+  auto minus = makeField(surface, -1.0, {});
+  const Vec3 a = axis.at(toolEnd);
+  const tool::Contact c = plus->at(toolEnd, a);
+  const double step = probe(inner + outer);
+  const Vec3 t = c.normal.unitOrthogonal();
+  const double bend = curvatureAlong(*plus, toolEnd, axis, t, step) +
+                      curvatureAlong(*plus, toolEnd, axis, c.normal.cross(t), step);
+  const auto within = [&](double gap) {
+    return gap >= -inner - tolerance::sameSide && gap <= outer + tolerance::sameSide;
+  };
+  const bool bulges = bend >= 0.0;
+  const bool takePlus = within(c.gap) == within(-c.gap) ? bulges : within(c.gap);
+  return takePlus ? std::move(plus) : std::move(minus);
+}
+
 Result<NamedSurface> named(const EntityPtr& entity) {
   auto surface = surface::surfaceOf(*entity);
   if (!surface) {

@@ -38,6 +38,15 @@ namespace arelem::motion {
 [[nodiscard]] double curvatureAlong(
     Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t, double step);
 
+/// The field of the tool end ON a surface, seen from the side towards which it bulges at `toolEnd`,
+/// so that the band's outer edge is the free one; from the other side where only that puts the tool
+/// end within [-inner, outer].
+[[nodiscard]] std::unique_ptr<Field> onField(const surface::AnySurface& surface,
+                                             const Vec3& toolEnd,
+                                             const AxisRule& axis,
+                                             double inner,
+                                             double outer);
+
 /// The part surface in force: PSIS, a startup, AUTOPS, or the XY plane.
 [[nodiscard]] NamedSurface partSurface(const State& state);
 [[nodiscard]] Result<NamedSurface> named(const EntityPtr& entity);

@@ -165,6 +165,11 @@ class Starter {
   std::vector<Wanted> wanted(bool atRest, const Vec3& near) {
     std::vector<Wanted> list;
     for (Goal& goal : goals_) {
+      if (atRest && goal.condition == ir::Condition::on) {
+        // The side from which the motions that follow will see it.
+        goal.field = onField(goal.surface.surface, near, rule_, state_.inner[goal.role],
+                             state_.outer[goal.role]);
+      }
       const double target = atRest ? restGap(*goal.field, near, rule_, state_.inner[goal.role],
                                              state_.outer[goal.role], exact_)
                                    : 0.0;
