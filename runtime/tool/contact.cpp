@@ -25,6 +25,18 @@ Contact wallContact(
   return {side * foot.distance - radius, normal, te - radius * normal};
 }
 
+/// True where side * distance is a convex function: the solid on the other side is convex.
+template <surface::Surface S>
+bool isConvex(const S&, double) {
+  return false;
+}
+bool isConvex(const surface::Cylinder&, double side) {
+  return side > 0.0;
+}
+bool isConvex(const surface::Cone&, double side) {
+  return side > 0.0;
+}
+
 /// Closed forms; the general search does the rest.
 template <surface::Surface S>
 Contact contactOf(const S& s,
@@ -35,7 +47,7 @@ Contact contactOf(const S& s,
                   Search<S>& search) {
   return isWall(surface::generatrix(s), axis)
              ? wallContact(s, side, cutter, te, search)
-             : ContactSearch<S>(s, side, cutter, te, axis, search).run();
+             : ContactSearch<S>(s, side, cutter, te, axis, search).run(isConvex(s, side));
 }
 
 Contact contactOf(const surface::Plane& s,

@@ -1,11 +1,16 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <limits>
+#include <numbers>
 
-#include "runtime/tool/contact.h"
+#include "runtime/tool/contact_descent.h"
 
-/// The general contact: minimizes side * distance over the cutter, piece by piece. Private to
-/// runtime/tool.
+/// The general contact: the least side * distance over the whole cutter. Private to runtime/tool.
+///
+/// A descent from the last contact finds a local minimum. Where the distance is a convex function
+/// on this side, it is the least of all if the cutter lies wholly before the plane through the
+/// contact square to its normal. Elsewhere the search follows every minimum that it knows and
+/// surveys the whole cutter after each stretch of path.
 namespace arelem::tool {
 
 template <surface::Surface S>
@@ -17,233 +22,234 @@ class ContactSearch {
                 const Vec3& te,
                 const Vec3& axis,
                 Search<S>& search)
-      : surface_(s), side_(side), cutter_(cutter), te_(te), axis_(axis), search_(search) {
-    e1_ = axis.unitOrthogonal();
-    e2_ = axis.cross(e1_);
-  }
+      : cutter_(cutter),
+        te_(te),
+        axis_(axis),
+        search_(search),
+        known_(search.valid),
+        descent_(s, side, cutter, te, axis, search) {}
 
-  Contact run() {
-    aim();
-    Contact best = nearestPiece();
-    if (cutter_.ring) {
-      return best;
+  /// `convex`: side * distance is a convex function of the place.
+  Contact run(bool convex) {
+    const Contact local = descent_.nearestPiece();
+    if (convex) {
+      return supports(local) ? local : survey(local);
     }
-    // A surface that is hollow on this side may touch the cutter elsewhere too: look from the far
-    // side of the axis and at the upper end, unless the distances there prove that it does not.
-    if (hollow(best)) {
-      const double c = search_.cosTheta;
-      const double s = search_.sinTheta;
-      const bool reachable =
-          sample(te_ + cutter_.f * axis_).distance() - cutter_.e - cutter_.r < best.gap;
-      if (cutter_.maxRadius() > 0.0 && reachable) {
-        takeBetter(best, [&] { return opposite(c, s); });
-      }
-      const ProfilePoint top = cutter_.sideEnd;
-      if (sample(te_ + top.z * axis_).distance() - top.rho < best.gap) {
-        takeBetter(best, [&] { return alongCircle(top, 0.0); });
-      }
-    }
-    return best;
+    return known_ && !surveyIsDue() ? bestOfKnown(local) : survey(local);
   }
 
  private:
-  static constexpr int limit = 50;
-  static constexpr double smallTurn = 1e-15;
-  /// Curvatures above minus this count as not hollow. Per part unit.
-  static constexpr double flatness = 1e-9;
+  using Minimum = typename Search<S>::Minimum;
 
-  struct Sample {
-    Vec3 at;
-    surface::Foot foot;
-    Vec3 gradient;  ///< of side * distance
-    double side;
-    [[nodiscard]] double distance() const { return side * foot.distance; }
+  static constexpr double supportSlack = 1e-9;
+  /// Share of the cutter's radius that the tool may move from one survey to the next.
+  static constexpr double surveyShare = 0.5;
+  /// The same for tools without a radius, as a share of the height.
+  static constexpr double heightShare = 0.05;
+  static constexpr int angles = 16;
+  /// Minima whose contacts are nearer than this share of the height are one.
+  static constexpr double sameShare = 1e-6;
+
+  /// True where the cutter lies before the plane through the contact square to its normal; a convex
+  /// distance lies above the distance from that plane.
+  [[nodiscard]] bool supports(const Contact& c) const {
+    const double far = reach(cutter_, c.normal.dot(axis_));
+    return c.normal.dot(te_ - c.point) >= far - supportSlack * (1.0 + far);
+  }
+
+  [[nodiscard]] double moved(const Vec3& te, const Vec3& axis) const {
+    return (te_ - te).norm() + cutter_.h * (axis_ - axis).norm();
+  }
+  /// What the tool may move from one survey to the next.
+  [[nodiscard]] double stretch() const {
+    return std::max(surveyShare * cutter_.maxRadius(), heightShare * cutter_.h);
+  }
+  [[nodiscard]] bool surveyIsDue() const {
+    return moved(search_.surveyedAt, search_.surveyedAxis) > stretch();
+  }
+
+  // ---- the minima that are known --------------------------------------------------------------
+
+  enum Piece { corner, bottom, side };
+
+  Contact descend(int piece, double along) {
+    switch (piece) {
+      case bottom:
+        return descent_.onBottom();
+      case side:
+        return descent_.onSide(along);
+      default:
+        return descent_.nearestPiece();
+    }
+  }
+
+  Minimum minimum(const Contact& c, int piece, double along) const {
+    return {search_.toward, search_.hint, c.gap, c.point, te_, axis_, piece, along};
+  }
+  void resume(const Minimum& m) {
+    search_.hint = m.hint;
+    descent_.turnTo(m.toward);
+  }
+
+  /// A minimum that was m deep when the tool was d away is at most m + d deep now.
+  Contact bestOfKnown(const Contact& local) {
+    Contact best = local;
+    Minimum first = minimum(local, corner, 0.0);
+    for (std::size_t i = 0; i < search_.others; ++i) {
+      Minimum& other = search_.minima[i];
+      if (other.gap - moved(other.toolEnd, other.axis) >= best.gap) {
+        continue;
+      }
+      resume(other);
+      const Contact c = descend(other.piece, other.along);
+      other = minimum(c, other.piece, other.along);
+      if (c.gap < best.gap) {
+        best = c;
+        // The next descent from the corner goes on from the better one.
+        if (other.piece == corner) {
+          std::swap(first, other);
+        }
+      }
+    }
+    resume(first);
+    return best;
+  }
+
+  // ---- survey -----------------------------------------------------------------------------------
+
+  struct Row {
+    ProfilePoint q;
+    double ball = 0.0;
+    Piece piece = corner;
+    double along = 0.0;       ///< share of the side's length
+    double halfHeight = 0.0;  ///< half the distance to the next row
+  };
+  static constexpr std::size_t mostRows = 8;
+  struct Rows {
+    std::array<Row, mostRows> list;
+    std::size_t count = 0;
+    void add(const Row& r) { list[count++] = r; }
   };
 
-  Contact nearestPiece() {
-    Contact best = alongCircle({cutter_.e, cutter_.f}, cutter_.r);
-    if (cutter_.ring) {
-      return best;
+  /// The corner stands for its whole arc; pieces without length are left out.
+  [[nodiscard]] Rows rows() const {
+    Rows rows;
+    const ProfilePoint& from = cutter_.sideStart;
+    const ProfilePoint& to = cutter_.sideEnd;
+    if (!cutter_.ring && cutter_.bottomEnd.rho > 0.0) {
+      rows.add({{0.0, 0.0}, 0.0, bottom});
+      rows.add({{0.5 * cutter_.bottomEnd.rho, 0.5 * cutter_.bottomEnd.z}, 0.0, bottom});
     }
-    const double nz = best.normal.dot(axis_);
-    if (cutter_.alpha == 0.0 && cutter_.e > 0.0 && nz > 0.0 && best.normal.dot(radial()) > 0.0) {
-      best = onDisc(best);
-    } else if (nz > cutter_.cosAlpha) {
-      best = onLine({0.0, 0.0}, cutter_.bottomEnd);
-    } else if (nz < cutter_.sinBeta) {
-      best = onLine(cutter_.sideStart, cutter_.sideEnd);
+    rows.add({{cutter_.e, cutter_.f}, cutter_.r, corner});
+    if (to.z > from.z) {
+      for (const double s : {0.25, 0.5, 0.75, 1.0}) {
+        rows.add({{from.rho + s * (to.rho - from.rho), from.z + s * (to.z - from.z)},
+                  0.0,
+                  side,
+                  s,
+                  0.125 * (to.z - from.z)});
+      }
     }
+    return rows;
+  }
+
+  using Grid = std::array<std::array<double, angles>, mostRows>;
+
+  /// The lowest of its neighbors; of equal ones the first.
+  static bool isLow(const Grid& grid, std::size_t count, std::size_t row, int k) {
+    for (int dr = -1; dr <= 1; ++dr) {
+      const auto r = static_cast<std::size_t>(static_cast<int>(row) + dr);
+      for (int dk = -1; dk <= 1 && r < count; ++dk) {
+        const int neighbor = (k + dk + angles) % angles;
+        const bool before = r < row || (r == row && neighbor < k);
+        const double value = grid[r][static_cast<std::size_t>(neighbor)];
+        const double here = grid[row][static_cast<std::size_t>(k)];
+        if ((dr != 0 || dk != 0) && (before ? value <= here : value < here)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Descends from every low place of a grid over the whole cutter.
+  Contact survey(const Contact& local) {
+    constexpr double step = 2.0 * std::numbers::pi / angles;
+    const Rows all = rows();
+    std::array<Vec3, angles> directions;
+    for (int k = 0; k < angles; ++k) {
+      directions[static_cast<std::size_t>(k)] = descent_.direction(step * k);
+    }
+    Contact best = local;
+    Minimum first = minimum(local, corner, 0.0);
+    Grid grid;
+    for (std::size_t r = 0; r < all.count; ++r) {
+      fill(grid[r], all.list[r], directions, best.gap + 2.0 * stretch());
+    }
+    search_.others = 0;
+    for (std::size_t r = 0; r < all.count; ++r) {
+      for (int k = 0; k < angles; ++k) {
+        if (isLow(grid, all.count, r, k)) {
+          const Row& row = all.list[r];
+          descent_.turnTo(directions[static_cast<std::size_t>(k)]);
+          const Contact c = descend(row.piece, row.along);
+          keep(minimum(c, row.piece, row.along), first);
+          best = c.gap < best.gap ? c : best;
+        }
+      }
+    }
+    resume(first);
+    search_.surveyedAt = te_;
+    search_.surveyedAxis = axis_;
     return best;
   }
 
-  /// True where the distance may fall again away from the contact: the surface bends towards the
-  /// cutter.
-  bool hollow(const Contact& best) {
-    const Sample s = sample(best.point);
-    const Vec3 t = best.normal.unitOrthogonal();
-    return bend(s, t) < -flatness || bend(s, best.normal.cross(t)) < -flatness;
+  /// Distances around a row; infinite where the surface is so far from the axis there that the row
+  /// cannot get below `bound`.
+  void fill(std::array<double, angles>& values,
+            const Row& row,
+            const std::array<Vec3, angles>& directions,
+            double bound) {
+    values.fill(std::numeric_limits<double>::infinity());
+    const double onAxis = descent_.valueAt({0.0, row.q.z}, directions[0]);
+    if (onAxis - std::hypot(row.q.rho, row.halfHeight) - row.ball > bound) {
+      return;
+    }
+    for (std::size_t k = 0; k < angles; ++k) {
+      values[k] =
+          row.q.rho == 0.0 ? onAxis - row.ball : descent_.valueAt(row.q, directions[k]) - row.ball;
+    }
   }
 
-  Contact opposite(double cosTheta, double sinTheta) {
-    search_.cosTheta = -cosTheta;
-    search_.sinTheta = -sinTheta;
-    return nearestPiece();
-  }
-
-  /// Keeps the search where the better contact is.
-  template <class Find>
-  void takeBetter(Contact& best, Find find) {
-    const double c = search_.cosTheta;
-    const double s = search_.sinTheta;
-    const auto hint = search_.hint;
-    const Contact other = find();
-    if (other.gap < best.gap) {
-      best = other;
+  /// The best to which a descent from the corner leads stands in `first`, the others in the list.
+  void keep(Minimum m, Minimum& first) {
+    const double same = sameShare * (1.0 + cutter_.h);
+    bool known = (first.point - m.point).norm() <= same;
+    for (std::size_t i = 0; i < search_.others; ++i) {
+      known = known || (search_.minima[i].point - m.point).norm() <= same;
+    }
+    if (known) {
+      return;
+    }
+    if (m.piece == corner && m.gap < first.gap) {
+      std::swap(first, m);
+    }
+    if (search_.others < search_.minima.size()) {
+      search_.minima[search_.others++] = m;
     } else {
-      search_.cosTheta = c;
-      search_.sinTheta = s;
-      search_.hint = hint;
+      const auto highest =
+          std::max_element(search_.minima.begin(), search_.minima.end(),
+                           [](const auto& a, const auto& c) { return a.gap < c.gap; });
+      *highest = highest->gap > m.gap ? m : *highest;
     }
   }
 
-  Sample sample(const Vec3& at) {
-    const surface::Foot foot = surface_.foot(at, search_.hint);
-    return {at, foot, side_ * foot.normal, side_};
-  }
-  double bend(const Sample& s, const Vec3& t) {
-    return side_ * surface_.bend(s.at, s.foot, t, search_.hint);
-  }
-  double bend(const Sample& s, const Vec3& a, const Vec3& b) {
-    return 0.25 * (bend(s, a + b) - bend(s, a - b));
-  }
-  [[nodiscard]] Vec3 radial() const { return search_.cosTheta * e1_ + search_.sinTheta * e2_; }
-  [[nodiscard]] Vec3 around() const { return -search_.sinTheta * e1_ + search_.cosTheta * e2_; }
-  [[nodiscard]] Vec3 place(ProfilePoint q) const { return te_ + q.rho * radial() + q.z * axis_; }
-
-  /// Turns the search towards the surface: against the gradient at the corner's height.
-  void aim() {
-    const Sample s = sample(te_ + cutter_.f * axis_);
-    const double x = -s.gradient.dot(e1_);
-    const double y = -s.gradient.dot(e2_);
-    const double length = std::hypot(x, y);
-    if (!search_.valid && length > 0.0) {
-      search_.cosTheta = x / length;
-      search_.sinTheta = y / length;
-    }
-    search_.valid = true;
-  }
-
-  void turn(double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    const double next = search_.cosTheta * c - search_.sinTheta * s;
-    search_.sinTheta = search_.sinTheta * c + search_.cosTheta * s;
-    search_.cosTheta = next;
-    const double length = std::hypot(search_.cosTheta, search_.sinTheta);
-    search_.cosTheta /= length;
-    search_.sinTheta /= length;
-  }
-
-  [[nodiscard]] Contact result(const Sample& s, double ball) const {
-    return {side_ * s.foot.distance - ball, s.gradient, s.at - ball * s.gradient};
-  }
-
-  /// Least distance over the circle of a profile point, by Newton on the angle.
-  Contact alongCircle(ProfilePoint q, double ball) {
-    Sample s = sample(place(q));
-    if (q.rho == 0.0) {
-      return result(s, ball);
-    }
-    for (int i = 0; i < limit; ++i) {
-      const Vec3 tangent = around();
-      const double slope = s.gradient.dot(tangent);
-      const double pull = -s.gradient.dot(radial());
-      const double curvature = q.rho * bend(s, tangent) + pull;
-      // Away from a minimum, turn as if the surface were flat there.
-      const double angle = curvature > 0.1 * std::abs(pull) && curvature > 0.0
-                               ? -slope / curvature
-                               : -slope / std::max(std::abs(pull) + std::abs(curvature), 1e-3);
-      const double bounded = std::clamp(angle, -1.0, 1.0);
-      turn(bounded);
-      s = sample(place(q));
-      if (std::abs(bounded) <= smallTurn) {
-        break;
-      }
-    }
-    return result(s, ball);
-  }
-
-  /// The flat bottom: Newton in its plane; on its rim the circle search has the answer already.
-  Contact onDisc(const Contact& rim) {
-    const double height = cutter_.f;
-    Vec3 offset = cutter_.e * radial();
-    Sample s = sample(place({cutter_.e, height}));
-    for (int i = 0; i < limit; ++i) {
-      const Eigen::Vector2d slope(s.gradient.dot(e1_), s.gradient.dot(e2_));
-      Eigen::Matrix2d curvature;
-      const double mixed = bend(s, e1_, e2_);
-      curvature << bend(s, e1_), mixed, mixed, bend(s, e2_);
-      // A flat direction has no single minimum: stay on the axis along it.
-      const double ridge = 1e-9 / std::max(cutter_.e, 1e-9);
-      curvature += ridge * Eigen::Matrix2d::Identity();
-      const Eigen::Vector2d pulled =
-          slope + ridge * Eigen::Vector2d(offset.dot(e1_), offset.dot(e2_));
-      if (curvature.determinant() <= 0.0 || curvature(0, 0) <= 0.0) {
-        return rim;
-      }
-      const Eigen::Vector2d step = curvature.inverse() * pulled;
-      Vec3 next = offset - step.x() * e1_ - step.y() * e2_;
-      if (next.norm() > cutter_.e) {
-        next *= cutter_.e / next.norm();
-      }
-      const double moved = (next - offset).norm();
-      offset = next;
-      s = sample(te_ + offset + height * axis_);
-      if (moved <= 1e-12 * (1.0 + cutter_.e)) {
-        break;
-      }
-    }
-    const Contact inner = result(s, cutter_.r);
-    return inner.gap < rim.gap ? inner : rim;
-  }
-
-  /// A straight piece of the profile turned about the axis: Newton in angle and place along the
-  /// line.
-  Contact onLine(ProfilePoint a, ProfilePoint b) {
-    const double length = std::hypot(b.rho - a.rho, b.z - a.z);
-    if (length <= 0.0) {
-      return alongCircle(a, 0.0);
-    }
-    double along = a.rho < b.rho || a.z > 0.0 ? 0.0 : 1.0;
-    Contact best = alongCircle(at(a, b, along), 0.0);
-    for (int i = 0; i < limit; ++i) {
-      const Vec3 direction = (b.rho - a.rho) * radial() + (b.z - a.z) * axis_;
-      const Sample s = sample(place(at(a, b, along)));
-      const double slope = s.gradient.dot(direction);
-      const double curvature = bend(s, direction);
-      const double step = curvature > 1e-9 * length * std::abs(slope) ? -slope / curvature
-                                                                      : (slope < 0.0 ? 1.0 : -1.0);
-      const double next = slope == 0.0 ? along : std::clamp(along + step, 0.0, 1.0);
-      const double moved = std::abs(next - along);
-      along = next;
-      best = alongCircle(at(a, b, along), 0.0);
-      if (moved <= 1e-13) {
-        break;
-      }
-    }
-    return best;
-  }
-  static ProfilePoint at(ProfilePoint a, ProfilePoint b, double s) {
-    return {a.rho + s * (b.rho - a.rho), a.z + s * (b.z - a.z)};
-  }
-
-  const S& surface_;
-  double side_;
   const Profile& cutter_;
   const Vec3& te_;
   const Vec3& axis_;
   Search<S>& search_;
-  Vec3 e1_, e2_;
+  bool known_;
+  ContactDescent<S> descent_;
 };
 
 }  // namespace arelem::tool

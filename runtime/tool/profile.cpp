@@ -89,6 +89,11 @@ Result<Profile> makeProfile(std::span<const double> values) {
     p.e = p.d / 2 - p.r;
     p.f = p.r;
   }
+  if (p.r == 0.0 && p.e == 0.0 && p.f == 0.0) {
+    // A sharp corner stands where bottom and side meet.
+    p.e = p.d / 2;
+    p.f = p.e * std::tan(p.alpha);
+  }
   if (p.e < -tolerance::coincidence) {
     return fail(diag::CutterImpossible,
                 fmt::format("corner radius {} is larger than the radius {}", p.r, p.d / 2));

@@ -124,6 +124,96 @@ TEST(Contact, EllipsoidAgainstBruteForce) {
       1.0, 5);
 }
 
+// Inside hollow surfaces a cutter may touch in several places. The search is carried along a path,
+// as motion does, so that the contact has to jump from one place to another.
+template <class S, class Make>
+void followPath(Make make, double side, bool hollow = true) {
+  std::mt19937_64 engine(11);
+  const auto in = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(engine);
+  };
+  int jumps = 0;
+  for (int i = 0; i < 12; ++i) {
+    const S s = make(in);
+    const Vec3 from(in(-2, 2), in(-2, 2), in(-1, 2)), to(in(-2, 2), in(-2, 2), in(-1, 2));
+    for (const auto& values : cutters) {
+      const Profile cutter = *makeProfile(values);
+      Search<S> search;
+      Vec3 last = Vec3::Zero();
+      for (int k = 0; k <= 20; ++k) {
+        const Vec3 te = from + k / 20.0 * (to - from);
+        const Contact c = contact(s, side, cutter, te, Vec3::UnitZ(), search);
+        jumps += k > 0 && (c.point - last).norm() > 0.5 ? 1 : 0;
+        last = c.point - (to - from) / 20.0;
+        if (k % 5 != 0 || c.gap < -0.05) {
+          continue;
+        }
+        typename S::Hint hint{};
+        double least = 1e9;
+        for (const Vec3& p : pointsOf(cutter, te, Vec3::UnitZ(), 128, 32)) {
+          least = std::min(least, side * s.foot(p, hint).distance);
+        }
+        EXPECT_LE(c.gap, least + 1e-9) << i << " place " << k << " d " << values[0];
+        EXPECT_NEAR(side * s.foot(c.point, hint).distance, c.gap, 1e-9);
+      }
+    }
+  }
+  EXPECT_EQ(jumps > 0, hollow);
+}
+
+TEST(Contact, InsideCylindersContactsJump) {
+  followPath<surface::Cylinder>(
+      [](auto in) {
+        return surface::Cylinder{
+            {0, 0, in(2, 4)}, Vec3(1, in(-0.5, 0.5), in(-0.3, 0.3)).normalized(), in(4, 6)};
+      },
+      -1.0);
+}
+TEST(Contact, InsideConesContactsJump) {
+  followPath<surface::Cone>(
+      [](auto in) {
+        const double half = in(0.5, 1.2);
+        return surface::Cone{{in(-1, 1), in(-1, 1), in(-4, -2)},
+                             Vec3(in(-0.3, 0.3), in(-0.3, 0.3), 1).normalized(),
+                             std::cos(half),
+                             std::sin(half)};
+      },
+      -1.0);
+}
+TEST(Contact, AroundConesWithTheirVertexBelow) {
+  followPath<surface::Cone>(
+      [](auto in) {
+        const double half = in(0.5, 1.4);
+        return surface::Cone{{in(-1, 1), in(-1, 1), in(-2, 0)},
+                             Vec3(in(-0.3, 0.3), in(-0.3, 0.3), -1).normalized(),
+                             std::cos(half),
+                             std::sin(half)};
+      },
+      1.0, false);
+}
+TEST(Contact, AroundToriContactsJump) {
+  followPath<surface::Torus>(
+      [](auto in) {
+        return surface::Torus{{in(-1, 1), in(-1, 1), in(-2, 0)},
+                              Vec3(in(-1, 1), in(-1, 1), in(-1, 1)).normalized(),
+                              in(2, 4),
+                              in(0.3, 1.5)};
+      },
+      1.0);
+}
+
+TEST(Contact, SharpCornerOfTheLongForm) {
+  // CUTTER/2,0,0,0,0,0,3 is a flat end mill, CUTTER/2,0,0,0,45,0,3 a pointed one.
+  const Profile flat = *makeProfile(std::vector<double>{2, 0, 0, 0, 0, 0, 3});
+  EXPECT_DOUBLE_EQ(reach(flat, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(flat.bottomEnd.rho, 1.0);
+  EXPECT_DOUBLE_EQ(flat.bottomEnd.z, 0.0);
+  const Profile pointed = *makeProfile(std::vector<double>{2, 0, 0, 0, 45, 0, 3});
+  EXPECT_DOUBLE_EQ(pointed.bottomEnd.rho, 1.0);
+  EXPECT_DOUBLE_EQ(pointed.bottomEnd.z, 1.0);
+  EXPECT_DOUBLE_EQ(pointed.sideEnd.rho, 1.0);
+}
+
 TEST(Contact, FlatBottomTouchesInside) {
   // A flat cutter square on top of a cylinder touches along the generatrix under its axis.
   const Profile flat = *makeProfile(std::vector<double>{0.062, 0.0, 0.031, 0.0, 0.0, 0.0, 0.5});

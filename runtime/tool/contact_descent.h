@@ -1,0 +1,235 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/tool/contact.h"
+
+/// Descents to a local minimum of side * distance over a piece of the cutter. Private to
+/// runtime/tool.
+namespace arelem::tool {
+
+template <surface::Surface S>
+class ContactDescent {
+ public:
+  /// The direction about the axis is carried on from the last contact in `search`, or aimed at the
+  /// surface.
+  ContactDescent(const S& s,
+                 double side,
+                 const Profile& cutter,
+                 const Vec3& te,
+                 const Vec3& axis,
+                 Search<S>& search)
+      : surface_(s), side_(side), cutter_(cutter), te_(te), axis_(axis), search_(search) {
+    if (!search_.valid) {
+      search_.toward = -sample(te_ + cutter_.f * axis_).gradient;
+    }
+    turnTo(search_.toward);
+    search_.valid = true;
+  }
+
+  /// From the corner circle into the piece of the profile to which the normal there points.
+  Contact nearestPiece() {
+    const Contact corner = alongCircle({cutter_.e, cutter_.f}, cutter_.r);
+    if (cutter_.ring) {
+      return corner;
+    }
+    const double nz = corner.normal.dot(axis_);
+    const bool inwards = nz > 0.0 && corner.normal.dot(search_.toward) > 0.0;
+    if (cutter_.alpha == 0.0 && cutter_.e > 0.0 && inwards) {
+      return onDisc(corner);
+    }
+    if (nz > cutter_.cosAlpha || (cutter_.alpha > 0.0 && inwards)) {
+      return onBottom();
+    }
+    return nz < cutter_.sinBeta ? onSide(0.0) : corner;
+  }
+
+  /// The bottom, from its rim.
+  Contact onBottom() {
+    return cutter_.alpha == 0.0 ? onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, 1.0)
+                                : onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, 1.0);
+  }
+  /// The side, from a share of its length.
+  Contact onSide(double along) { return onLine(cutter_.sideStart, cutter_.sideEnd, 0.0, along); }
+
+  /// The present direction about the axis, at some angle from it.
+  [[nodiscard]] Vec3 direction(double angle) const {
+    return std::cos(angle) * search_.toward + std::sin(angle) * axis_.cross(search_.toward);
+  }
+  void turnTo(const Vec3& toward) {
+    const Vec3 across = toward - toward.dot(axis_) * axis_;
+    const double length = across.norm();
+    search_.toward = length > smallestTurn ? Vec3(across / length) : axis_.unitOrthogonal();
+  }
+  /// side * distance of a point of the cutter.
+  double valueAt(ProfilePoint q, const Vec3& toward) {
+    return side_ * surface_.foot(te_ + q.rho * toward + q.z * axis_, search_.hint).distance;
+  }
+
+ private:
+  static constexpr int limit = 60;
+  /// Iterations after which a bracket is halved whatever Newton says.
+  static constexpr int patience = 12;
+  /// Newton's error after a turn this small is rounding. Radians.
+  static constexpr double smallTurn = 1e-8;
+  static constexpr double smallestTurn = 1e-15;
+  static constexpr double largestTurn = 1.0;
+  /// A turn that leaves a maximum. Radians.
+  static constexpr double kick = 0.1;
+  /// Slopes below this are those of an extreme.
+  static constexpr double levelSlope = 1e-12;
+  static constexpr double smallMove = 1e-12;
+
+  struct Sample {
+    Vec3 at;
+    surface::Foot foot;
+    Vec3 gradient;  ///< of side * distance
+  };
+
+  /// A zero of a slope lies between the places where the slope was last negative and positive.
+  struct Bracket {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+
+    void note(double at, double slope) { (slope < 0.0 ? low : high) = at; }
+    [[nodiscard]] bool closed() const { return std::isfinite(high - low); }
+    /// The place proposed, or the middle where that leaves the bracket or takes too long.
+    [[nodiscard]] double keep(double proposed, int iteration) const {
+      const bool outside = proposed <= low || proposed >= high;
+      return closed() && (outside || iteration > patience) ? 0.5 * (low + high) : proposed;
+    }
+  };
+
+  Sample sample(const Vec3& at) {
+    const surface::Foot foot = surface_.foot(at, search_.hint);
+    return {at, foot, side_ * foot.normal};
+  }
+  double bend(const Sample& s, const Vec3& t) {
+    return side_ * surface_.bend(s.at, s.foot, t, search_.hint);
+  }
+  double bend(const Sample& s, const Vec3& a, const Vec3& b) {
+    return 0.25 * (bend(s, a + b) - bend(s, a - b));
+  }
+  [[nodiscard]] Vec3 place(ProfilePoint q) const {
+    return te_ + q.rho * search_.toward + q.z * axis_;
+  }
+  [[nodiscard]] Contact result(double ball) const {
+    return {side_ * last_.foot.distance - ball, last_.gradient, last_.at - ball * last_.gradient};
+  }
+
+  /// Least distance over the circle of a profile point, by Newton on the angle.
+  Contact alongCircle(ProfilePoint q, double ball) {
+    last_ = sample(place(q));
+    if (q.rho == 0.0) {
+      return result(ball);
+    }
+    Bracket bracket;
+    double turned = 0.0;
+    for (int i = 0; i < limit; ++i) {
+      const Vec3 tangent = axis_.cross(search_.toward);
+      const double slope = last_.gradient.dot(tangent);
+      const double pull = -last_.gradient.dot(search_.toward);
+      const double curvature = q.rho * bend(last_, tangent) + pull;
+      const bool newton = curvature > 0.1 * std::abs(pull) && curvature > 0.0;
+      double angle = newton ? -slope / curvature
+                            : -slope / std::max(std::abs(pull) + std::abs(curvature), 1e-3);
+      if (std::abs(slope) <= levelSlope && curvature < -smallTurn) {
+        angle = kick;
+      }
+      bracket.note(turned, slope);
+      const double next = bracket.keep(turned + std::clamp(angle, -largestTurn, largestTurn), i);
+      angle = next - turned;
+      turned = next;
+      turnTo(direction(angle));
+      last_ = sample(place(q));
+      if (std::abs(angle) <= (newton ? smallTurn : smallestTurn)) {
+        break;
+      }
+    }
+    return result(ball);
+  }
+
+  /// The flat bottom: Newton in its plane; on its rim the circle search has the answer already.
+  Contact onDisc(const Contact& rim) {
+    const Vec3 e1 = search_.toward;
+    const Vec3 e2 = axis_.cross(e1);
+    Vec3 offset = cutter_.e * e1;
+    for (int i = 0; i < limit; ++i) {
+      const Eigen::Vector2d slope(last_.gradient.dot(e1), last_.gradient.dot(e2));
+      Eigen::Matrix2d curvature;
+      const double mixed = bend(last_, e1, e2);
+      curvature << bend(last_, e1), mixed, mixed, bend(last_, e2);
+      // A flat direction has no single minimum: stay on the axis along it.
+      const double ridge = 1e-9 / std::max(cutter_.e, 1e-9);
+      curvature += ridge * Eigen::Matrix2d::Identity();
+      const Eigen::Vector2d pulled =
+          slope + ridge * Eigen::Vector2d(offset.dot(e1), offset.dot(e2));
+      if (curvature.determinant() <= 0.0 || curvature(0, 0) <= 0.0) {
+        turnTo(e1);
+        return onBottom();
+      }
+      const Eigen::Vector2d step = curvature.inverse() * pulled;
+      Vec3 next = offset - step.x() * e1 - step.y() * e2;
+      if (next.norm() > cutter_.e) {
+        next *= cutter_.e / next.norm();
+      }
+      const double moved = (next - offset).norm();
+      offset = next;
+      last_ = sample(te_ + offset + cutter_.f * axis_);
+      if (moved <= smallMove * (1.0 + cutter_.e)) {
+        break;
+      }
+    }
+    const Contact inner = result(cutter_.r);
+    return inner.gap < rim.gap ? inner : rim;
+  }
+
+  /// A straight piece of the profile turned about the axis: the zero of the slope along it, with
+  /// the angle at its best everywhere.
+  Contact onLine(ProfilePoint a, ProfilePoint b, double ball, double along) {
+    const double length = std::hypot(b.rho - a.rho, b.z - a.z);
+    if (length <= 0.0) {
+      return alongCircle(a, ball);
+    }
+    Bracket bracket;
+    double before = along;
+    double slopeBefore = 0.0;
+    Contact best;
+    for (int i = 0; i < limit; ++i) {
+      best = alongCircle(at(a, b, along), ball);
+      const Vec3 direction = (b.rho - a.rho) * search_.toward + (b.z - a.z) * axis_;
+      const double slope = last_.gradient.dot(direction);
+      const bool atEnd = (along <= 0.0 && slope >= 0.0) || (along >= 1.0 && slope <= 0.0);
+      if (atEnd || std::abs(slope) <= levelSlope * length) {
+        break;
+      }
+      bracket.note(along, slope);
+      const double secant = i > 0 && along != before ? (slope - slopeBefore) / (along - before)
+                                                     : bend(last_, direction);
+      const double step =
+          secant > levelSlope * length ? -slope / secant : (slope < 0.0 ? 1.0 : -1.0);
+      const double next = bracket.keep(std::clamp(along + step, 0.0, 1.0), i);
+      before = along;
+      slopeBefore = slope;
+      along = next;
+      if (std::abs(along - before) <= smallMove) {
+        break;
+      }
+    }
+    return best;
+  }
+  static ProfilePoint at(ProfilePoint a, ProfilePoint b, double s) {
+    return {a.rho + s * (b.rho - a.rho), a.z + s * (b.z - a.z)};
+  }
+
+  const S& surface_;
+  double side_;
+  const Profile& cutter_;
+  const Vec3& te_;
+  const Vec3& axis_;
+  Search<S>& search_;
+  Sample last_;
+};
+
+}  // namespace arelem::tool
