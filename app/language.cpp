@@ -19,8 +19,8 @@ namespace {
 class JsonRows {
  public:
   explicit JsonRows(std::string_view name) {
-    std::cout << (opened_ ? ",\n" : "{\n") << jsonString(name) << ": [";
-    opened_ = true;
+    std::cout << (opened ? ",\n" : "{\n") << jsonString(name) << ": [";
+    opened = true;
   }
   ~JsonRows() { std::cout << "\n]"; }
   JsonRows(const JsonRows&) = delete;
@@ -39,7 +39,7 @@ class JsonRows {
 
  private:
   bool first_ = true;
-  static inline bool opened_ = false;
+  static inline bool opened = false;
 };
 
 std::string_view textOf(frontend::Leave leave) {

@@ -8,24 +8,12 @@
 #include <unistd.h>
 
 #include "backend/atomic_file.h"
+#include "backend/file_stream.h"
 #include "ir/diag/output.h"
 
 namespace arelem::app {
 
 namespace {
-/// Writes all bytes; 0 or the error number.
-int writeAll(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t done = ::write(fd, bytes.data(), bytes.size());
-    if (done >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(done));
-    } else if (errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
-}
-
 /// The reader of a pipe has seen enough: end as every filter does, without a message.
 [[noreturn]] void endAsFilter() {
   backend::AtomicFile::removeTemporaries();
@@ -64,7 +52,11 @@ class StandardOutput : public OutputFile {
     if (partial) {
       return std::string{};
     }
-    const int error = writeAll(STDOUT_FILENO, stream_.view());
+    backend::FileStreamBuffer out(STDOUT_FILENO);
+    const std::string_view bytes = stream_.view();
+    out.sputn(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.pubsync();
+    const int error = out.error();
     if (error == EPIPE) {
       endAsFilter();
     }

@@ -83,73 +83,67 @@ void Statements::define() {
   }
 }
 
-void Statements::dispatch(const Parts& p) {
+void Statements::motion(const Parts& p) {
   Motion motion(context_, values_, block_);
+  if (p.word == Word::FROM || p.word == Word::GOTO || p.word == Word::GODLTA) {
+    motion.locate(p.word, p.span, p.first);
+  } else if (p.word == Word::GO || p.word == Word::OFFSET) {
+    motion.startup(p.word, p.span, p.first);
+  } else if (row(p.word).type == 8000) {
+    motion.follow(p.word, p.span, p.first);
+  } else {
+    plain(p, {.owner = spell(p.word), .omitted = true});
+  }
+}
+
+void Statements::termac(const Parts& p) {
+  if (block_.area() == BlockWriter::Area::macro) {
+    emitCommand(p, {});
+  } else {
+    context_.report(diagnose(p.span, diag::TermacAlone));
+  }
+}
+
+void Statements::dispatch(const Parts& p) {
   switch (row(p.word).wordClass) {
     case WordClass::fixedField:
-      context_.report(diagnose(p.span, diag::FixedFieldPlace, spell(p.word)));
-      return;
+      return context_.report(diagnose(p.span, diag::FixedFieldPlace, spell(p.word)));
     case WordClass::inputOutput:
-      print(p);
-      return;
+      return print(p);
     case WordClass::obtain:
-      obtain(p);
-      return;
+      return obtain(p);
     case WordClass::zsurf:
     case WordClass::psis:
-      surfaceOrNumbers(p);
-      return;
+      return surfaceOrNumbers(p);
     case WordClass::refsys:
-      refsys(p);
-      return;
+      return refsys(p);
     case WordClass::jumpto:
     case WordClass::tranto: {
       const bool single = p.first == noNode || values_.tree()[p.first].next == noNode;
-      control_.jump(p.word, p.first, single);
-      return;
+      return control_.jump(p.word, p.first, single);
     }
     case WordClass::loopBracket:
       p.word == Word::LOOPST ? control_.loopStart() : control_.loopEnd();
       return;
     case WordClass::pocket:
-      pocket(p);
-      return;
+      return pocket(p);
     case WordClass::macroBracket:
-      if (block_.area() == BlockWriter::Area::macro) {
-        emitCommand(p, {});
-      } else {
-        context_.report(diagnose(p.span, diag::TermacAlone));
-      }
-      return;
+      return termac(p);
     case WordClass::reserv:
-      reserv(p);
-      return;
+      return reserv(p);
     case WordClass::fini:
-      fini(p);
-      return;
+      return fini(p);
     case WordClass::transformation:
     case WordClass::postWithParameters:
     case WordClass::postWithoutParameters:
-      postWord(p);
-      return;
+      return postWord(p);
     case WordClass::geometry:
-      unnamed(p);
-      return;
+      return unnamed(p);
     case WordClass::runControl:
     case WordClass::debug:
-      runControl(p);
-      return;
+      return runControl(p);
     case WordClass::motion:
-      if (p.word == Word::FROM || p.word == Word::GOTO || p.word == Word::GODLTA) {
-        motion.locate(p.word, p.span, p.first);
-      } else if (p.word == Word::GO || p.word == Word::OFFSET) {
-        motion.startup(p.word, p.span, p.first);
-      } else if (row(p.word).type == 8000) {
-        motion.follow(p.word, p.span, p.first);
-      } else {
-        plain(p, {.owner = spell(p.word), .omitted = true});
-      }
-      return;
+      return motion(p);
     case WordClass::arelemValue:
     case WordClass::arelemSwitch:
     case WordClass::toolPosition:
@@ -157,8 +151,7 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::tuneup:
     case WordClass::units:
     case WordClass::unused:
-      plain(p, {.owner = spell(p.word)});
-      return;
+      return plain(p, {.owner = spell(p.word)});
     case WordClass::call:
     case WordClass::ifWord:
     case WordClass::syn:

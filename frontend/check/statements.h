@@ -23,6 +23,8 @@ class Statements {
   };
   bool prefixes(Parts& main);
   void dispatch(const Parts& p);
+  void motion(const Parts& p);
+  void termac(const Parts& p);
   void plain(const Parts& p, ArgumentRules rules);
   void postWord(const Parts& p);
   void locate(const Parts& p);

@@ -67,15 +67,6 @@ class Converter {
     return nullptr;
   }
 
-  NodeId leaf(Kind kind, const Token& t) {
-    const NodeId id = tree_.add(kind, t.span);
-    Node& node = tree_[id];
-    node.text = t.text;
-    node.number = t.number;
-    node.word = t.word;
-    return id;
-  }
-
   void body(const RawNode& n) {
     const RawNode& first = child(n, 0);
     if (first.rule == Rule::target) {
@@ -108,7 +99,7 @@ class Converter {
         return;
       case TokenKind::include:
         tree_.shape = Shape::include;
-        tree_.value = leaf(Kind::string, tokens_[child(n, 2).token]);
+        tree_.value = tree_.leaf(Kind::string, tokens_[child(n, 2).token]);
         return;
       default:
         call(n);
@@ -140,7 +131,7 @@ class Converter {
 
   /// name [= value]
   NodeId parameter(const RawNode& n) {
-    const NodeId id = leaf(Kind::parameter, tokens_[n.token]);
+    const NodeId id = tree_.leaf(Kind::parameter, tokens_[n.token]);
     if (const RawNode* given = find(n, Rule::value)) {
       const NodeId v = argument(*given);
       tree_[id].first = v;
@@ -154,7 +145,7 @@ class Converter {
     for (std::uint32_t i = 0; i < n.count; ++i) {
       const RawNode& c = child(n, i);
       if (c.rule == Rule::word) {
-        heads.append(leaf(Kind::word, tokens_[c.token]));
+        heads.append(tree_.leaf(Kind::word, tokens_[c.token]));
       } else if (c.rule == Rule::argument) {
         heads.append(argument(c));
       } else if (c.rule == Rule::arguments) {
@@ -186,7 +177,7 @@ class Converter {
     Chain chain(tree_);
     for (std::uint32_t i = 0; i < to.count; ++i) {
       if (child(to, i).rule == Rule::labelName) {
-        chain.append(leaf(Kind::label, tokens_[child(to, i).token]));
+        chain.append(tree_.leaf(Kind::label, tokens_[child(to, i).token]));
       }
     }
     tree_.arguments = chain.first();
@@ -206,7 +197,7 @@ class Converter {
 
   NodeId target(const RawNode& n) {
     const Token& t = tokens_[n.token];
-    const NodeId id = leaf(isWordKind(t.kind) ? Kind::word : Kind::name, t);
+    const NodeId id = tree_.leaf(isWordKind(t.kind) ? Kind::word : Kind::name, t);
     if (n.count > 1) {
       const NodeId subscript = expression(child(n, 2));
       tree_[id].first = subscript;
@@ -218,7 +209,7 @@ class Converter {
 
   NodeId definition(const RawNode& n) {
     const Token& type = tokens_[n.token];
-    const NodeId id = leaf(Kind::definition, type);
+    const NodeId id = tree_.leaf(Kind::definition, type);
     tree_[id].text = {};
     tree_[id].wordSpan = type.span;
     const NodeId first = arguments(child(n, 2));
@@ -241,7 +232,7 @@ class Converter {
   /// Of an argument or value: an expression, a word, a string, or nothing. Also of a word alone.
   NodeId argument(const RawNode& n) {
     if (n.rule == Rule::word) {
-      return leaf(Kind::word, tokens_[n.token]);
+      return tree_.leaf(Kind::word, tokens_[n.token]);
     }
     if (n.count == 0) {
       return tree_.add(Kind::omitted, spanOf(n));
@@ -250,7 +241,7 @@ class Converter {
     if (inner.rule == Rule::expression) {
       return expression(inner);
     }
-    return leaf(inner.rule == Rule::word ? Kind::word : Kind::string, tokens_[inner.token]);
+    return tree_.leaf(inner.rule == Rule::word ? Kind::word : Kind::string, tokens_[inner.token]);
   }
 
   NodeId expression(const RawNode& n) {
@@ -283,9 +274,9 @@ class Converter {
     }
     const Token& t = tokens_[n.token];
     if (t.kind == TokenKind::number) {
-      return leaf(Kind::number, t);
+      return tree_.leaf(Kind::number, t);
     }
-    const NodeId id = leaf(t.kind == TokenKind::function ? Kind::call : Kind::name, t);
+    const NodeId id = tree_.leaf(t.kind == TokenKind::function ? Kind::call : Kind::name, t);
     tree_[id].wordSpan = t.span;
     if (const RawNode* list = find(n, Rule::arguments)) {
       const NodeId first = arguments(*list);

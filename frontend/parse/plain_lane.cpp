@@ -31,22 +31,13 @@ class PlainLane {
     return i < tokens_.size() ? tokens_[i].kind : end;
   }
 
-  NodeId leaf(Node::Kind kind, const Token& token) {
-    const NodeId id = tree_.add(kind, token.span);
-    Node& node = tree_[id];
-    node.text = token.text;
-    node.number = token.number;
-    node.word = token.word;
-    return id;
-  }
-
   bool assignment() {
-    tree_.target = leaf(Node::Kind::name, tokens_[i_]);
+    tree_.target = tree_.leaf(Node::Kind::name, tokens_[i_]);
     i_ += 2;
     if (at(i_) == type && at(i_ + 1) == slash) {
       const Token& typeToken = tokens_[i_];
       tree_.shape = StatementTree::Shape::define;
-      tree_.value = leaf(Node::Kind::definition, typeToken);
+      tree_.value = tree_.leaf(Node::Kind::definition, typeToken);
       tree_[tree_.value].text = {};
       tree_[tree_.value].wordSpan = typeToken.span;
       i_ += 2;
@@ -65,12 +56,12 @@ class PlainLane {
   bool command() {
     tree_.shape = StatementTree::Shape::command;
     Chain heads(tree_);
-    heads.append(leaf(Node::Kind::word, tokens_[i_++]));
+    heads.append(tree_.leaf(Node::Kind::word, tokens_[i_++]));
     while (at(i_) == comma) {
       if (at(i_ + 1) != word && at(i_ + 1) != type) {
         return false;
       }
-      heads.append(leaf(Node::Kind::word, tokens_[i_ + 1]));
+      heads.append(tree_.leaf(Node::Kind::word, tokens_[i_ + 1]));
       i_ += 2;
     }
     tree_.head = heads.first();
@@ -88,7 +79,7 @@ class PlainLane {
     while (true) {
       NodeId id = noNode;
       if (at(i_) == word || at(i_) == type) {
-        id = leaf(Node::Kind::word, tokens_[i_++]);
+        id = tree_.leaf(Node::Kind::word, tokens_[i_++]);
       } else if (!scalar(id)) {
         return false;
       }
@@ -110,7 +101,7 @@ class PlainLane {
     if (at(i_) != number && at(i_) != symbol) {
       return false;
     }
-    id = leaf(at(i_) == number ? Node::Kind::number : Node::Kind::name, tokens_[i_]);
+    id = tree_.leaf(at(i_) == number ? Node::Kind::number : Node::Kind::name, tokens_[i_]);
     ++i_;
     if (signedOne) {
       const bool negative = tokens_[begin].kind == minus;

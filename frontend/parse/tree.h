@@ -93,6 +93,14 @@ struct StatementTree {
     nodes.back().span = span;
     return static_cast<NodeId>(nodes.size() - 1);
   }
+  /// A node of one token: its text, number and word.
+  NodeId leaf(Node::Kind kind, const Token& token) {
+    const NodeId id = add(kind, token.span);
+    nodes[id].text = token.text;
+    nodes[id].number = token.number;
+    nodes[id].word = token.word;
+    return id;
+  }
 };
 
 /// Collects a chain of nodes.

@@ -7,12 +7,12 @@
 namespace arelem {
 
 namespace {
-constexpr std::array table = {
+constexpr auto table = std::to_array<DiagRow>({
 #define ARELEM_DIAG(name, code, severity, legacy, text, ...) \
   DiagRow{#name, Severity::severity, code, legacy, text},
 #include "ir/diag/diagnostics.def"
 #undef ARELEM_DIAG
-};
+});
 
 bool sameIgnoringCase(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {

@@ -6,7 +6,7 @@
 namespace arelem {
 
 namespace {
-constexpr std::array table = {
+constexpr auto table = std::to_array<WordRow>({
 #define ARELEM_WORD(identifier, text, wordClass, type, code) \
   WordRow{text, WordClass::wordClass, type, code, false},
 #define ARELEM_EXTENSION(identifier, text, wordClass, type, code) \
@@ -14,7 +14,7 @@ constexpr std::array table = {
 #include "ir/words/words.def"
 #undef ARELEM_WORD
 #undef ARELEM_EXTENSION
-};
+});
 
 bool isPost(const WordRow& word) {
   return word.type == 2000;

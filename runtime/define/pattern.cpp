@@ -169,7 +169,9 @@ Result<Resolved> patternAlongVector(const Arguments& given) {
   return patternOf(points, {Kind::linear, 1});
 }
 
-Result<Resolved> patternOfSteps(const Arguments& given) {
+/// From the first place to each: the partial sums of the steps behind parameter 3, along the vector
+/// at 2.
+Result<Points> shiftsOfSteps(const Arguments& given) {
   Result<std::vector<double>> steps = readSteps(given, 3);
   if (!steps) {
     return steps.takeFailure();
@@ -178,11 +180,22 @@ Result<Resolved> patternOfSteps(const Arguments& given) {
   if (!along) {
     return along.takeFailure();
   }
-  Points points;
+  Points shifts;
   for (const double distance : partialSums(*steps)) {
-    points.emplace_back(given.point(1) + distance * *along);
+    shifts.emplace_back(distance * *along);
   }
-  return patternOf(points, {Kind::linear, 1});
+  return shifts;
+}
+
+Result<Resolved> patternOfSteps(const Arguments& given) {
+  Result<Points> points = shiftsOfSteps(given);
+  if (!points) {
+    return points.takeFailure();
+  }
+  for (Vec3& place : *points) {
+    place = given.point(1) + place;
+  }
+  return patternOf(*points, {Kind::linear, 1});
 }
 
 Result<Resolved> patternOnArc(const Arguments& given) {
@@ -262,19 +275,11 @@ Result<Resolved> gridOfSteps(const Arguments& given) {
   if (!column) {
     return column.takeFailure();
   }
-  Result<std::vector<double>> steps = readSteps(given, 3);
-  if (!steps) {
-    return steps.takeFailure();
+  Result<Points> shifts = shiftsOfSteps(given);
+  if (!shifts) {
+    return shifts.takeFailure();
   }
-  Result<Vec3> along = unitAlong(given.arrow(2));
-  if (!along) {
-    return along.takeFailure();
-  }
-  Points shifts;
-  for (const double distance : partialSums(*steps)) {
-    shifts.emplace_back(distance * *along);
-  }
-  return grid(*column, shifts);
+  return grid(*column, *shifts);
 }
 
 Result<Resolved> patternOfList(const Arguments& given) {

@@ -14,13 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string readFile(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
-}
-
 std::set<std::uint32_t> isnsOf(const ir::Program& program) {
   std::set<std::uint32_t> isns;
   for (const auto& block : program.blocks) {

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -9,6 +11,13 @@
 #include "frontend/compile.h"
 
 namespace arelem::frontend {
+
+inline std::string readFile(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
 
 /// A compiled text: its program in the form of `--to ir`, and what was reported.
 struct Compiled {

@@ -163,7 +163,7 @@ class Invariance : public testing::Test {
         continue;
       }
       if (node.wanted.sort == Symbol::Sort::word) {
-        result.push_back({node.wanted.word, Role::other});
+        result.emplace_back().value = node.wanted.word;
       } else if (node.wanted.sort == Symbol::Sort::scalar) {
         result.push_back(scalar(node.wanted.text));
       } else if (node.wanted.sort != Symbol::Sort::entity) {
@@ -284,8 +284,8 @@ TEST_F(Invariance, OfEveryForm) {
   const std::set<Word> nouns = {W::POINT,  W::LINE, W::PLANE,  W::CIRCLE, W::CYLNDR, W::ELLIPS,
                                 W::HYPERB, W::CONE, W::LCONIC, W::SPHERE, W::PATERN, W::TORUS};
   const std::set<std::string_view> other = {"PT_02", "LC_03", "LC_04", "LC_05", "LC_06",
-                                            "PA_03", "PA_04", "PA_06", "PA_07", "PA_10", "CO_01",
-                                            "PA_11", "PA_12", "LN_07", "LN_11"};
+                                            "PA_03", "PA_04", "PA_06", "PA_07", "PA_10",
+                                            "CO_01", "PA_11", "PA_12", "LN_07", "LN_11"};
   int forms = 0;
   for (const FormRow& form : formTable()) {
     if (form.anyNoun || !nouns.contains(form.noun) || other.contains(form.idText)) {
