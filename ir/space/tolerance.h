@@ -47,6 +47,13 @@ inline constexpr double wholeNumber = 1e-6;
 inline constexpr double decimalStep = 1e-13;
 /// A tool nearer than this to a surface has no side of it. Part unit.
 inline constexpr double sameSide = 1e-9;
+/// Values of CUTTER are written with few decimals: corner arc and lines that miss each other by at
+/// most this times the diameter (at least 1) are tangent. Relative.
+inline constexpr double cutterRounding = 5e-6;
+/// Up to this they still count as tangent, with a warning. Relative.
+inline constexpr double cutterJoint = 1e-3;
+/// Largest turn of the tool axis over one cut vector whose axis follows a surface. Radians.
+inline constexpr double axisTurn = 0.1;
 /// A ray or path that went this far without meeting a surface never meets it. Part unit.
 inline constexpr double farAway = 1e7;
 

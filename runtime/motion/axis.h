@@ -1,16 +1,60 @@
 #pragma once
+#include <memory>
+
+#include <Eigen/Dense>
+
 #include "runtime/motion/field.h"
 
 namespace arelem::motion {
 
-/// How the tool axis follows from the tool position: fixed, or normal to the part or drive surface.
-struct AxisRule {
-  Vec3 fixed = Vec3::UnitZ();
-  Field* normalTo = nullptr;  ///< an ON field of the surface, null for a fixed axis
-
-  [[nodiscard]] Vec3 at(const Vec3& toolEnd) const {
-    return normalTo == nullptr ? fixed : normalTo->at(toolEnd, fixed).normal;
-  }
+/// Where a tool axis that changes with the tool position comes from.
+class AxisSource {
+ public:
+  virtual ~AxisSource() = default;
+  /// The unit tool axis with the tool end there.
+  virtual Vec3 at(const Vec3& toolEnd) = 0;
 };
+
+/// How the tool axis follows from the tool position: fixed, or from a source.
+class AxisRule {
+ public:
+  AxisRule() = default;
+  explicit AxisRule(const Vec3& fixed) : fixed_(fixed) {}
+  explicit AxisRule(std::unique_ptr<AxisSource> source) : source_(std::move(source)) {}
+
+  [[nodiscard]] bool isFixed() const { return source_ == nullptr; }
+  [[nodiscard]] Vec3 at(const Vec3& toolEnd) { return isFixed() ? fixed_ : source_->at(toolEnd); }
+  /// Change of the axis with the tool end, d axis / d tool end, by central differences.
+  [[nodiscard]] Eigen::Matrix3d change(const Vec3& toolEnd);
+
+ private:
+  Vec3 fixed_ = Vec3::UnitZ();
+  std::unique_ptr<AxisSource> source_;
+};
+
+/// TLAXIS/NORMPS and NORMDS: the surface's normal under the tool end, on the given side.
+[[nodiscard]] std::unique_ptr<AxisSource> normalTo(const surface::AnySurface& surface, double side);
+
+/// Change of a gap with the tool axis: d gap / d axis. The contact point turns with the cutter.
+[[nodiscard]] inline Vec3 changeWithAxis(const tool::Contact& contact,
+                                         const Vec3& toolEnd,
+                                         const Vec3& axis) {
+  const Vec3 arm = contact.point - toolEnd;
+  return contact.normal * axis.dot(arm) - arm * contact.normal.dot(axis);
+}
+
+/// Turn of the axis per length of a straight path from one axis to another: a rotation vector whose
+/// cross product with an arm is the arm's velocity.
+[[nodiscard]] inline Vec3 spin(const Vec3& from, const Vec3& to, double length) {
+  return length > 0.0 ? Vec3(from.cross(to) / length) : Vec3(Vec3::Zero());
+}
+
+/// Change of a gap per length of path along `direction` while the axis turns by `spin`.
+[[nodiscard]] inline double slopeAlong(const tool::Contact& contact,
+                                       const Vec3& toolEnd,
+                                       const Vec3& direction,
+                                       const Vec3& spin) {
+  return contact.normal.dot(direction + spin.cross(contact.point - toolEnd));
+}
 
 }  // namespace arelem::motion

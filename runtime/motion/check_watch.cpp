@@ -15,15 +15,6 @@ constexpr double fineShare = 0.25;
 constexpr double tangentShare = 0.05;
 /// Cosine of the angle within which contact normals count as agreeing at a tangency.
 constexpr double agreeing = 0.5;
-/// A changing tool axis adds to the change of a gap; the proof then keeps this share of the free
-/// path.
-constexpr double turningAxisShare = 0.5;
-/// What is left of a free margin at the end of a segment, as path in any direction: the rate found
-/// on the segment holds for its direction only.
-double freeBeyond(double margin, double rate, double rest, const AxisRule& axis) {
-  const double left = std::max(0.0, margin - rate * rest);
-  return axis.normalTo != nullptr ? turningAxisShare * left : left;
-}
 }  // namespace
 
 CheckWatch::CheckWatch(const NamedSurface& surface,
@@ -38,7 +29,8 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
       band_(band),
       pathBand_(pathBand),
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
-      pointTool_(tool.cutter == nullptr || (tool.cutter->isPoint() && tool.thick == 0.0)) {
+      pointTool_(tool.cutter == nullptr || (tool.cutter->isPoint() && tool.thick == 0.0)),
+      arm_(tool.cutter == nullptr ? 0.0 : std::hypot(tool.cutter->maxRadius(), tool.cutter->h)) {
   plus_ = makeField(surface.surface, 1.0, tool);
   minus_ = makeField(surface.surface, -1.0, tool);
 }
@@ -50,32 +42,43 @@ void CheckWatch::note(double distance, const Vec3& place) {
   }
 }
 
-CheckWatch::Measure CheckWatch::measure(const Vec3& at,
-                                        const AxisRule& axis,
-                                        const Vec3& direction) {
-  const Vec3 a = axis.at(at);
-  const tool::Contact p = plus_->at(at, a);
+/// Largest change of any gap per length of the segment. The axis turns fastest in the middle, by
+/// twice the tangent of half the angle per length.
+double CheckWatch::steepest(const Segment& s) const {
+  if (!s.turning || arm_ == 0.0) {
+    return 1.0;
+  }
+  const double tangent = (s.axisTo - s.axisFrom).norm() / (s.axisTo + s.axisFrom).norm();
+  return 1.0 + 2.0 * arm_ * tangent / std::max(s.length, tolerance::sameSide);
+}
+
+CheckWatch::Measure CheckWatch::measure(const Segment& s, double along) {
+  const Vec3 at = s.at(along);
+  const Vec3 axis = s.axisAt(along);
   Measure m;
   m.field = plus_.get();
-  m.value = p.gap;
-  Vec3 normal = p.normal;
+  tool::Contact c = plus_->at(at, axis);
   if (!pointTool_) {
-    const tool::Contact q = minus_->at(at, a);
-    if (q.gap > p.gap) {
+    const tool::Contact other = minus_->at(at, axis);
+    if (other.gap > c.gap) {
       m.field = minus_.get();
-      m.value = q.gap;
-      normal = q.normal;
+      c = other;
     }
   }
-  const double turning = axis.normalTo != nullptr ? 1.0 / turningAxisShare : 1.0;
-  m.rate = plus_->flat() && axis.normalTo == nullptr ? std::abs(normal.dot(direction)) : turning;
+  m.value = c.gap;
+  m.rate = isLinear(s) ? std::abs(c.normal.dot(s.direction)) : steepest(s);
+  m.turn = slopeAlong(c, at, s.tangentAt(along), s.spin());
   note(std::abs(m.value), at);
   return m;
 }
 
-void CheckWatch::begin(const Vec3& toolEnd, const AxisRule& axis) {
+void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
+  Segment here;
+  here.from = toolEnd;
+  here.direction = here.tangentFrom = here.tangentTo = Vec3::Zero();
+  here.axisFrom = here.axisTo = axis;
+  const Measure m = measure(here, 0.0);
   now_.free = 0.0;
-  const Measure m = measure(toolEnd, axis, Vec3::Zero());
   now_.armed = std::abs(m.value) > band_;
   now_.outside = m.field;
   now_.positive = m.value > 0.0;
@@ -83,97 +86,132 @@ void CheckWatch::begin(const Vec3& toolEnd, const AxisRule& axis) {
   nearest_ = std::numeric_limits<double>::infinity();
 }
 
-std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment,
-                                                const AxisRule& axis,
-                                                Field& guide) {
-  if (now_.free > segment.length) {
-    now_.free -= segment.length;
+std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& guide) {
+  const double most = steepest(segment) * segment.length;
+  if (now_.free > most) {
+    now_.free -= most;
     return std::nullopt;
   }
-  return tangent_ ? scanTangent(segment, axis, guide) : scanCrossing(segment, axis);
+  return tangent_ ? scanTangent(segment, guide) : scanCrossing(segment);
 }
 
-std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s, const AxisRule& axis) {
+/// Number of the zero that is asked for. Order of the positions: TO, PAST, TO, PAST from a remote
+/// start, PAST, TO, ... from a violation.
+int CheckWatch::wanted() const {
+  const bool past = condition_ == ir::Condition::past;
+  return pointTool_ ? nth_ : 2 * nth_ - (past == now_.startedRemote ? 0 : 1);
+}
+
+/// Takes the measure over; true where its sign has changed. A measure of zero has no sign.
+bool CheckWatch::crosses(const Measure& m) {
+  if (!now_.armed) {
+    if (std::abs(m.value) > band_) {
+      now_.armed = true;
+      now_.positive = m.value > 0.0;
+      now_.startedRemote = pointTool_ || now_.positive;
+    }
+    return false;
+  }
+  const bool changed = std::abs(m.value) > tolerance::sameSide && (m.value > 0.0) != now_.positive;
+  now_.positive = now_.positive != changed;
+  return changed;
+}
+
+/// True where the measure came near zero and goes away again. A slope of zero has no direction.
+bool CheckWatch::touchesHere(const Measure& m) {
+  const double toward = now_.positive ? m.turn : -m.turn;
+  if (std::abs(toward) <= tolerance::symmetric) {
+    return false;
+  }
+  const bool turned =
+      now_.armed && near(m) && now_.bandField == m.field && now_.lastTurn < 0.0 && toward > 0.0;
+  now_.bandField = m.field;
+  now_.lastTurn = toward;
+  return turned;
+}
+
+/// The gap that vanishes at a zero: entering, the one that was open before; leaving, the one that
+/// opens.
+Field* CheckWatch::vanishing(const Measure& m, Field* outsideBefore) {
+  if (pointTool_) {
+    return (m.value > 0.0) == (condition_ == ir::Condition::past) ? plus_.get() : minus_.get();
+  }
+  return m.value > 0.0 ? m.field : outsideBefore;
+}
+
+std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   const double finest = std::max(fineShare * band_, tolerance::sameSide);
-  const bool both = pointTool_;  // TO, ON and PAST coincide
+  const double finestTangent = std::max(tangentShare * std::sqrt(band_), tolerance::sameSide);
   double before = 0.0;
-  double u = now_.free;
+  double u = now_.free / steepest(s);
   for (;;) {
-    const Measure m = measure(s.from + u * s.direction, axis, s.direction);
+    const Measure m = measure(s, u);
     const double size = std::abs(m.value);
     Field* const outsideBefore = now_.outside;
     now_.outside = m.value > 0.0 ? m.field : now_.outside;
-    if (!now_.armed) {
-      if (size > band_) {
-        now_.armed = true;
-        now_.positive = m.value > 0.0;
-        now_.startedRemote = both || now_.positive;
+    if (crosses(m)) {
+      if (++now_.seen == wanted()) {
+        return Hit{before, u, vanishing(m, outsideBefore)};
       }
-    } else if ((m.value > 0.0) != now_.positive) {
-      now_.positive = !now_.positive;
-      ++now_.seen;
-      // Order of the positions: TO, PAST, TO, PAST from a remote start, PAST, TO, ... from a
-      // violation.
-      const bool past = condition_ == ir::Condition::past;
-      const int wanted = both ? nth_ : 2 * nth_ - (past == now_.startedRemote ? 0 : 1);
-      if (now_.seen == wanted) {
-        // The gap that vanishes there: entering, the one that was open before; leaving, the one
-        // that opens.
-        Field* field = m.value > 0.0 ? m.field : outsideBefore;
-        if (both) {
-          field = (m.value > 0.0) == past ? plus_.get() : minus_.get();
-        }
-        return Hit{before, u, field};
+      now_.bandField = nullptr;
+    } else if (touchesHere(m) && u > ignoredUntil_) {
+      const int passed = pointTool_ ? 1 : 2;
+      if (now_.seen < wanted() && wanted() <= now_.seen + passed) {
+        now_.free = 0.0;
+        return Hit{before, u, m.field, true};
       }
+      now_.seen += size <= band_ ? passed : 0;
     }
     const double margin = now_.armed ? size : band_ - size + finest;
-    const double step = m.rate > 0.0 ? std::max(margin / m.rate, finest) : tolerance::farAway;
+    double step = m.rate > 0.0 ? std::max(margin / m.rate, finest) : tolerance::farAway;
+    if (now_.armed && near(m)) {
+      // A touch shows in the slope: no longer steps here, and one look at the segment's end.
+      step = std::min(step, finestTangent);
+      step = u < s.length ? std::min(step, s.length - u) : step;
+    }
     before = u;
     u += step;
-    if (u >= s.length) {
-      now_.free = freeBeyond(margin, m.rate, s.length - before, axis);
+    if (u > s.length || before == s.length) {
+      now_.free = std::max(0.0, margin - m.rate * (s.length - before));
       return std::nullopt;
     }
   }
 }
 
-std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s,
-                                                       const AxisRule& axis,
-                                                       Field& guide) {
+std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& guide) {
   const double finest = std::max(tangentShare * std::sqrt(band_), tolerance::sameSide);
   double before = 0.0;
-  double u = now_.free;
+  double u = now_.free / steepest(s);
   for (;;) {
-    const Vec3 at = s.from + u * s.direction;
-    const Vec3 a = axis.at(at);
+    const Vec3 at = s.at(u);
+    const Vec3 a = s.axisAt(u);
     const Vec3 guideNormal = guide.at(at, a).normal;
-    const Vec3 tangent =
-        s.tangentFrom + u / std::max(s.length, finest) * (s.tangentTo - s.tangentFrom);
+    const Vec3 tangent = s.tangentAt(u);
     Field* inside = nullptr;
     double turn = 0.0;
     double away = tolerance::farAway;
-    double rate = 1.0;
+    double rate = steepest(s);
     for (Field* field : {plus_.get(), minus_.get()}) {
       const tool::Contact c = field->at(at, a);
       const double agreement = c.normal.dot(guideNormal);
       const double out = std::abs(c.gap) - band_ - pathBand_;
       if (out <= 0.0 && (agreement > agreeing)) {
         inside = field;
-        turn = c.normal.dot(tangent);
+        turn = slopeAlong(c, at, tangent, s.spin());
       } else if (std::abs(out) < away) {
         away = std::abs(out);
-        rate =
-            field->flat() && axis.normalTo == nullptr ? std::abs(c.normal.dot(s.direction)) : 1.0;
+        rate = isLinear(s) ? std::abs(c.normal.dot(s.direction)) : steepest(s);
       }
       if (agreement > agreeing) {
         note(std::abs(c.gap), at);
       }
     }
     if (inside != nullptr) {
-      if (now_.armed && now_.bandField == inside && (turn > 0.0) != (now_.lastTurn > 0.0)) {
+      if (now_.armed && now_.bandField == inside && u > ignoredUntil_ &&
+          (turn > 0.0) != (now_.lastTurn > 0.0)) {
         now_.lastTurn = turn;
         now_.free = 0.0;
-        return Hit{before, u, inside};
+        return Hit{before, u, inside, true};
       }
       // A start at a tangency is not counted; it must be left first.
       now_.armed = now_.armed || std::abs(turn) > tolerance::nullDirection;
@@ -186,7 +224,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s,
     const double open = rate > 0.0 ? away / rate : tolerance::farAway;
     u += inside != nullptr ? finest : std::max(open, finest);
     if (u >= s.length) {
-      now_.free = inside != nullptr ? 0.0 : freeBeyond(away, rate, s.length - before, axis);
+      now_.free = inside != nullptr ? 0.0 : std::max(0.0, away - rate * (s.length - before));
       return std::nullopt;
     }
   }

@@ -4,30 +4,26 @@
 #include <optional>
 
 #include "ir/space/tolerance.h"
-#include "runtime/motion/axis.h"
+#include "runtime/motion/segment.h"
 #include "runtime/motion/state.h"
 
 namespace arelem::motion {
 
-/// A piece of path between two cut vectors, straight from `from` along the unit `direction`.
-struct Segment {
-  Vec3 from, direction;
-  double length = 0.0;
-  Vec3 tangentFrom, tangentTo;  ///< true path tangents at both ends
-};
-
 /// Watches one check surface along a path and finds the position asked for, without stepping over
 /// one.
 ///
-/// All measures are 1-Lipschitz in the tool end, so a measure of m proves m of free path. Positions
+/// All measures are 1-Lipschitz in the tool end, and change with the axis by at most the tool's
+/// length times the angle, so a measure of m proves free path. Positions
 /// are counted as spec 4.8 says: TO and PAST are the zeros of max(gap on one side, gap on the
 /// other), which are where the cutter begins and ends to violate the surface; ON are the zeros of
-/// the tool end's distance.
+/// the tool end's distance. A gap that comes within the tolerance and opens again without changing
+/// its sign is a contact too: TO and PAST at one place.
 class CheckWatch {
  public:
   struct Hit {
     double low = 0.0, high = 0.0;  ///< the position lies between these lengths along the segment
-    Field* field = nullptr;        ///< the gap that is zero there
+    Field* field = nullptr;        ///< the gap that is zero, or least, there
+    bool touch = false;            ///< the slope of the gap changes sign there, not the gap
   };
 
   /// `cutter` null watches the tool end (ON, or a check of a tool without size). `drive` is the
@@ -42,10 +38,10 @@ class CheckWatch {
              double pathBand);
 
   /// Where the motion begins.
-  void begin(const Vec3& toolEnd, const AxisRule& axis);
+  void begin(const Vec3& toolEnd, const Vec3& axis);
   /// `guide` is the field that a tangent check surface touches: the drive (TANTO) or part surface
   /// (PSTAN).
-  [[nodiscard]] std::optional<Hit> scan(const Segment& segment, const AxisRule& axis, Field& guide);
+  [[nodiscard]] std::optional<Hit> scan(const Segment& segment, Field& guide);
 
   /// True where a gap found at a tangency is contact within the tolerance.
   [[nodiscard]] bool touches(double gap) const {
@@ -56,8 +52,6 @@ class CheckWatch {
   [[nodiscard]] const NamedSurface& surface() const { return surface_; }
   [[nodiscard]] ir::Condition condition() const { return condition_; }
   [[nodiscard]] double band() const { return band_; }
-  /// No position can be met before this much more path.
-  [[nodiscard]] double freePath() const { return now_.free; }
   [[nodiscard]] double nearest() const { return nearest_; }
   [[nodiscard]] const Vec3& nearestPlace() const { return nearestPlace_; }
 
@@ -68,10 +62,12 @@ class CheckWatch {
     bool startedRemote = true;
     Field* outside = nullptr;    ///< the gap that was open (positive) last
     int seen = 0;                ///< positions met so far
-    double free = 0.0;           ///< proven free path ahead
-    double lastTurn = 0.0;       ///< tangent check: last component of the normal along the path
-    Field* bandField = nullptr;  ///< tangent check: the gap that is within its band, or null
+    double free = 0.0;           ///< change of the measure that meets nothing for sure
+    double lastTurn = 0.0;       ///< within the band: last component of the normal along the path
+    Field* bandField = nullptr;  ///< the gap that is within its band, or null
   };
+  /// Touches on the present segment up to this length are known to be near misses.
+  void ignoreTouches(double until) { ignoredUntil_ = until; }
   [[nodiscard]] const Progress& progress() const { return now_; }
   void restore(const Progress& progress) { now_ = progress; }
 
@@ -79,11 +75,23 @@ class CheckWatch {
   struct Measure {
     double value = 0.0;  ///< signed measure whose zeros are the positions
     double rate = 1.0;   ///< bound of its change per length of path
+    double turn = 0.0;   ///< its change along the true path
     Field* field = nullptr;
   };
-  Measure measure(const Vec3& at, const AxisRule& axis, const Vec3& direction);
-  std::optional<Hit> scanCrossing(const Segment& segment, const AxisRule& axis);
-  std::optional<Hit> scanTangent(const Segment& segment, const AxisRule& axis, Field& guide);
+  Measure measure(const Segment& segment, double along);
+  [[nodiscard]] double steepest(const Segment& segment) const;
+  [[nodiscard]] bool isLinear(const Segment& segment) const {
+    return plus_->flat() && !segment.turning && !segment.isArc();
+  }
+  [[nodiscard]] std::optional<Hit> scanCrossing(const Segment& segment);
+  [[nodiscard]] bool crosses(const Measure& measure);
+  [[nodiscard]] bool near(const Measure& measure) const {
+    return std::abs(measure.value) <= band_ + pathBand_;
+  }
+  [[nodiscard]] bool touchesHere(const Measure& measure);
+  [[nodiscard]] Field* vanishing(const Measure& measure, Field* outsideBefore);
+  [[nodiscard]] int wanted() const;
+  std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   void note(double distance, const Vec3& place);
 
   NamedSurface surface_;
@@ -93,8 +101,10 @@ class CheckWatch {
   double pathBand_;
   bool tangent_;
   bool pointTool_;
+  double arm_;  ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
+  double ignoredUntil_ = -1.0;
   double nearest_ = std::numeric_limits<double>::infinity();
   Vec3 nearestPlace_ = Vec3::Zero();
 };

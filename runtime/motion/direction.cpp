@@ -35,6 +35,7 @@ std::string_view spell(ir::Heading heading) {
 
 Result<Vec3> wantedDirection(ir::Heading heading,
                              const std::optional<Vec3>& forward,
+                             const std::optional<Vec3>& lastAcross,
                              const Vec3& axis) {
   if (heading == ir::Heading::up) {
     return axis;
@@ -42,10 +43,14 @@ Result<Vec3> wantedDirection(ir::Heading heading,
   if (heading == ir::Heading::down) {
     return Vec3(-axis);
   }
-  if (!forward || forward->cross(axis).norm() <= tolerance::nullDirection * forward->norm()) {
+  const auto isAcross = [&](const std::optional<Vec3>& v) {
+    return v && v->cross(axis).norm() > tolerance::nullDirection * v->norm();
+  };
+  const auto& chosen = isAcross(forward) ? forward : lastAcross;
+  if (!isAcross(chosen)) {
     return fail(diag::NoForwardDirection);
   }
-  const Vec3 right = forward->cross(axis).normalized();
+  const Vec3 right = chosen->cross(axis).normalized();
   const Vec3 ahead = axis.cross(right).normalized();
   switch (heading) {
     case ir::Heading::left:

@@ -5,9 +5,11 @@
 
 namespace arelem::motion {
 
-/// The wanted direction W of a GO word, from the sense of direction and the tool axis (spec 4.5).
+/// The wanted direction W of a GO word, from the sense of direction and the tool axis (spec 4.5). A
+/// forward direction along the axis gives way to the last displacement across it.
 [[nodiscard]] Result<Vec3> wantedDirection(ir::Heading heading,
                                            const std::optional<Vec3>& forward,
+                                           const std::optional<Vec3>& lastAcross,
                                            const Vec3& axis);
 
 /// The start direction: the tangent common to both surfaces, turned towards W; W itself where the

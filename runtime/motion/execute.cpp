@@ -6,7 +6,11 @@
 #include "ir/space/tolerance.h"
 #include "runtime/motion/direction.h"
 #include "runtime/motion/follow.h"
+#include "runtime/motion/implied_check.h"
+#include "runtime/motion/modal.h"
+#include "runtime/motion/motion_output.h"
 #include "runtime/motion/records.h"
+#include "runtime/motion/reporter.h"
 #include "runtime/motion/route.h"
 #include "runtime/motion/startup.h"
 #include "runtime/run.h"
@@ -16,23 +20,13 @@ namespace arelem::runtime {
 namespace {
 using motion::State;
 
-/// Spreads one to four values over part, drive, check and second check surface: the last one
-/// repeats.
-std::array<double, 4> spread(const std::vector<double>& values) {
-  std::array<double, 4> all{};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i] = values[std::min(i, values.size() - 1)];
-  }
-  return all;
-}
-
 class Machine {
  public:
   Machine(const std::vector<Action>& actions,
           const Options& options,
           cl::RecordSink& records,
           DiagnosticSink& sink)
-      : actions_(actions), options_(options), writer_(records), sink_(sink) {
+      : actions_(actions), options_(options), writer_(records), reporter_(writer_, sink) {
     for (std::size_t i = 0; i < actions.size(); ++i) {
       if (const auto* label = std::get_if<Label>(&actions[i].body)) {
         labels_.emplace(label->key, i);
@@ -59,6 +53,7 @@ class Machine {
       std::visit([&](const auto& body) { perform(body); }, action.body);
       writer_.end();
     }
+    outcome_.complete = !reporter_.failed();
     return std::move(outcome_);
   }
 
@@ -68,51 +63,14 @@ class Machine {
     return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
   }
 
-  // ---- diagnostics
-  // --------------------------------------------------------------------------------
-
   void report(Failure failure) {
-    const DiagRow& row = *failure.row;
-    const bool isError = row.severity == Severity::error;
-    if (row.code == "E0890") {
-      stop_ = true;
-    }
-    if (!row.legacy.empty()) {
-      const int number = std::stoi(std::string(row.legacy));
-      if (number < 0) {
-        writer_.put(cl::Listing{true});
-        writer_.put(cl::Diagnostic{number});
-        writer_.put(cl::Listing{false});
-      } else {
-        writer_.put(cl::Diagnostic{number});
-      }
-    }
-    Diagnostic d = at(action().origin, std::move(failure));
-    for (auto call = action().calls; call; call = call->outer) {
-      d.calledFrom.push_back(call->call);
-    }
-    for (const EntityPtr& entity : involved()) {
-      if (entity && !entity->name.empty() && entity->definition.length > 0) {
-        d.labels.push_back({entity->definition, "`" + entity->name + "` defined here"});
-      }
-    }
-    sink_.accept(std::move(d));
-    outcome_.complete = outcome_.complete && !isError;
+    reporter_.report(action(), std::move(failure));
+    stop_ = stop_ || reporter_.fatal();
   }
-
-  std::vector<EntityPtr> involved() const {
-    std::vector<EntityPtr> list;
-    if (const auto* follow = std::get_if<Follow>(&action().body)) {
-      list.push_back(follow->drive);
-      for (const CheckUse& c : follow->checks) {
-        list.push_back(c.use.surface);
-      }
-    } else if (const auto* startup = std::get_if<Startup>(&action().body)) {
-      for (const SurfaceUse& s : startup->surfaces) {
-        list.push_back(s.surface);
-      }
+  void reportIf(std::optional<Failure> failure) {
+    if (failure) {
+      report(*std::move(failure));
     }
-    return list;
   }
 
   // ---- positions
@@ -129,7 +87,7 @@ class Machine {
 
   void putFeed(const std::optional<double>& feed) {
     if (feed) {
-      writer_.put(cl::Post{Word::FEDRAT, "", {*feed}});
+      writer_.putFeed(*feed);
     }
   }
 
@@ -138,7 +96,7 @@ class Machine {
     const bool axial =
         step.cross(state_.axis).norm() <= tolerance::nullDirection * (1.0 + step.norm());
     if (!axial) {
-      state_.forward = step;
+      state_.forward = state_.lastAcross = step;
     }
     state_.toolEnd = toolEnd;
     state_.positioned = true;
@@ -189,6 +147,7 @@ class Machine {
       moveTo(l.point);
       if (first) {
         state_.forward.reset();  // the first FROM moves nothing
+        state_.lastAcross.reset();
       }
       put(state_.toolEnd, cl::Motion::Kind::from, l.name, l.subscript);
       fact("FROM", 0, first ? 0.0 : (state_.toolEnd - before).norm(), nullptr, since);
@@ -214,14 +173,10 @@ class Machine {
     }
   }
 
-  void consumeOneShots() {
-    state_.direction = {};
-    state_.surfaceVector = {};
-    state_.ignorePart = false;
-    state_.automaticPart = false;
-  }
-
   void perform(const Startup& s) {
+    if (state_.cutterRefused) {
+      return;
+    }
     const auto since = std::chrono::steady_clock::now();
     needPosition();
     takeAutomaticPart();
@@ -236,76 +191,17 @@ class Machine {
           state_.part = *std::move(part);
         }
       }
-      moveTo(*found);
-      turnAxis(s);
+      moveTo(found->toolEnd);
+      state_.axis = found->axis;
       const Entity& first = *s.surfaces[0].surface;
-      put(*found, cl::Motion::Kind::go, first.name, first.subscript);
-      fact(s.offset ? "OFFSET" : "GO", 1, (*found - before).norm(), nullptr, since);
+      put(found->toolEnd, cl::Motion::Kind::go, first.name, first.subscript);
+      fact(s.offset ? "OFFSET" : "GO", 1, (found->toolEnd - before).norm(), nullptr, since);
     }
-    consumeOneShots();
-  }
-
-  /// The axis at the end of a startup under TLAXIS/NORMPS or NORMDS.
-  void turnAxis(const Startup& s) {
-    const auto kind = state_.axisRule.kind;
-    const motion::NamedSurface part = motion::partSurface(state_);
-    std::optional<surface::AnySurface> normalTo;
-    if (kind == ToolAxis::Kind::normalPart) {
-      normalTo = part.surface;
-    } else if (kind == ToolAxis::Kind::normalDrive) {
-      if (auto drive = motion::named(s.surfaces[0].surface); drive) {
-        normalTo = drive->surface;
-      }
-    }
-    if (normalTo) {
-      const Vec3 normal = motion::footOn(*normalTo, state_.toolEnd).normal;
-      state_.axis = normal.dot(state_.axis) < 0.0 ? Vec3(-normal) : normal;
-    }
+    motion::forgetOneShots(state_);
   }
 
   // ---- continuous motion
   // --------------------------------------------------------------------------
-
-  /// The check surface that the next motion implies (spec 4.8), or why there is none.
-  Result<motion::CheckGoal> impliedCheck() {
-    std::optional<Word> relation = state_.driveRelation;
-    for (std::size_t i = index_ + 1; i < actions_.size(); ++i) {
-      const auto& body = actions_[i].body;
-      if (const auto* r = std::get_if<ToolRelation>(&body)) {
-        if (r->word != Word::TLONPS && r->word != Word::TLOFPS) {
-          relation = r->word;
-        }
-      } else if (const auto* next = std::get_if<Follow>(&body)) {
-        return impliedBy(*next, relation);
-      } else if (std::holds_alternative<Startup>(body) || std::holds_alternative<Locate>(body)) {
-        return fail(diag::ImpliedCheckPoint);
-      }
-    }
-    return fail(diag::ImpliedCheckPending);
-  }
-
-  static Result<motion::CheckGoal> impliedBy(const Follow& next,
-                                             const std::optional<Word>& relation) {
-    if (next.heading == ir::Heading::up || next.heading == ir::Heading::down) {
-      return fail(diag::ImpliedCheckUpDown, motion::spell(next.heading));
-    }
-    auto surface = motion::named(next.drive);
-    if (!surface) {
-      return surface.takeFailure();
-    }
-    motion::CheckGoal goal;
-    goal.surface = *std::move(surface);
-    const bool straight = next.heading == ir::Heading::forward || next.heading == ir::Heading::back;
-    const bool left = next.heading == ir::Heading::left;
-    if (straight) {
-      goal.condition = ir::Condition::tanto;
-    } else if (!relation || *relation == Word::TLON || *relation == Word::TLNDON) {
-      goal.condition = ir::Condition::on;
-    } else {
-      goal.condition = (*relation == Word::TLLFT) == left ? ir::Condition::to : ir::Condition::past;
-    }
-    return goal;
-  }
 
   std::optional<Failure> fillChecks(const Follow& f, motion::FollowRequest& request) {
     for (const CheckUse& c : f.checks) {
@@ -318,7 +214,7 @@ class Machine {
       request.checks.push_back({*std::move(surface), condition, c.nth});
     }
     if (f.checks.empty()) {
-      auto implied = impliedCheck();
+      auto implied = motion::impliedCheck(actions_, index_, state_.driveRelation);
       if (!implied) {
         return implied.takeFailure();
       }
@@ -328,6 +224,9 @@ class Machine {
   }
 
   void perform(const Follow& f) {
+    if (state_.cutterRefused) {
+      return;
+    }
     const auto since = std::chrono::steady_clock::now();
     needPosition();
     takeAutomaticPart();
@@ -339,31 +238,25 @@ class Machine {
       request.drive = *std::move(drive);
       bad = runFollow(f, request, since);
     }
-    if (bad) {
-      report(*std::move(bad));
-    }
-    consumeOneShots();
+    reportIf(std::move(bad));
+    motion::forgetOneShots(state_);
   }
 
   std::optional<Failure> runFollow(const Follow& f,
                                    const motion::FollowRequest& request,
                                    std::chrono::steady_clock::time_point since) {
-    // Points wait until the motion is known to succeed: a failed motion puts out none.
-    points_.clear();
-    const auto keep = [&](const Vec3& toolEnd, const Vec3& axis) {
-      points_.push_back({toolEnd, axis});
-    };
-    auto result = motion::follow(state_, request, keep, options_.limits, options_.interrupted);
+    output_.begin(f, state_.output, state_.multax);
+    auto result = motion::follow(state_, request, output_, options_.limits, options_.interrupted);
     if (!result) {
       return result.takeFailure();
     }
     for (Failure& warning : result->warnings) {
       report(std::move(warning));
     }
-    putSequence(f);
+    output_.commit();
     state_.toolEnd = result->toolEnd;
     state_.axis = result->axis;
-    state_.forward = result->forward;
+    state_.forward = state_.lastAcross = result->forward;
     state_.positioned = true;
     lastDrive_ = f.drive;
     fact(motion::spell(f.heading).data(), result->cutVectors, result->length, &*result, since);
@@ -371,26 +264,6 @@ class Machine {
       jump(*f.checks[result->check].label);
     }
     return std::nullopt;
-  }
-
-  /// The circle that the points run along, the feed from here on, the points.
-  void putSequence(const Follow& f) {
-    const Entity& drive = *f.drive;
-    const bool round = drive.type == EntityType::circle || drive.type == EntityType::cylinder;
-    if (state_.output && round) {
-      cl::Surface s;
-      s.surface = {drive.type, drive.name, drive.subscript, drive.canon};
-      writer_.put(std::move(s));
-    }
-    putFeed(f.feed);
-    if (!state_.output) {
-      return;
-    }
-    writer_.startPoints(cl::Motion::Kind::go, drive.name, drive.subscript, state_.multax);
-    for (const Location& p : points_) {
-      writer_.add(p.toolEnd, p.axis);
-    }
-    writer_.finishPoints();
   }
 
   void jump(std::uint64_t key) {
@@ -416,152 +289,50 @@ class Machine {
   // ---- modal statements
   // ---------------------------------------------------------------------------
 
-  void perform(const Direction& d) {
-    auto& target = d.word == Word::SRFVCT ? state_.surfaceVector : state_.direction;
-    target = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!d.values[i]) {
-        continue;
-      }
-      const Vec3 v = d.word == Word::INDIRP ? Vec3(*d.values[i] - state_.toolEnd) : *d.values[i];
-      if (v.norm() <= tolerance::nullDirection) {
-        report(fail(diag::NullIndirection, spell(d.word), v.norm()));
-        return;
-      }
-      target[i] = v;
-    }
-    if (d.word != Word::SRFVCT && target[0]) {
-      state_.forward = *target[0];
-    }
-  }
-
-  void perform(const PartSurface& p) {
-    auto surface = motion::named(p.surface);
-    if (!surface) {
-      report(surface.takeFailure());
-      return;
-    }
-    state_.part = *std::move(surface);
-  }
-
-  void perform(const ToolRelation& r) {
-    if (r.word == Word::TLONPS || r.word == Word::TLOFPS) {
-      state_.toolOnPart = r.word == Word::TLONPS;
-    } else {
-      state_.driveRelation = r.word;
-    }
-  }
+  void perform(const Direction& d) { reportIf(motion::setDirections(state_, d)); }
+  void perform(const PartSurface& p) { reportIf(motion::setPartSurface(state_, p)); }
+  void perform(const ToolRelation& r) { motion::setRelation(state_, r); }
+  void perform(const ToolAxis& t) { reportIf(motion::setToolAxis(state_, t)); }
+  void perform(const CutterOption& o) { motion::setCutterOption(state_, o, writer_); }
 
   void perform(const Parameter& p) {
-    switch (p.word) {
-      case Word::TOLER:
-        state_.outer = spread(p.values);
-        state_.inner = {};
-        writer_.put(cl::Values{Word::OUTTOL, {state_.outer.begin(), state_.outer.end()}});
-        writer_.put(cl::Values{Word::INTOL, {0.0, 0.0, 0.0, 0.0}});
-        break;
-      case Word::INTOL:
-        state_.inner = spread(p.values);
-        writer_.put(cl::Values{p.word, {state_.inner.begin(), state_.inner.end()}});
-        break;
-      case Word::OUTTOL:
-        state_.outer = spread(p.values);
-        writer_.put(cl::Values{p.word, {state_.outer.begin(), state_.outer.end()}});
-        break;
-      case Word::THICK:
-        state_.thick = spread(p.values);
-        break;
-      case Word::MAXDP:
-        state_.longestVector = p.values[0];
-        break;
-      case Word::NUMPTS:
-        state_.vectorLimit = p.values[0];
-        break;
-      default:
-        setCutter(p);
-        break;
-    }
-  }
-
-  void setCutter(const Parameter& p) {
-    writer_.put(cl::Values{Word::CUTTER, p.values});
-    auto profile = tool::makeProfile(p.values);
-    if (!profile) {
-      report(profile.takeFailure());
-      return;
-    }
-    state_.cutter = *profile;
-    state_.option = {};
-  }
-
-  void perform(const CutterOption& o) {
-    auto& slot = state_.option[o.surface == 1 ? motion::partRole : motion::driveRole];
-    std::vector<double> values{static_cast<double>(o.surface)};
-    if (o.ring) {
-      slot = tool::makeRing((*o.ring)[0], (*o.ring)[1]);
-      values.insert(values.end(), o.ring->begin(), o.ring->end());
+    if (p.word == Word::CUTTER) {
+      writer_.put(cl::Values{Word::CUTTER, p.values});
+      reportIf(motion::setCutter(state_, p, cutterIsUsed()));
     } else {
-      slot.reset();
+      motion::setParameter(state_, p, writer_);
     }
-    writer_.put(cl::Values{Word::CUTTER, std::move(values)});
   }
 
-  void perform(const ToolAxis& t) {
-    switch (t.kind) {
-      case ToolAxis::Kind::vector:
-        if (t.vector.norm() <= tolerance::nullDirection) {
-          report(fail(diag::NullIndirection, "TLAXIS", t.vector.norm()));
-          return;
-        }
-        state_.axis = t.vector.normalized();
-        break;
-      case ToolAxis::Kind::keep:
-      case ToolAxis::Kind::normalPart:
-      case ToolAxis::Kind::normalDrive:
-        break;
-      case ToolAxis::Kind::parallel:
-        report(fail(diag::MotionUnsupported, std::string("TLAXIS/PARLEL")));
-        return;
-      case ToolAxis::Kind::angle:
-        report(fail(diag::MotionUnsupported, std::string("TLAXIS/ATANGL")));
-        return;
+  /// Whether a startup or a motion along a surface stands between this CUTTER and the next.
+  [[nodiscard]] bool cutterIsUsed() const {
+    for (std::size_t i = index_ + 1; i < actions_.size(); ++i) {
+      const auto& body = actions_[i].body;
+      if (std::holds_alternative<Startup>(body) || std::holds_alternative<Follow>(body) ||
+          std::holds_alternative<Transfer>(body)) {
+        return true;
+      }
+      const auto* parameter = std::get_if<Parameter>(&body);
+      if (parameter != nullptr && parameter->word == Word::CUTTER) {
+        return false;
+      }
     }
-    state_.axisRule = t;
+    return false;
   }
 
   void perform(const Toggle& t) {
-    switch (t.word) {
-      case Word::CUT:
-        if (!state_.output) {
-          state_.output = true;
-          put(state_.toolEnd, cl::Motion::Kind::go, lastDrive_ ? lastDrive_->name : "",
-              lastDrive_ ? lastDrive_->subscript : 0);
-        }
-        writer_.put(cl::Switch{t.word});
-        break;
-      case Word::DNTCUT:
-        state_.output = false;
-        writer_.put(cl::Switch{t.word});
-        break;
-      case Word::MULTAX:
-        state_.multax = t.on;
-        writer_.put(cl::Multax{t.on});
-        break;
-      case Word::NOPS:
-        state_.ignorePart = true;
-        break;
-      case Word::AUTOPS:
-        state_.automaticPart = true;
-        break;
-      case Word::W_3DCALC:
-      case Word::W_2DCALC:
-      case Word::NDTEST:
-        state_.alwaysIterate = t.word == Word::W_3DCALC;
-        writer_.put(cl::Switch{t.word});
-        break;
-      default:
-        state_.gougeCheck = t.on;
-        break;
+    if (t.word == Word::CUT) {
+      if (!state_.output) {
+        state_.output = true;
+        put(state_.toolEnd, cl::Motion::Kind::go, lastDrive_ ? lastDrive_->name : "",
+            lastDrive_ ? lastDrive_->subscript : 0);
+      }
+      writer_.put(cl::Switch{t.word});
+    } else if (t.word == Word::DNTCUT) {
+      state_.output = false;
+      writer_.put(cl::Switch{t.word});
+    } else {
+      motion::setToggle(state_, t, writer_);
     }
   }
 
@@ -573,21 +344,17 @@ class Machine {
     stop_ = true;
   }
 
-  struct Location {
-    Vec3 toolEnd, axis;
-  };
-
   const std::vector<Action>& actions_;
   const Options& options_;
   motion::RecordWriter writer_;
-  DiagnosticSink& sink_;
+  motion::MotionOutput output_{writer_};
+  motion::Reporter reporter_;
   std::unordered_multimap<std::uint64_t, std::size_t> labels_;
   std::size_t index_ = 0;
   bool stop_ = false;
   bool warnedNoFrom_ = false;
   State state_;
   EntityPtr lastDrive_;
-  std::vector<Location> points_;
   MotionOutcome outcome_;
 };
 }  // namespace

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <vector>
 
 #include "ir/limits.h"
@@ -34,12 +33,16 @@ struct FollowResult {
 };
 
 /// Receives every cut vector's end point and tool axis, in order.
-using EmitPoint = std::function<void(const Vec3& toolEnd, const Vec3& axis)>;
+class CutVectorSink {
+ public:
+  virtual ~CutVectorSink() = default;
+  virtual void put(const Vec3& toolEnd, const Vec3& axis) = 0;
+};
 
 /// Runs the motion from the state's tool position; does not change the state.
 [[nodiscard]] Result<FollowResult> follow(const State& state,
                                           const FollowRequest& request,
-                                          const EmitPoint& emit,
+                                          CutVectorSink& sink,
                                           const Limits& limits,
                                           const InterruptFlag* interrupted);
 

@@ -4,54 +4,19 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/settle.h"
 
 namespace arelem::motion {
 
-namespace {
-constexpr int rootLimit = 200;
-constexpr int widenLimit = 12;
-
-/// Finds a zero of f in [low, high] where the signs differ: regula falsi with the Illinois rule.
-template <class F>
-std::optional<double> root(F f, double low, double high) {
-  std::optional<double> fl = f(low);
-  std::optional<double> fh = f(high);
-  // The chord only approximates the path: the zero may lie a little outside the bracket.
-  const double grow = std::max(high - low, tolerance::coincidence);
-  for (int i = 0; i < widenLimit && fl && fh && (*fl > 0.0) == (*fh > 0.0); ++i) {
-    low -= grow * (1 << i);
-    high += grow * (1 << i);
-    fl = f(low);
-    fh = f(high);
+bool Path::aim(PathPoint& point, const Vec3& towards) {
+  Vec3 n0 = point.contacts[0].normal;
+  Vec3 n1 = point.contacts[1].normal;
+  if (!axis.isFixed()) {
+    const Eigen::Matrix3d turning = axis.change(point.toolEnd).transpose();
+    n0 += turning * changeWithAxis(point.contacts[0], point.toolEnd, point.axis);
+    n1 += turning * changeWithAxis(point.contacts[1], point.toolEnd, point.axis);
   }
-  if (!fl || !fh || (*fl > 0.0) == (*fh > 0.0)) {
-    return std::nullopt;
-  }
-  double a = low, b = high, fa = *fl, fb = *fh;
-  for (int i = 0; i < rootLimit && fa != fb; ++i) {
-    const double middle = i % 8 == 7 ? 0.5 * (a + b) : b - fb * (b - a) / (fb - fa);
-    const auto fm = f(middle);
-    if (!fm) {
-      return std::nullopt;
-    }
-    if (*fm == 0.0 || std::abs(b - a) <= 1e-15 * (1.0 + std::abs(middle))) {
-      return middle;
-    }
-    if ((*fm > 0.0) != (fb > 0.0)) {
-      a = b;
-      fa = fb;
-    } else {
-      fa *= 0.5;
-    }
-    b = middle;
-    fb = *fm;
-  }
-  return b;
-}
-}  // namespace
-
-bool Path::aim(PathPoint& point, const Vec3& towards) const {
-  const Vec3 common = point.contacts[0].normal.cross(point.contacts[1].normal);
+  const Vec3 common = n0.cross(n1);
   const double length = common.norm();
   if (length <= tolerance::nullDirection) {
     return false;
@@ -60,17 +25,39 @@ bool Path::aim(PathPoint& point, const Vec3& towards) const {
   return true;
 }
 
-PathPoint Path::look(const Vec3& toolEnd, const Vec3& towards) {
+PathPoint Path::lookWith(const Vec3& toolEnd, const Vec3& toolAxis, const Vec3& towards) {
   PathPoint p;
   p.toolEnd = toolEnd;
-  p.axis = axis.at(toolEnd);
-  for (std::size_t i = 0; i < 2; ++i) {
-    p.contacts[i] = guides[i].field->at(toolEnd, p.axis);
+  p.axis = toolAxis;
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    p.contacts[i] = guides[i].field->at(toolEnd, toolAxis);
   }
   if (!aim(p, towards)) {
     p.tangent = towards;
   }
   return p;
+}
+
+PathPoint Path::look(const Vec3& toolEnd, const Vec3& towards) {
+  return lookWith(toolEnd, axis.at(toolEnd), towards);
+}
+
+Vec3 Path::spinAt(const PathPoint& p) {
+  return axis.isFixed() ? Vec3(Vec3::Zero())
+                        : Vec3(p.axis.cross(axis.change(p.toolEnd) * p.tangent));
+}
+
+std::optional<PathPoint> Path::standing(const Vec3& near,
+                                        const Vec3& towards,
+                                        const Vec3* toolAxis) {
+  AxisRule held(toolAxis != nullptr ? *toolAxis : Vec3::UnitZ());
+  AxisRule& rule = toolAxis != nullptr ? held : axis;
+  const std::array wanted{Wanted{guides[0].field.get(), guides[0].rest},
+                          Wanted{guides[1].field.get(), guides[1].rest}};
+  const std::array across{Constraint{towards, near}};
+  const Settled settled = settle(near, rule, wanted, across);
+  return settled.ok ? std::optional(lookWith(settled.toolEnd, settled.axis, towards))
+                    : std::nullopt;
 }
 
 std::optional<PathPoint> Path::step(const PathPoint& from,
@@ -108,38 +95,45 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
 double Path::fit(const PathPoint& a, const PathPoint& b) {
   const Vec3 chord = b.toolEnd - a.toolEnd;
   const double length = chord.norm();
-  if (length <= 0.0) {
+  const bool turning = a.axis != b.axis;
+  if (length <= 0.0 && !turning) {
     return tolerance::farAway;
   }
-  const Vec3 direction = chord / length;
+  // A cut vector that only turns the axis is measured by the angle.
+  const double scale = length > 0.0 ? length : (b.axis - a.axis).norm();
+  const Vec3 direction = chord / scale;
+  const Vec3 turn = turning ? spin(a.axis, b.axis, scale) : Vec3(Vec3::Zero());
   const Vec3 middle = a.toolEnd + 0.5 * chord;
-  const Vec3 middleAxis = axis.at(middle);
+  const Vec3 middleAxis = turning ? Vec3((a.axis + b.axis).normalized()) : a.axis;
   double factor = tolerance::farAway;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (guides[i].flat()) {
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    if (guides[i].field->flat() && !turning) {
       continue;
     }
     const tool::Contact& from = a.contacts[i];
     const tool::Contact& to = b.contacts[i];
     const tool::Contact between = guides[i].field->at(middle, middleAxis);
-    const double slope = between.normal.dot(direction);
-    const ChordProfile first{from.gap, from.normal.dot(direction), between.gap, slope,
-                             0.5 * length};
-    const ChordProfile second{between.gap, slope, to.gap, to.normal.dot(direction), 0.5 * length};
+    const double slope = slopeAlong(between, middle, direction, turn);
+    const ChordProfile first{from.gap, slopeAlong(from, a.toolEnd, direction, turn), between.gap,
+                             slope, 0.5 * scale};
+    const ChordProfile second{between.gap, slope, to.gap,
+                              slopeAlong(to, b.toolEnd, direction, turn), 0.5 * scale};
     // A start outside its band by the slack allowed there must not stop the motion.
     const double inner = std::max({guides[i].inner, -from.gap, -to.gap});
     const double outer = std::max({guides[i].outer, from.gap, to.gap});
-    factor = std::min(factor, fittingFactor(first, second, inner, outer));
-    factor = std::min(factor, ridge(i, {a.toolEnd, from, first, inner, outer}, middle, between));
-    factor = std::min(factor, ridge(i, {middle, between, second, inner, outer}, b.toolEnd, to));
+    factor = std::min({factor, fittingFactor(first, second, inner, outer),
+                       ridge(*guides[i].field, {a.toolEnd, middle, a.axis, middleAxis, from,
+                                                between, first, inner, outer}),
+                       ridge(*guides[i].field, {middle, b.toolEnd, middleAxis, b.axis, between, to,
+                                                second, inner, outer})});
   }
   return factor;
 }
 
 /// Where the contact jumps from one place of the cutter to another the gap has a ridge that no
 /// cubic shows: measured where the tangents from both ends cross.
-double Path::ridge(std::size_t guide, const Half& half, const Vec3& end, const tool::Contact& to) {
-  const Vec3 jump = (to.point - end) - (half.from.point - half.start);
+double Path::ridge(Field& field, const Half& half) const {
+  const Vec3 jump = (half.to.point - half.end) - (half.from.point - half.start);
   const ChordProfile& c = half.profile;
   const double bend = c.slopeFrom - c.slopeTo;
   if (jump.norm() <= c.length || bend <= 0.0) {
@@ -150,49 +144,35 @@ double Path::ridge(std::size_t guide, const Half& half, const Vec3& end, const t
   if (at <= 0.0 || at >= c.length || crossing <= half.outer) {
     return tolerance::farAway;
   }
-  const Vec3 place = half.start + at / c.length * (end - half.start);
-  const double gap = guides[guide].field->at(place, axis.at(place)).gap;
-  const double line = c.gapFrom + at / c.length * (c.gapTo - c.gapFrom);
+  const double share = at / c.length;
+  const Vec3 place = half.start + share * (half.end - half.start);
+  const Vec3 toolAxis = (half.axisStart + share * (half.axisEnd - half.axisStart)).normalized();
+  const double gap = field.at(place, toolAxis).gap;
+  const double line = c.gapFrom + share * (c.gapTo - c.gapFrom);
   return gap <= half.outer || gap <= line
              ? tolerance::farAway
              : std::sqrt(std::max(0.0, half.outer - line) / (gap - line));
 }
 
-std::optional<PathPoint> meet(Path& path,
-                              const PathPoint& from,
-                              const Segment& segment,
-                              const CheckWatch& watch,
-                              const CheckWatch::Hit& hit,
-                              double checkRest) {
-  const double middle = 0.5 * (hit.low + hit.high);
-  const Vec3 guess = segment.from + middle * segment.direction;
-  if (!watch.isTangent()) {
-    const std::array wanted{Wanted{path.guides[0].field.get(), path.guides[0].rest},
-                            Wanted{path.guides[1].field.get(), path.guides[1].rest},
-                            Wanted{hit.field, checkRest}};
-    const Settled settled = settle(guess, path.axis, wanted, {});
-    const double bands = watch.band() + path.guides[0].outer + path.guides[0].inner +
-                         path.guides[1].outer + path.guides[1].inner;
-    const PathPoint there = path.look(settled.toolEnd, from.tangent);
-    const double steepness =
-        std::max(std::abs(settled.contacts[2].normal.dot(there.tangent)), 0.02);
-    if (settled.ok &&
-        (settled.toolEnd - guess).norm() <= hit.high - hit.low + 4.0 * bands / steepness) {
-      return there;
-    }
-  }
-  // Along the path: the gap itself, or at a tangency its slope, changes sign in the bracket.
-  const double scale = segment.direction.dot(from.tangent);
-  const auto measure = [&](double s) -> std::optional<double> {
-    const auto p = path.step(from, s * scale, path.rests(), 0.0);
-    if (!p) {
-      return std::nullopt;
-    }
-    const tool::Contact c = hit.field->at(p->toolEnd, p->axis);
-    return watch.isTangent() ? c.normal.dot(p->tangent) : c.gap - checkRest;
-  };
-  const auto s = root(measure, hit.low, hit.high);
-  return s ? path.step(from, *s * scale, path.rests(), 0.0) : std::nullopt;
+double Path::fitWithTurn(const PathPoint& a, const PathPoint& b) {
+  const double factor = fit(a, b);
+  const double sine = axis.isFixed() ? 0.0 : a.axis.cross(b.axis).norm();
+  return sine > 0.0 ? std::min(factor, tolerance::axisTurn / std::atan2(sine, a.axis.dot(b.axis)))
+                    : factor;
+}
+
+Segment segmentBetween(const PathPoint& a, const PathPoint& b) {
+  Segment s;
+  s.from = a.toolEnd;
+  s.direction = b.toolEnd - a.toolEnd;
+  s.length = s.direction.norm();
+  s.direction = s.length > 0.0 ? Vec3(s.direction / s.length) : a.tangent;
+  s.tangentFrom = a.tangent;
+  s.tangentTo = b.tangent;
+  s.axisFrom = a.axis;
+  s.axisTo = b.axis;
+  s.turning = a.axis != b.axis;
+  return s;
 }
 
 }  // namespace arelem::motion

@@ -14,6 +14,7 @@ class RecordWriter {
   /// Ends the statement: one that put out nothing still counts on the tape.
   void end();
   void put(cl::Body body);
+  void putFeed(double feed) { put(cl::Post{Word::FEDRAT, "", {feed}}); }
   /// Starts a run of locations; `add` them, then `finish`.
   void startPoints(cl::Motion::Kind kind, const std::string& name, int subscript, bool withAxis);
   void add(const Vec3& toolEnd, const Vec3& axis);

@@ -36,7 +36,7 @@ bool isPlaneRoute(const State& state,
 }
 
 double curvatureAlong(
-    Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t, double step) {
+    Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
   const Vec3 ahead = toolEnd + step * t;
   const Vec3 behind = toolEnd - step * t;
   const Vec3 change =
@@ -56,12 +56,8 @@ double restOf(double curvature, double inner, double outer) {
 }
 }  // namespace
 
-double restGap(Field& field,
-               const Vec3& toolEnd,
-               const AxisRule& axis,
-               double inner,
-               double outer,
-               bool exact) {
+double restGap(
+    Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact) {
   if (exact || field.flat()) {
     return 0.0;
   }
@@ -75,7 +71,7 @@ double restGap(Field& field,
 
 double restGapAfter(Field& field,
                     const Vec3& toolEnd,
-                    const AxisRule& axis,
+                    AxisRule& axis,
                     const Vec3& along,
                     double bend,
                     double inner,
@@ -91,7 +87,7 @@ double restGapAfter(Field& field,
 
 std::unique_ptr<Field> onField(const surface::AnySurface& surface,
                                const Vec3& toolEnd,
-                               const AxisRule& axis,
+                               AxisRule& axis,
                                double inner,
                                double outer) {
   auto plus = makeField(surface, 1.0, {});

@@ -14,19 +14,15 @@ namespace arelem::motion {
 
 /// The gap at which a stop is placed in the band [-inner, outer]: 0 where exact or flat, a tenth of
 /// the band inside its outer edge on convex surfaces, inside its inner edge on concave ones.
-[[nodiscard]] double restGap(Field& field,
-                             const Vec3& toolEnd,
-                             const AxisRule& axis,
-                             double inner,
-                             double outer,
-                             bool exact);
+[[nodiscard]] double restGap(
+    Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact);
 
 /// The same at the end of a motion with unit tangent `along`, where the curvature along the last
 /// cut vector is known: near an inflection the side that was followed decides, not the one that
 /// would come.
 [[nodiscard]] double restGapAfter(Field& field,
                                   const Vec3& toolEnd,
-                                  const AxisRule& axis,
+                                  AxisRule& axis,
                                   const Vec3& along,
                                   double bend,
                                   double inner,
@@ -36,14 +32,14 @@ namespace arelem::motion {
 /// Curvature of the field's zero surface along the unit tangent t, by a difference of contact
 /// normals; positive where it bends away from the tool.
 [[nodiscard]] double curvatureAlong(
-    Field& field, const Vec3& toolEnd, const AxisRule& axis, const Vec3& t, double step);
+    Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step);
 
 /// The field of the tool end ON a surface, seen from the side towards which it bulges at `toolEnd`,
 /// so that the band's outer edge is the free one; from the other side where only that puts the tool
 /// end within [-inner, outer].
 [[nodiscard]] std::unique_ptr<Field> onField(const surface::AnySurface& surface,
                                              const Vec3& toolEnd,
-                                             const AxisRule& axis,
+                                             AxisRule& axis,
                                              double inner,
                                              double outer);
 

@@ -40,7 +40,7 @@ Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, st
 }  // namespace
 
 Settled settle(const Vec3& start,
-               const AxisRule& axis,
+               AxisRule& axis,
                std::span<const Wanted> wanted,
                std::span<const Constraint> constraints,
                double accept) {
@@ -51,11 +51,18 @@ Settled settle(const Vec3& start,
   double previous = 1e300;
   for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
     out.axis = axis.at(out.toolEnd);
+    Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
+    if (!axis.isFixed()) {
+      turning = axis.change(out.toolEnd);
+    }
     std::size_t count = 0;
     out.worst = 0.0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const tool::Contact& c = out.contacts[i] = wanted[i].field->at(out.toolEnd, out.axis);
       rows[count] = c.normal;
+      if (!axis.isFixed()) {
+        rows[count] += turning.transpose() * changeWithAxis(c, out.toolEnd, out.axis);
+      }
       rhs[count] = wanted[i].target - c.gap;
       if (std::abs(rhs[count]) >= out.worst) {
         out.worst = std::abs(rhs[count]);

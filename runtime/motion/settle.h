@@ -34,7 +34,7 @@ struct Settled {
 /// so that the tool moves in the span of the contact normals. Ends when no residual is above
 /// `accept` (0: rounding).
 [[nodiscard]] Settled settle(const Vec3& start,
-                             const AxisRule& axis,
+                             AxisRule& axis,
                              std::span<const Wanted> wanted,
                              std::span<const Constraint> constraints,
                              double accept = 0.0);

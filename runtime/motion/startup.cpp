@@ -29,7 +29,7 @@ class Starter {
  public:
   Starter(const State& state, const runtime::Startup& startup) : state_(state), startup_(startup) {}
 
-  Result<Vec3> run() {
+  Result<Standing> run() {
     if (auto bad = collect()) {
       return *bad;
     }
@@ -107,13 +107,12 @@ class Starter {
   }
 
   void setAxis() {
-    rule_.fixed = state_.axis;
+    rule_ = AxisRule(state_.axis);
     const bool normalPart = state_.axisRule.kind == runtime::ToolAxis::Kind::normalPart;
     const bool normalDrive = state_.axisRule.kind == runtime::ToolAxis::Kind::normalDrive;
     const std::size_t index = normalDrive ? 0 : 1;
     if ((normalPart || normalDrive) && index < goals_.size()) {
-      axisField_ = makeField(goals_[index].surface.surface, goals_[index].side, {});
-      rule_.normalTo = axisField_.get();
+      rule_ = AxisRule(normalTo(goals_[index].surface.surface, goals_[index].side));
     }
   }
 
@@ -201,7 +200,7 @@ class Starter {
     return list;
   }
 
-  Result<Vec3> runGo() {
+  Result<Standing> runGo() {
     const Vec3 from = approach();
     const auto extra = constraints(from);
     Settled found = settle(from, rule_, wanted(false, from), extra);
@@ -211,7 +210,7 @@ class Starter {
     if (!found.ok) {
       return explain(found);
     }
-    return found.toolEnd;
+    return Standing{found.toolEnd, found.axis};
   }
 
   /// Why no position was found: a cutter inside a hollow that is too narrow for it, or nothing
@@ -234,7 +233,7 @@ class Starter {
 
   /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to
   /// the part.
-  Result<Vec3> runOffset() {
+  Result<Standing> runOffset() {
     if (!state_.direction[0] || state_.direction[1] || state_.direction[2]) {
       return fail(diag::OffsetNeedsDirection);
     }
@@ -265,7 +264,7 @@ class Starter {
       return fail(diag::StartupDiverges, found.ok ? drift : found.worst, goals_[0].surface.name,
                   found.iterations);
     }
-    return found.toolEnd;
+    return Standing{found.toolEnd, found.axis};
   }
 
   const State& state_;
@@ -273,12 +272,11 @@ class Starter {
   std::vector<Goal> goals_;
   std::optional<std::size_t> partIndex_;
   AxisRule rule_;
-  std::unique_ptr<Field> axisField_;
   bool exact_ = false;
 };
 }  // namespace
 
-Result<Vec3> startupPosition(const State& state, const runtime::Startup& startup) {
+Result<Standing> startupPosition(const State& state, const runtime::Startup& startup) {
   if (!state.cutter) {
     return fail(diag::CutterUndefined);
   }

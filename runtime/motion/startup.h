@@ -3,8 +3,14 @@
 
 namespace arelem::motion {
 
-/// GO/ and OFFSET/: the tool end that meets one, two or three surfaces (spec 4.7). Does not change
-/// the state.
-[[nodiscard]] Result<Vec3> startupPosition(const State& state, const runtime::Startup& startup);
+/// Where a startup leads.
+struct Standing {
+  Vec3 toolEnd = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+};
+
+/// GO/ and OFFSET/: the tool position that meets one, two or three surfaces (spec 4.7). Does not
+/// change the state.
+[[nodiscard]] Result<Standing> startupPosition(const State& state, const runtime::Startup& startup);
 
 }  // namespace arelem::motion

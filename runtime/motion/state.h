@@ -28,7 +28,10 @@ struct State {
   bool positioned = false;  ///< FROM or a motion was met
   Vec3 axis = Vec3::UnitZ();
   std::optional<Vec3> forward;  ///< last non-axial displacement or INDIRV/INDIRP
+  /// Last displacement that was not along the axis: where the forward direction is axial.
+  std::optional<Vec3> lastAcross;
   std::optional<tool::Profile> cutter;
+  bool cutterRefused = false;  ///< CUTTER was in error: motions are left out without further words
   std::array<std::optional<tool::Profile>, 2> option;  ///< CUTTER/OPTION for part (0) and drive (1)
   std::array<double, 4> inner{0.0, 0.0, 0.0, 0.0};
   std::array<double, 4> outer{0.0005, 0.0005, 0.0005, 0.0005};
@@ -36,7 +39,7 @@ struct State {
   double longestVector = 10.0;        ///< MAXDP
   double vectorLimit = 400.0;         ///< NUMPTS
   std::optional<NamedSurface> part;   ///< none: the XY plane
-  bool toolOnPart = false;            ///< TLONPS
+  std::optional<Word> partRelation;   ///< TLONPS, TLOFPS; none before the first of them
   std::optional<Word> driveRelation;  ///< TLLFT, TLRGT, TLON; none before the first of them
   bool alwaysIterate = false;         ///< 3DCALC
   bool multax = false;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "ir/diag/motion.h"
-#include "ir/space/tolerance.h"
+#include "runtime/tool/profile_check.h"
 
 namespace arelem::tool {
 
@@ -62,10 +62,6 @@ struct Nearest {
 }  // namespace
 
 Result<Profile> makeProfile(std::span<const double> values) {
-  if (values.size() != 1 && values.size() != 2 && values.size() != 7) {
-    return fail(diag::CutterImpossible,
-                fmt::format("{} values, 1, 2 or 7 are needed", values.size()));
-  }
   Profile p;
   p.d = values[0];
   p.r = values.size() > 1 ? values[1] : 0.0;
@@ -76,33 +72,21 @@ Result<Profile> makeProfile(std::span<const double> values) {
     p.beta = values[5] * degree;
     p.h = values[6];
   }
-  if (std::min({p.d, p.r, p.e, p.f, p.h, p.alpha, p.beta}) < 0.0) {
-    return fail(diag::CutterImpossible, std::string("no value may be negative"));
-  }
-  if (p.alpha + p.beta >= std::numbers::pi / 2) {
-    return fail(diag::CutterImpossible,
-                fmt::format("alpha + beta is {} degrees, less than 90 is needed",
-                            (p.alpha + p.beta) / degree));
-  }
-  const bool noCorner = p.e == 0.0 && p.f == 0.0 && p.alpha == 0.0 && p.beta == 0.0;
-  if (values.size() < 7 || (noCorner && p.r > 0.0)) {
+  const bool noCorner = p.e == 0.0 && p.f == 0.0;
+  if (values.size() < 7 || (noCorner && p.alpha == 0.0 && p.beta == 0.0)) {
     p.e = p.d / 2 - p.r;
     p.f = p.r;
-  }
-  if (p.r == 0.0 && p.e == 0.0 && p.f == 0.0) {
-    // A sharp corner stands where bottom and side meet.
+  } else if (noCorner && p.r == 0.0) {
     p.e = p.d / 2;
-    p.f = p.e * std::tan(p.alpha);
+    p.f = p.d / 2 * std::tan(p.alpha);
   }
-  if (p.e < -tolerance::coincidence) {
-    return fail(diag::CutterImpossible,
-                fmt::format("corner radius {} is larger than the radius {}", p.r, p.d / 2));
+  if (auto bad = rangeFault(p)) {
+    return *std::move(bad);
   }
   p.e = std::max(p.e, 0.0);
   if (p.h == 0.0) {
     p.h = std::max(defaultHeight, p.r);
   }
-  p.h = std::max(p.h, p.f);
   complete(p);
   return p;
 }

@@ -19,7 +19,7 @@ struct ProfilePoint {
 struct Profile {
   double d = 0.0, r = 0.0, e = 0.0, f = 0.0;
   double alpha = 0.0, beta = 0.0;  ///< radians
-  double h = 5.0;
+  double h = 0.0;
   bool ring = false;  ///< CUTTER/OPTION: only the circle of radius e at height f
   double sinAlpha = 0.0, cosAlpha = 1.0, sinBeta = 0.0, cosBeta = 1.0;
   ProfilePoint bottomEnd;  ///< where the bottom line meets the arc
@@ -34,8 +34,9 @@ struct Profile {
   [[nodiscard]] bool isPoint() const { return d == 0.0 && r == 0.0 && e == 0.0; }
 };
 
-/// Checks and completes the values as written (angles in degrees, lengths in the part unit): 1, 2
-/// or 7.
+/// Checks the ranges of the values as written (angles in degrees, lengths in the part unit), 1, 2
+/// or 7 of them, and completes them. Where corner radius and center are zero the lines meet in a
+/// sharp corner. Whether the parts join is for shapeFault to say.
 [[nodiscard]] Result<Profile> makeProfile(std::span<const double> values);
 /// The ring of CUTTER/OPTION,n,radius,height.
 [[nodiscard]] Profile makeRing(double radius, double height);

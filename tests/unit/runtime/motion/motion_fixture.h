@@ -86,6 +86,9 @@ class MotionProgram {
         for (std::size_t i = 0; i < m->coordinates.size(); i += m->stride()) {
           paths.back().emplace_back(m->coordinates[i], m->coordinates[i + 1],
                                     m->coordinates[i + 2]);
+          if (m->withAxis) {
+            axes.emplace_back(m->coordinates[i + 3], m->coordinates[i + 4], m->coordinates[i + 5]);
+          }
         }
       }
     }
@@ -93,6 +96,7 @@ class MotionProgram {
   }
 
   CollectingSink diagnostics;
+  std::vector<Vec3> axes;  ///< of all locations that have one
   runtime::MotionOutcome outcome;
 
  private:

@@ -1,0 +1,219 @@
+#include "runtime/motion/course.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ir/diag/motion.h"
+#include "ir/space/tolerance.h"
+#include "runtime/motion/direction.h"
+#include "runtime/motion/route.h"
+
+namespace arelem::motion {
+
+namespace {
+/// Share of the band, beside a fixed length, by which the start may lie outside its band (502,
+/// 503).
+constexpr double startShare = 0.2;
+constexpr double startLength = 5e-5;
+/// Distance over which curvature is measured, as a share of the square root of the band.
+constexpr double probeShare = 0.01;
+
+class Planner {
+ public:
+  Planner(const State& state, const FollowRequest& request) : state_(state), request_(request) {}
+
+  Result<Course> run() {
+    course_.part = partSurface(state_);
+    course_.drive = request_.drive;
+    for (const auto step :
+         {&Planner::setGuides, &Planner::setChecks, &Planner::checkStart, &Planner::setDirection}) {
+      if (auto bad = (this->*step)()) {
+        return *std::move(bad);
+      }
+    }
+    setRests();
+    return std::move(course_);
+  }
+
+ private:
+  Guide& guide(Role role) { return course_.path.guides[role]; }
+  const NamedSurface& surfaceOf(Role role) const {
+    return role == partRole ? course_.part : course_.drive;
+  }
+
+  std::optional<Failure> setGuides() {
+    course_.exact = true;
+    for (const CheckGoal& c : request_.checks) {
+      course_.exact = course_.exact && c.condition != ir::Condition::pstan &&
+                      isPlaneRoute(state_, course_.drive, course_.part, &c.surface);
+    }
+    for (const Role role : {partRole, driveRole}) {
+      guide(role).inner = state_.inner[role];
+      guide(role).outer = state_.outer[role];
+      if (!(state_.band(role) > 0.0)) {
+        return fail(diag::NoBand, state_.band(role));
+      }
+    }
+    course_.onDrive = toolOn(driveRole);
+    for (const Role role : {partRole, driveRole}) {
+      guide(role).field = guideField(role, role == partRole ? toolOn(partRole) : course_.onDrive);
+    }
+    setAxis();
+    return std::nullopt;
+  }
+
+  void setAxis() {
+    const auto kind = state_.axisRule.kind;
+    if (kind == runtime::ToolAxis::Kind::normalPart ||
+        kind == runtime::ToolAxis::Kind::normalDrive) {
+      const NamedSurface& s =
+          surfaceOf(kind == runtime::ToolAxis::Kind::normalPart ? partRole : driveRole);
+      course_.path.axis = AxisRule(normalTo(s.surface, sideAlongAxis(s)));
+    } else {
+      course_.path.axis = AxisRule(state_.axis);
+    }
+    for (Guide& g : course_.path.guides) {
+      g.turning = !course_.path.axis.isFixed();
+    }
+  }
+
+  [[nodiscard]] double sideAlongAxis(const NamedSurface& s) const {
+    return footOn(s.surface, state_.toolEnd).normal.dot(state_.axis) < 0.0 ? -1.0 : 1.0;
+  }
+
+  /// ON by its word (TLON, TLONPS), or, where no such word was ever given, because the tool end is
+  /// there and the cutter does not touch.
+  [[nodiscard]] bool toolOn(Role role) {
+    const double slack = state_.band(role) + startLength;
+    if (role == driveRole) {
+      if (state_.driveRelation) {
+        return *state_.driveRelation == Word::TLON || *state_.driveRelation == Word::TLNDON;
+      }
+      return std::abs(footOn(course_.drive.surface, state_.toolEnd).distance) <= slack;
+    }
+    if (state_.partRelation) {
+      return *state_.partRelation == Word::TLONPS;
+    }
+    const double offset = guideField(partRole, false)->at(state_.toolEnd, state_.axis).gap;
+    return std::abs(offset) > slack &&
+           std::abs(footOn(course_.part.surface, state_.toolEnd).distance) <= slack;
+  }
+
+  /// The gap field of a guiding surface, on the side where the tool is.
+  std::unique_ptr<Field> guideField(Role role, bool on) {
+    const NamedSurface& s = surfaceOf(role);
+    if (on) {
+      AxisRule axis(state_.axis);
+      return onField(s.surface, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
+    }
+    const Tool tool{cutterFor(state_, role), state_.thick[role]};
+    auto plus = makeField(s.surface, 1.0, tool);
+    auto minus = makeField(s.surface, -1.0, tool);
+    const double gapPlus = std::abs(plus->at(state_.toolEnd, state_.axis).gap);
+    const double gapMinus = std::abs(minus->at(state_.toolEnd, state_.axis).gap);
+    if (std::abs(gapPlus - gapMinus) <= tolerance::sameSide) {
+      return sideAlongAxis(s) < 0.0 ? std::move(minus) : std::move(plus);
+    }
+    return gapPlus < gapMinus ? std::move(plus) : std::move(minus);
+  }
+
+  std::optional<Failure> setChecks() {
+    for (std::size_t i = 0; i < request_.checks.size(); ++i) {
+      const CheckGoal& goal = request_.checks[i];
+      const bool tangent =
+          goal.condition == ir::Condition::tanto || goal.condition == ir::Condition::pstan;
+      const Role partner = goal.condition == ir::Condition::pstan ? partRole : driveRole;
+      if (tangent && goal.surface.isPlane() && surfaceOf(partner).isPlane()) {
+        return fail(diag::NoTangentWord, surfaceOf(partner).name, goal.surface.name);
+      }
+      const Role role = i == 0 ? checkRole : secondCheckRole;
+      const bool on = goal.condition == ir::Condition::on ||
+                      (tangent && (partner == partRole ? toolOn(partRole) : course_.onDrive));
+      const Tool tool{on ? nullptr : &*state_.cutter, on ? 0.0 : state_.thick[role]};
+      if (!(state_.band(role) > 0.0)) {
+        return fail(diag::NoBand, state_.band(role));
+      }
+      course_.watches.emplace_back(goal.surface, goal.condition, goal.nth, tool, state_.band(role),
+                                   state_.band(partner));
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Failure> checkStart() {
+    for (const Role role : {partRole, driveRole}) {
+      const Guide& g = guide(role);
+      const double gap = g.field->at(state_.toolEnd, state_.axis).gap;
+      const double slack = startShare * (g.inner + g.outer) + startLength;
+      if (gap > g.outer + slack || gap < -g.inner - slack) {
+        const std::string& name = surfaceOf(role).name;
+        return role == partRole ? fail(diag::OffPartSurface, gap, name, -g.inner, g.outer)
+                                : fail(diag::OffDriveSurface, gap, name, -g.inner, g.outer);
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Failure> setDirection() {
+    const Vec3 axis = course_.path.axis.at(state_.toolEnd);
+    course_.turnsFirst = (axis - state_.axis).norm() > tolerance::nullDirection;
+    auto wanted = wantedDirection(request_.heading, state_.forward, state_.lastAcross, state_.axis);
+    if (!wanted) {
+      return wanted.takeFailure();
+    }
+    PathPoint& start = course_.start;
+    start = course_.path.look(state_.toolEnd, *wanted);
+    auto direction = startDirection(request_.heading, *wanted, start.contacts[0].normal,
+                                    start.contacts[1].normal);
+    if (!direction) {
+      return direction.takeFailure();
+    }
+    start.tangent = *direction;
+    warnWrongSide();
+    for (CheckWatch& w : course_.watches) {
+      w.begin(state_.toolEnd, state_.axis);
+    }
+    return std::nullopt;
+  }
+
+  void setRests() {
+    for (Guide& g : course_.path.guides) {
+      g.rest =
+          restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact);
+      g.bend = g.flat() ? 0.0
+                        : curvatureAlong(*g.field, state_.toolEnd, course_.path.axis,
+                                         course_.start.tangent,
+                                         probeShare * std::sqrt(g.inner + g.outer));
+    }
+    if (course_.isArc()) {
+      // A circle keeps the radius on which the tool stands (spec 4.8).
+      Guide& drive = guide(driveRole);
+      drive.rest = std::clamp(course_.start.contacts[1].gap, -drive.inner, drive.outer);
+    }
+  }
+
+  void warnWrongSide() {
+    if (!state_.driveRelation || course_.onDrive ||
+        cutterFor(state_, driveRole)->maxRadius() == 0.0) {
+      return;
+    }
+    // The drive surface lies to the right of the motion when the tool is left of it.
+    const PathPoint& start = course_.start;
+    const double q = start.tangent.cross(Vec3(-start.contacts[1].normal)).dot(start.axis);
+    const bool left = *state_.driveRelation == Word::TLLFT;
+    if (left ? q > tolerance::coincidence : q < -tolerance::coincidence) {
+      course_.warnings.push_back(
+          fail(diag::WrongSide, spell(*state_.driveRelation), course_.drive.name));
+    }
+  }
+
+  const State& state_;
+  const FollowRequest& request_;
+  Course course_;
+};
+}  // namespace
+
+Result<Course> planCourse(const State& state, const FollowRequest& request) {
+  return Planner(state, request).run();
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,168 @@
+#include "runtime/motion/modal.h"
+
+#include <algorithm>
+
+#include "ir/diag/motion.h"
+#include "ir/space/tolerance.h"
+#include "runtime/motion/route.h"
+#include "runtime/tool/profile_check.h"
+
+namespace arelem::motion {
+
+namespace {
+/// Spreads one to four values over part, drive, check and second check surface: the last one
+/// repeats.
+std::array<double, 4> spread(const std::vector<double>& values) {
+  std::array<double, 4> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = values[std::min(i, values.size() - 1)];
+  }
+  return all;
+}
+
+/// First number of the CUTTER record that the old system writes for OPTION, n, OFF.
+constexpr double endOfOption = 3.0;
+
+void putTolerance(RecordWriter& writer, Word word, const std::array<double, 4>& values) {
+  writer.put(cl::Values{word, {values.begin(), values.end()}});
+}
+}  // namespace
+
+std::optional<Failure> setDirections(State& state, const runtime::Direction& d) {
+  auto& target = d.word == Word::SRFVCT ? state.surfaceVector : state.direction;
+  target = {};
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    if (!d.values[i]) {
+      continue;
+    }
+    const Vec3 v = d.word == Word::INDIRP ? Vec3(*d.values[i] - state.toolEnd) : *d.values[i];
+    if (v.norm() <= tolerance::nullDirection) {
+      return fail(diag::NullIndirection, spell(d.word), v.norm());
+    }
+    target[i] = v;
+  }
+  if (d.word != Word::SRFVCT && target[0]) {
+    state.forward = *target[0];
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis) {
+  using Kind = runtime::ToolAxis::Kind;
+  switch (axis.kind) {
+    case Kind::vector:
+      if (axis.vector.norm() <= tolerance::nullDirection) {
+        return fail(diag::NullIndirection, "TLAXIS", axis.vector.norm());
+      }
+      state.axis = axis.vector.normalized();
+      break;
+    case Kind::keep:
+    case Kind::normalPart:
+    case Kind::normalDrive:
+      break;
+    case Kind::parallel:
+      return fail(diag::MotionUnsupported, std::string("TLAXIS/PARLEL"));
+    case Kind::angle:
+      return fail(diag::MotionUnsupported, std::string("TLAXIS/ATANGL"));
+  }
+  state.axisRule = axis;
+  return std::nullopt;
+}
+
+std::optional<Failure> setPartSurface(State& state, const runtime::PartSurface& p) {
+  auto surface = named(p.surface);
+  if (!surface) {
+    return surface.takeFailure();
+  }
+  state.part = *std::move(surface);
+  return std::nullopt;
+}
+
+void setRelation(State& state, const runtime::ToolRelation& relation) {
+  const bool part = relation.word == Word::TLONPS || relation.word == Word::TLOFPS;
+  (part ? state.partRelation : state.driveRelation) = relation.word;
+}
+
+std::optional<Failure> setCutter(State& state, const runtime::Parameter& p, bool used) {
+  auto profile = tool::makeProfile(p.values);
+  state.cutterRefused = !profile;
+  if (!profile) {
+    return profile.takeFailure();
+  }
+  state.cutter = *profile;
+  state.option = {};
+  return used ? tool::shapeFault(*profile) : std::nullopt;
+}
+
+void setCutterOption(State& state, const runtime::CutterOption& option, RecordWriter& writer) {
+  auto& slot = state.option[option.surface == 1 ? partRole : driveRole];
+  if (option.ring) {
+    const auto [radius, height] = *option.ring;
+    slot = tool::makeRing(radius, height);
+    writer.put(cl::Values{Word::CUTTER, {static_cast<double>(option.surface), radius, height}});
+  } else {
+    slot.reset();
+    writer.put(cl::Values{Word::CUTTER, {endOfOption, 0.0, 0.0}});
+  }
+}
+
+void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer) {
+  switch (p.word) {
+    case Word::TOLER:
+      state.outer = spread(p.values);
+      state.inner = {};
+      putTolerance(writer, Word::OUTTOL, state.outer);
+      putTolerance(writer, Word::INTOL, state.inner);
+      break;
+    case Word::INTOL:
+      state.inner = spread(p.values);
+      putTolerance(writer, p.word, state.inner);
+      break;
+    case Word::OUTTOL:
+      state.outer = spread(p.values);
+      putTolerance(writer, p.word, state.outer);
+      break;
+    case Word::THICK:
+      state.thick = spread(p.values);
+      break;
+    case Word::MAXDP:
+      state.longestVector = p.values[0];
+      break;
+    default:
+      state.vectorLimit = p.values[0];  // NUMPTS
+      break;
+  }
+}
+
+void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer) {
+  switch (toggle.word) {
+    case Word::MULTAX:
+      state.multax = toggle.on;
+      writer.put(cl::Multax{toggle.on});
+      break;
+    case Word::NOPS:
+      state.ignorePart = true;
+      break;
+    case Word::AUTOPS:
+      state.automaticPart = true;
+      break;
+    case Word::W_3DCALC:
+    case Word::W_2DCALC:
+    case Word::NDTEST:
+      state.alwaysIterate = toggle.word == Word::W_3DCALC;
+      writer.put(cl::Switch{toggle.word});
+      break;
+    default:
+      state.gougeCheck = toggle.on;
+      break;
+  }
+}
+
+void forgetOneShots(State& state) {
+  state.direction = {};
+  state.surfaceVector = {};
+  state.ignorePart = false;
+  state.automaticPart = false;
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,30 @@
+#pragma once
+#include "ir/diag/result.h"
+#include "runtime/motion/records.h"
+#include "runtime/motion/state.h"
+
+/// Statements that move nothing but change what later motions find.
+namespace arelem::motion {
+
+/// INDIRV, INDIRP, SRFVCT.
+[[nodiscard]] std::optional<Failure> setDirections(State& state, const runtime::Direction& d);
+/// TLAXIS.
+[[nodiscard]] std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis);
+/// PSIS.
+[[nodiscard]] std::optional<Failure> setPartSurface(State& state, const runtime::PartSurface& p);
+/// TLLFT, TLRGT, TLON, TLNDON, TLONPS, TLOFPS.
+void setRelation(State& state, const runtime::ToolRelation& relation);
+/// CUTTER. `used`: whether it will move along surfaces, for which its parts must join.
+[[nodiscard]] std::optional<Failure> setCutter(State& state,
+                                               const runtime::Parameter& p,
+                                               bool used);
+/// CUTTER/OPTION.
+void setCutterOption(State& state, const runtime::CutterOption& option, RecordWriter& writer);
+/// INTOL, OUTTOL, TOLER, THICK, MAXDP, NUMPTS, with the records that they leave.
+void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer);
+/// MULTAX, NOPS, AUTOPS, 3DCALC, 2DCALC, NDTEST, GOUGCK.
+void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer);
+/// The words that hold for one motion have been used.
+void forgetOneShots(State& state);
+
+}  // namespace arelem::motion

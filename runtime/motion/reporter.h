@@ -1,0 +1,28 @@
+#pragma once
+#include "ir/diag/diagnostic.h"
+#include "ir/diag/result.h"
+#include "runtime/motion/records.h"
+
+namespace arelem::motion {
+
+/// Failures of Section 2: to the diagnostics, and as a record into the CL file, as in the old
+/// system.
+class Reporter {
+ public:
+  Reporter(RecordWriter& writer, DiagnosticSink& sink) : writer_(writer), sink_(sink) {}
+
+  /// `action` is the statement at fault.
+  void report(const runtime::Action& action, Failure failure);
+  /// True after an error.
+  [[nodiscard]] bool failed() const { return failed_; }
+  /// True after an error that ends the run.
+  [[nodiscard]] bool fatal() const { return fatal_; }
+
+ private:
+  RecordWriter& writer_;
+  DiagnosticSink& sink_;
+  bool failed_ = false;
+  bool fatal_ = false;
+};
+
+}  // namespace arelem::motion

@@ -1,0 +1,140 @@
+#include "runtime/motion/stop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/meet.h"
+#include "runtime/motion/route.h"
+
+namespace arelem::motion {
+
+namespace {
+/// Normals that agree this well, as a cosine, belong to surfaces that touch.
+constexpr double touching = 0.5;
+}  // namespace
+
+std::optional<Met> StopFinder::scan(const Segment& segment) {
+  std::optional<Met> first;
+  for (std::size_t i = 0; i < course_.watches.size(); ++i) {
+    CheckWatch& watch = course_.watches[i];
+    Guide& partner = watch.usesPart() ? course_.partGuide() : course_.driveGuide();
+    const auto hit = watch.scan(segment, *partner.field);
+    if (hit && (!first || hit->low < first->hit.low)) {
+      first = Met{i, *hit};
+    }
+  }
+  return first;
+}
+
+std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
+                                          const Segment& segment,
+                                          const Met& met) {
+  const Vec3 near = segment.at(0.5 * (met.hit.low + met.hit.high));
+  if (!course_.isArc()) {
+    for (Guide& g : course_.path.guides) {
+      g.rest = restGapAfter(*g.field, near, course_.path.axis, a.tangent, g.bend, g.inner, g.outer,
+                            course_.exact);
+    }
+  }
+  auto end = atRest(a, segment, met, near);
+  if (end && met.hit.touch && !segment.isArc() && !course_.watches[met.check].isTangent()) {
+    end = closer(a, segment, met, *end);
+  }
+  return end;
+}
+
+/// A stop must be within the tolerance: a touch may be a near miss.
+bool StopFinder::isContact(const Met& met, const PathPoint& end) {
+  return course_.watches[met.check].touches(met.hit.field->at(end.toolEnd, end.axis).gap);
+}
+
+std::optional<Found> StopFinder::find(const PathPoint& a, const Segment& segment) {
+  keep();
+  std::optional<Found> found;
+  while (const auto met = scan(segment)) {
+    auto end = stop(a, segment, *met);
+    if (end && !isContact(*met, *end)) {
+      end.reset();
+    }
+    if (end || !met->hit.touch) {
+      found = Found{*met, end};
+      break;
+    }
+    // A near miss: look again, from behind it.
+    restore();
+    course_.watches[met->check].ignoreTouches(met->hit.high);
+  }
+  for (CheckWatch& w : course_.watches) {
+    w.ignoreTouches(-1.0);
+  }
+  return found;
+}
+
+/// A touch within the tolerance comes nearer where the band of the surface that turns the path
+/// away leaves room.
+PathPoint StopFinder::closer(const PathPoint& a,
+                             const Segment& segment,
+                             const Met& met,
+                             const PathPoint& end) {
+  const tool::Contact check = met.hit.field->at(end.toolEnd, end.axis);
+  for (std::size_t i = 0; i < end.contacts.size(); ++i) {
+    const double agreement = check.normal.dot(end.contacts[i].normal);
+    if (std::abs(agreement) < touching) {
+      continue;
+    }
+    Guide& g = course_.path.guides[i];
+    const double rest = g.rest;
+    g.rest = std::clamp(rest - check.gap / agreement, -g.inner, g.outer);
+    const auto moved = meet(course_.path, a, segment, course_.watches[met.check], met.hit, 0.0);
+    if (moved &&
+        std::abs(met.hit.field->at(moved->toolEnd, moved->axis).gap) < std::abs(check.gap)) {
+      return *moved;
+    }
+    g.rest = rest;
+  }
+  return end;
+}
+
+std::optional<PathPoint> StopFinder::atRest(const PathPoint& a,
+                                            const Segment& segment,
+                                            const Met& met,
+                                            const Vec3& near) {
+  const Role role = roleOf(met);
+  const double rest = met.hit.touch
+                          ? 0.0
+                          : restGap(*met.hit.field, near, course_.path.axis, state_.inner[role],
+                                    state_.outer[role], course_.exact);
+  return meet(course_.path, a, segment, course_.watches[met.check], met.hit, rest);
+}
+
+std::optional<PathPoint> StopFinder::stopAtEdge(const PathPoint& a,
+                                                const Segment& segment,
+                                                const Met& met) {
+  if (course_.exact) {
+    return std::nullopt;
+  }
+  const auto rests = course_.path.rests();
+  for (Guide& g : course_.path.guides) {
+    g.rest = g.vertexGap();
+  }
+  auto end = atRest(a, segment, met, a.toolEnd);
+  for (std::size_t i = 0; i < rests.size(); ++i) {
+    course_.path.guides[i].rest = rests[i];
+  }
+  return end && isContact(met, *end) ? end : std::nullopt;
+}
+
+void StopFinder::keep() {
+  kept_.clear();
+  for (const CheckWatch& w : course_.watches) {
+    kept_.push_back(w.progress());
+  }
+}
+
+void StopFinder::restore() {
+  for (std::size_t i = 0; i < course_.watches.size(); ++i) {
+    course_.watches[i].restore(kept_[i]);
+  }
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,59 @@
+#pragma once
+#include <optional>
+
+#include "runtime/motion/course.h"
+
+namespace arelem::motion {
+
+/// A check surface that a chord meets, as an index into the course's watches.
+struct Met {
+  std::size_t check = 0;
+  CheckWatch::Hit hit;
+};
+
+/// A check surface that is met, and the place of the stop: none where the path cannot be followed
+/// that far.
+struct Found {
+  Met met;
+  std::optional<PathPoint> end;
+};
+
+/// Finds where a motion stops.
+class StopFinder {
+ public:
+  StopFinder(const State& state, Course& course) : state_(state), course_(course) {}
+
+  /// The first stop on the segment that begins at `a`: none where no check surface is met. Keeps
+  /// the watches' progress before the segment.
+  [[nodiscard]] std::optional<Found> find(const PathPoint& a, const Segment& segment);
+  /// The same at the band's edge instead of a tenth inside; exact stops have none.
+  [[nodiscard]] std::optional<PathPoint> stopAtEdge(const PathPoint& a,
+                                                    const Segment& segment,
+                                                    const Met& met);
+
+  /// Puts the watches back to where they were before the last segment, to try it again.
+  void restore();
+
+ private:
+  void keep();
+  std::optional<Met> scan(const Segment& segment);
+  std::optional<PathPoint> stop(const PathPoint& a, const Segment& segment, const Met& met);
+  bool isContact(const Met& met, const PathPoint& end);
+  std::optional<PathPoint> atRest(const PathPoint& a,
+                                  const Segment& segment,
+                                  const Met& met,
+                                  const Vec3& near);
+  PathPoint closer(const PathPoint& a,
+                   const Segment& segment,
+                   const Met& met,
+                   const PathPoint& end);
+  [[nodiscard]] Role roleOf(const Met& met) const {
+    return met.check == 0 ? checkRole : secondCheckRole;
+  }
+
+  const State& state_;
+  Course& course_;
+  std::vector<CheckWatch::Progress> kept_;
+};
+
+}  // namespace arelem::motion

@@ -1,0 +1,26 @@
+#pragma once
+#include "runtime/motion/path.h"
+
+namespace arelem::motion {
+
+/// Chooses cut vectors along a path: as long as both bands allow.
+class Stride {
+ public:
+  /// `longest` is MAXDP; it does not bind where both surfaces are planes.
+  Stride(Path& path, double longest) : path_(path), longest_(longest) {}
+
+  /// The end of the next cut vector from `a`, not farther than `cap`. None where the path cannot be
+  /// followed.
+  [[nodiscard]] std::optional<PathPoint> next(const PathPoint& a, double cap);
+  /// Takes the curvatures of a finished cut vector as those of the next.
+  void learn(const PathPoint& a, const PathPoint& b);
+
+ private:
+  [[nodiscard]] double planned(const PathPoint& a) const;
+  bool learnTurn(const PathPoint& a, const PathPoint& b);
+
+  Path& path_;
+  double longest_;
+};
+
+}  // namespace arelem::motion

@@ -1,0 +1,53 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ir/space/tolerance.h"
+
+namespace arelem::motion {
+
+/// A zero of f in [low, high], where the signs differ: regula falsi with the Illinois rule, and a
+/// bisection now and then. Ends that do not differ in sign are moved apart first, as what brackets
+/// the zero may only approximate f. f returns an optional number; none ends the search.
+template <class F>
+std::optional<double> zeroBetween(F f, double low, double high) {
+  constexpr int rootLimit = 200;
+  constexpr int widenLimit = 12;
+  constexpr int bisectEvery = 8;
+  constexpr double rounding = 1e-15;
+  auto fl = f(low);
+  auto fh = f(high);
+  const double grow = std::max(high - low, tolerance::coincidence);
+  for (int i = 0; i < widenLimit && fl && fh && (*fl > 0.0) == (*fh > 0.0); ++i) {
+    low -= grow * (1 << i);
+    high += grow * (1 << i);
+    fl = f(low);
+    fh = f(high);
+  }
+  if (!fl || !fh || (*fl > 0.0) == (*fh > 0.0)) {
+    return std::nullopt;
+  }
+  double a = low, b = high, fa = *fl, fb = *fh;
+  for (int i = 1; i <= rootLimit && fa != fb; ++i) {
+    const double middle = i % bisectEvery == 0 ? 0.5 * (a + b) : b - fb * (b - a) / (fb - fa);
+    const auto fm = f(middle);
+    if (!fm) {
+      return std::nullopt;
+    }
+    if (*fm == 0.0 || std::abs(b - a) <= rounding * (1.0 + std::abs(middle))) {
+      return middle;
+    }
+    if ((*fm > 0.0) != (fb > 0.0)) {
+      a = b;
+      fa = fb;
+    } else {
+      fa *= 0.5;
+    }
+    b = middle;
+    fb = *fm;
+  }
+  return b;
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,15 @@
+#pragma once
+#include <optional>
+
+#include "runtime/tool/profile.h"
+
+namespace arelem::tool {
+
+/// Whether the values of CUTTER, in their written order and completed to seven, are in their
+/// ranges (401 to 407, 417 of the old system).
+[[nodiscard]] std::optional<Failure> rangeFault(const Profile& profile);
+/// Whether bottom line, corner arc and side line join (405, 408 to 416 of the old system). Only a
+/// cutter that moves along surfaces must pass; others are but written to the CL file.
+[[nodiscard]] std::optional<Failure> shapeFault(const Profile& profile);
+
+}  // namespace arelem::tool
