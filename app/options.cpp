@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iostream>
 
 #include "app/exit_code.h"
@@ -30,7 +31,7 @@ std::pair<std::string, std::string> splitAssignment(const std::string& option,
 void setDefine(std::map<std::string, double>& defines, const std::string& text) {
   auto [name, value] = splitAssignment("--define", text);
   double number = 0.0;
-  if (!readNumber(value, number)) {
+  if (!readNumber(value, number) || !std::isfinite(number)) {
     throw CLI::ValidationError("--define", "`" + value + "` is not a number");
   }
   for (char& c : name) {

@@ -72,7 +72,14 @@ void BlockWriter::resolve(Labels& labels) {
   for (const Reference& r : labels.references) {
     const auto found = labels.places.find(r.name);
     if (found == labels.places.end()) {
-      context_.report(diagnose(r.span, diag::LabelNotFound, r.name, areaName()));
+      Diagnostic d = diagnose(r.span, diag::LabelNotFound, r.name, areaName());
+      if (const auto hidden = outOfReach_.find(r.name); hidden != outOfReach_.end()) {
+        d.labels.push_back({hidden->second, "it stands in a loop, and jumps do not enter loops"});
+      } else if (const auto outer = labels_.places.find(r.name); outer != labels_.places.end()) {
+        d.labels.push_back(
+            {outer->second.second, "it stands outside, and jumps do not leave loops"});
+      }
+      context_.report(std::move(d));
       continue;
     }
     if (ir::LabelRef* label = slotOf(r.jump)) {
@@ -107,6 +114,9 @@ void BlockWriter::beginLoop(const Span& at) {
 }
 
 void BlockWriter::endLoop() {
+  for (const auto& [name, place] : loopLabels_.places) {
+    outOfReach_.emplace(name, place.second);
+  }
   resolve(loopLabels_);
   area_ = Area::program;
 }

@@ -73,8 +73,9 @@ class BlockWriter {
   Area area_;
   Origin origin_;
   std::string pendingLabel_;
-  Labels labels_;      // of the program or macro
-  Labels loopLabels_;  // of the loop that is open
+  Labels labels_;                                        // of the program or macro
+  Labels loopLabels_;                                    // of the loop that is open
+  std::map<std::string, Span, std::less<>> outOfReach_;  // labels of the loops that are closed
   Span loopStart_;
 };
 

@@ -1,4 +1,7 @@
 // From the tokens of one statement to the program: label, head, parse, and which checker takes it.
+#include <algorithm>
+#include <array>
+
 #include "frontend/check/prescan.h"
 #include "frontend/check/program_reader.h"
 #include "ir/diag/frontend.h"
@@ -60,6 +63,44 @@ void ProgramReader::unknownHead(const Token& head) {
   context_.report(std::move(d));
 }
 
+/// `name = NOUN/ ...` where NOUN is neither a type nor a name: a misspelled type, or a sculptured
+/// surface of APT IV. A quotient of an undefined name, `A = B/2`, is left to the parser.
+std::optional<Diagnostic> ProgramReader::unknownType(const std::vector<Token>& tokens,
+                                                     std::size_t first,
+                                                     bool mayDivide) {
+  constexpr std::array<std::string_view, 3> sculptured{"SCURV", "SSURF", "SMESH"};
+  const std::size_t equals =
+      tokens[first].kind == TokenKind::symbol ? equalsAfter(tokens, first) : 0;
+  if (equals == 0 || equals + 2 >= tokens.size() || tokens[equals + 1].kind != TokenKind::symbol ||
+      tokens[equals + 2].kind != TokenKind::slash) {
+    return std::nullopt;
+  }
+  const Token& noun = tokens[equals + 1];
+  const NameFacts* known = context_.names.find(noun.text);
+  if (known != nullptr && known->kind != NameFacts::Class::unknown) {
+    return std::nullopt;
+  }
+  Diagnostic d = diagnose(noun.span, diag::UnknownType, noun.text);
+  if (std::ranges::find(sculptured, noun.text) != sculptured.end()) {
+    return std::move(d).note(fmt::format(
+        "sculptured curves and surfaces of APT IV are not supported; `{}` counts as defined",
+        tokens[first].text));
+  }
+  if (mayDivide) {
+    return std::nullopt;
+  }
+  for (const std::string& near : context_.names.similar(noun.text, true)) {
+    const auto word = context_.vocabulary.find(near);
+    if (word && entityType(*word)) {
+      d.help += (d.help.empty() ? "did you mean `" : ", `") + near + "`";
+    }
+  }
+  if (d.help.empty()) {
+    d.help = "`arelem language` lists the types";
+  }
+  return d;
+}
+
 /// What can be told from the first tokens better than by the grammar.
 bool ProgramReader::checkHead(const std::vector<Token>& tokens, std::size_t first) {
   const Token& head = tokens[first];
@@ -74,6 +115,10 @@ bool ProgramReader::checkHead(const std::vector<Token>& tokens, std::size_t firs
   const bool block = head.kind >= TokenKind::then;
   if (isWordKind(head.kind) && !block && tokens[first + 1].kind == TokenKind::equals) {
     context_.report(diagnose(head.span, diag::WordAsName, head.text));
+    return false;
+  }
+  if (auto noun = unknownType(tokens, first, true)) {
+    context_.report(*std::move(noun));
     return false;
   }
   return true;
@@ -112,7 +157,10 @@ void ProgramReader::lower(const std::vector<Token>& tokens, Frame& frame) {
   }
   const std::span<const Token> all(tokens);
   if (auto error = parser_.parse(all.subspan(first), frame.tree)) {
-    context_.report(*std::move(error));
+    const bool shape =
+        error->row == diag::Misplaced.row || error->row == diag::WordInExpression.row;
+    auto noun = shape ? unknownType(tokens, first, false) : std::nullopt;
+    context_.report(noun ? *std::move(noun) : *std::move(error));
     poison(tokens);
     return;
   }
@@ -174,6 +222,20 @@ void ProgramReader::lowerShape(Frame& frame) {
   }
 }
 
+/// Neither name of a pair of SYN is a word; the second one should be.
+void ProgramReader::unknownSynonym(const Token& name, const Token& word) {
+  Diagnostic d = diagnose(join(name.span, word.span), diag::SynonymFormat)
+                     .note(fmt::format("neither `{}` nor `{}` is a word", name.text, word.text));
+  for (const Token* t : {&word, &name}) {
+    for (const std::string& near : context_.names.similar(t->text, true)) {
+      if (d.help.empty() && context_.vocabulary.find(near)) {
+        d.help = "did you mean `" + near + "`";
+      }
+    }
+  }
+  context_.report(std::move(d));
+}
+
 /// SYN/ new,WORD,... or SYN/ WORD,new,...
 void ProgramReader::synonyms(const std::vector<Token>& tokens, std::size_t first, Frame& frame) {
   if (frame.block.inArea()) {
@@ -197,6 +259,10 @@ void ProgramReader::synonyms(const std::vector<Token>& tokens, std::size_t first
     const Token& word = wordFirst ? a : b;
     NameFacts* known = context_.names.find(name.text);
     const bool taken = known != nullptr && known->defined;
+    if (separated && name.kind == TokenKind::symbol && word.kind == TokenKind::symbol) {
+      unknownSynonym(name, word);
+      return;
+    }
     if (!separated || name.kind != TokenKind::symbol || !isWordKind(word.kind) ||
         word.word == Word::SYN || taken) {
       context_.report(diagnose(join(a.span, b.span), diag::SynonymFormat));

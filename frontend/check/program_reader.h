@@ -50,7 +50,11 @@ class ProgramReader {
   void lowerLabel(const std::vector<Token>& tokens, std::size_t& first, Frame& frame);
   bool checkHead(const std::vector<Token>& tokens, std::size_t first);
   void unknownHead(const Token& head);
+  std::optional<Diagnostic> unknownType(const std::vector<Token>& tokens,
+                                        std::size_t first,
+                                        bool mayDivide);
   void poison(const std::vector<Token>& tokens);
+  void unknownSynonym(const Token& name, const Token& word);
   void synonyms(const std::vector<Token>& tokens, std::size_t first, Frame& frame);
   void library(Frame& frame);
   void include(Frame& frame);

@@ -149,9 +149,10 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::toolPosition:
     case WordClass::canon:
     case WordClass::tuneup:
-    case WordClass::units:
     case WordClass::unused:
       return plain(p, {.owner = spell(p.word)});
+    case WordClass::units:
+      return units(p);
     case WordClass::call:
     case WordClass::ifWord:
     case WordClass::syn:
@@ -192,7 +193,6 @@ void Statements::plain(const Parts& p, ArgumentRules rules) {
     return;
   }
   const bool needs = row(p.word).wordClass == WordClass::arelemValue || p.word == Word::CANON ||
-                     row(p.word).wordClass == WordClass::units ||
                      row(p.word).wordClass == WordClass::motion;
   if (needs && list->empty()) {
     context_.report(diagnose(p.span, diag::ParameterExpected, spell(p.word), "a parameter"));
@@ -202,6 +202,14 @@ void Statements::plain(const Parts& p, ArgumentRules rules) {
   if (split) {
     emitCommand({suffix, p.span, false, noNode}, {});
   }
+}
+
+void Statements::units(const Parts& p) {
+  if (p.first == noNode || values_.tree()[p.first].kind == Kind::name) {
+    context_.report(diagnose(p.span, diag::ParameterExpected, "UNITS", "MM, CM, INCHES or FEET"));
+    return;
+  }
+  plain(p, {.owner = spell(p.word)});
 }
 
 bool Statements::checkPostArguments(const Parts& p, const std::vector<ir::Argument>& list) {

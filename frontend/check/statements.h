@@ -26,6 +26,7 @@ class Statements {
   void motion(const Parts& p);
   void termac(const Parts& p);
   void plain(const Parts& p, ArgumentRules rules);
+  void units(const Parts& p);
   void postWord(const Parts& p);
   void locate(const Parts& p);
   void startup(const Parts& p);

@@ -37,6 +37,15 @@ std::optional<Diagnostic> unbalanced(std::span<const Token> tokens) {
   return std::nullopt;
 }
 
+/// Behind `IF(...)` stands something else than three labels or THEN.
+bool isBrokenBranch(std::span<const Token> tokens, std::size_t offending) {
+  int depth = 0;
+  for (const Token& t : tokens.first(offending)) {
+    depth += t.kind == leftParen ? 1 : t.kind == rightParen ? -1 : 0;
+  }
+  return tokens.front().kind == ifWord && depth == 0;
+}
+
 std::string shown(const Token& t) {
   return t.kind == end ? "the end of the statement" : fmt::format("`{}`", t.text);
 }
@@ -76,6 +85,9 @@ Diagnostic explainSyntaxError(std::span<const Token> tokens,
   if (before != nullptr && operand &&
       (before->kind == rightParen || before->kind == number || before->kind == symbol)) {
     return diagnose(bad.span, diag::OperatorExpected, shown(bad));
+  }
+  if (isBrokenBranch(tokens, std::min(offending, tokens.size() - 1))) {
+    return diagnose(bad.span, diag::IfFormat);
   }
   Diagnostic d = diagnose(bad.span, diag::Misplaced, shown(bad));
   return expected.empty() ? d : std::move(d).note("here may stand: " + expected);

@@ -46,7 +46,7 @@ class WrongUse(ArelemCase):
 
     def test_bad_values(self):
         self.write("a.apt", GOOD)
-        for words in (["--dialect=fortran"], ["--max-stepps=5"], ["--max-steps=many"], ["--max-steps=-1"], ["--max-steps=5", "--max-steps=6"], ["-D", "X"], ["-D", "X=y"],
+        for words in (["--dialect=fortran"], ["--max-stepps=5"], ["--max-steps=many"], ["--max-steps=-1"], ["--max-steps=5", "--max-steps=6"], ["-D", "X"], ["-D", "X=y"], ["-D", "X=nan"], ["-D", "X=inf"],
                       ["-D", "X=1", "-D", "x=2"], ["--color=blue"], ["--max-errors=-1"], ["--diagnostics=xml"]):
             self.assertExit(2, "check", "a.apt", *words)
             self.assertEqual(self.out, "")

@@ -33,6 +33,46 @@ TEST(Names, ABrokenDefinitionGivesNoFurtherErrors) {
   EXPECT_EQ(errors("P1=POINT/QQ,2\nGOTO/P1"), "101");
 }
 
+TEST(Names, AMisspelledTypeIsNamed) {
+  const auto c = compileText("C=CIRCEL/CENTER,0,0,RADIUS,5\nP=POINT/CENTER,C\nFINI\n");
+  EXPECT_EQ(c->codes(), "E0299");
+  EXPECT_EQ(c->blamed(), "CIRCEL");
+  EXPECT_EQ(c->sink.all()[0].help, "did you mean `CIRCLE`");
+  EXPECT_EQ(errors("A=B/2"), "101");  // a quotient
+  EXPECT_EQ(errors("SSURF=4\nA=SSURF/2"), "");
+}
+
+TEST(Names, SculpturedNounsCountAsDefined) {
+  for (const std::string noun : {"SCURV/CURSEG,P", "SSURF/SPLINE,P", "SMESH/P"}) {
+    const auto c = compileText("P=POINT/0,0\nX=" + noun + "\nQ=POINT/INTOF,X,X\nFINI\n");
+    EXPECT_EQ(c->codes(), "E0299") << noun;
+    EXPECT_EQ(c->blamed(), noun.substr(0, 5));
+    ASSERT_EQ(c->sink.all()[0].notes.size(), 1U);
+    EXPECT_NE(c->sink.all()[0].notes[0].find("not supported"), std::string::npos);
+  }
+}
+
+TEST(Names, ASynonymOfNoWordNamesIt) {
+  const auto c = compileText("SYN/W,WEIGHT\nFINI\n");
+  ASSERT_EQ(c->codes(), "E0248");
+  EXPECT_EQ(c->sink.all()[0].notes, std::vector<std::string>{"neither `W` nor `WEIGHT` is a word"});
+}
+
+TEST(Names, LabelsOnTheOtherSideOfALoopAreShown) {
+  const auto c =
+      compileText("LOOPST\nA)B=1\nLOOPND\nJUMPTO/A\nC)D=1\nLOOPST\nE=1\nJUMPTO/C\nLOOPND\nFINI\n");
+  std::vector<std::string> labels;
+  for (const Diagnostic& d : c->sink.all()) {
+    if (d.kind().code == "E0216") {
+      ASSERT_EQ(d.labels.size(), 1U);
+      labels.push_back(std::string(c->sources.text(d.labels[0].span)) + ": " + d.labels[0].text);
+    }
+  }
+  EXPECT_EQ(labels, (std::vector<std::string>{"C: it stands outside, and jumps do not leave loops",
+                                              "A: it stands in a loop, and jumps do not enter "
+                                              "loops"}));
+}
+
 TEST(Names, UnknownWords) {
   EXPECT_EQ(errors("FOOBAR/1,2,3"), "82");
   const auto c = compileText("SPINDLE/100\nFINI\n");
