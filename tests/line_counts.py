@@ -8,7 +8,7 @@ ROOMS = ["grammar", "ir", "frontend", "runtime", "backend", "app", "stdlib", "ex
 MOST = 400
 SOURCES = {".cpp", ".h", ".g4", ".py", ".sh"}
 # Longer ones that still have to be divided, with the most they may have until then. The list only gets shorter.
-LONGER = {"runtime/motion/execute.cpp": 602, "runtime/motion/follow.cpp": 539}
+LONGER: dict[str, int] = {}
 TEXT = {".cpp", ".h", ".def", ".g4", ".py", ".sh", ".apt", ".md", ".cmake"}
 
 

@@ -17,7 +17,7 @@ template <surface::Surface S>
 class ContactSearch {
  public:
   ContactSearch(const S& s,
-                double side,
+                double sign,
                 const Profile& cutter,
                 const Vec3& te,
                 const Vec3& axis,
