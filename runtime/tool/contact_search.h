@@ -27,7 +27,7 @@ class ContactSearch {
         axis_(axis),
         search_(search),
         known_(search.valid),
-        descent_(s, side, cutter, te, axis, search) {}
+        descent_(s, sign, cutter, te, axis, search) {}
 
   /// `convex`: side * distance is a convex function of the place.
   Contact run(bool convex) {
