@@ -85,6 +85,8 @@ void ProgramReader::addVariable(Macro& macro, const Node& node, const StatementT
       variable.text = std::make_unique<const std::string>(token.text);
       token.text = *variable.text;
       variable.value.push_back(token);
+    } else {
+      variable.refused = true;
     }
   }
   macro.variables.push_back(std::move(variable));
@@ -215,8 +217,10 @@ bool ProgramReader::bindValues(const StatementTree& tree,
     if (!values.contains(v.name) && !v.value.empty()) {
       values.emplace(v.name, v.value.front());
     } else if (ok && !values.contains(v.name)) {
-      context_.report(
-          diagnose(tree[tree.arguments].span, diag::VariableWithoutValue, v.name, macro.name));
+      if (!v.refused) {
+        context_.report(
+            diagnose(tree[tree.arguments].span, diag::VariableWithoutValue, v.name, macro.name));
+      }
       ok = false;
     }
   }
@@ -236,8 +240,8 @@ void ProgramReader::call(Frame& frame) {
   if (second != nullptr && second->kind == Kind::word &&
       row(second->word).wordClass == WordClass::phase) {
     const NodeId value = second->next;
-    const bool named = value != noNode && tree[value].kind == Kind::parameter &&
-                       tree[value].first != noNode;
+    const bool named =
+        value != noNode && tree[value].kind == Kind::parameter && tree[value].first != noNode;
     context_.reporter.used(named ? ir::Feature::CT_09 : ir::Feature::CT_08);
     context_.report(diagnose(name.span, diag::UserProgram, name.text));
     return;

@@ -81,10 +81,32 @@ class Prescan {
         macroVariables(i + 2);
         return;
       }
+      if (isOpenType(i + 1)) {
+        if (yields(*name)) {
+          vocabulary_.yieldTo(name->text);
+        }
+        continue;
+      }
       const auto entity = value.kind == type ? entityType(value.word) : std::nullopt;
       note(*name, entity ? NameFacts::Class::entity : NameFacts::Class::scalar,
            entity.value_or(EntityType::point));
     }
+  }
+
+  /// `name = V/ a,b` with a macro variable V: each CALL tells the type. A quotient has no comma and
+  /// no word behind the slash.
+  [[nodiscard]] bool isOpenType(std::size_t at) const {
+    if (tokens_[at].kind != symbol || !variables_.contains(tokens_[at].text) ||
+        at + 2 >= tokens_.size() || tokens_[at + 1].kind != slash) {
+      return false;
+    }
+    bool definition = isWordKind(tokens_[at + 2].kind);
+    int depth = 0;
+    for (std::size_t i = at + 2; i < tokens_.size() && depth >= 0; ++i) {
+      depth += tokens_[i].kind == leftParen ? 1 : tokens_[i].kind == rightParen ? -1 : 0;
+      definition = definition || (depth == 0 && tokens_[i].kind == comma);
+    }
+    return definition;
   }
 
   void macroVariables(std::size_t from) {

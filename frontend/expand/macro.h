@@ -30,6 +30,7 @@ struct StoredStatement {
 struct MacroVariable {
   std::string name;
   std::vector<Token> value;  ///< default, empty: none
+  bool refused = false;      ///< its default was an error, which has been reported
   std::unique_ptr<const std::string> text;
 };
 

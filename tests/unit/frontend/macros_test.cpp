@@ -34,6 +34,20 @@ TEST(Macros, ArrayNamesAndWordsAsValues) {
   EXPECT_EQ(c->block(1), (Lines{"B = A(3)", "DELAY/ 1", "TERMAC"}));
 }
 
+TEST(Macros, AVariableMayBeTheTypeOfADefinition) {
+  const auto c = compileText(
+      "M=MACRO/T,A=1\nP=T/A,2,3\nTERMAC\nCALL/M,T=POINT\nCALL/M,T=POINT,A=4\nGOTO/P\nFINI\n");
+  EXPECT_EQ(c->codes(), "");
+  EXPECT_EQ(c->block(1), (Lines{"P = POINT/ 1, 2, 3", "TERMAC"}));
+  const auto quotient =
+      compileText("M=MACRO/T\nX=T/2\nTERMAC\nLOOPST\nI=2\nCALL/M,T=I\nY=X+1\nLOOPND\nFINI\n");
+  EXPECT_EQ(quotient->codes(), "");
+}
+
+TEST(Macros, ABrokenDefaultIsOneError) {
+  EXPECT_EQ(compileText("M=MACRO/A=(2)\nB=A\nTERMAC\nCALL/M\nCALL/M\nFINI\n")->codes(), "E0237");
+}
+
 TEST(Macros, VariablesHideOuterNames) {
   const auto c =
       compileText("P1=POINT/1,2\nM=MACRO/P1\nB=P1\nTERMAC\nCALL/M,P1=4\nGOTO/P1\nFINI\n");
