@@ -28,6 +28,11 @@ class Expansion {
     argument_ = &argument;
     return std::visit(*this, argument.value);
   }
+  /// The same for a nested definition that was executed before.
+  bool operator()(const ir::Argument& argument, const EntityPtr& nested) {
+    argument_ = &argument;
+    return putEntity(nested);
+  }
 
   bool operator()(const ir::Omitted&) { return put(define::Omitted{}); }
   bool operator()(Word word) { return put(word); }
@@ -92,6 +97,19 @@ class Expansion {
   Items& out_;
   const ir::Argument* argument_ = nullptr;
 };
+
+/// Executes the nested definitions from the last to the first, before anything else of their
+/// statement is looked at, as the old system does: what they name can be used beside them. The
+/// result is in order of execution.
+std::vector<EntityPtr> executeNested(State& state, const std::vector<ir::Argument>& arguments) {
+  std::vector<EntityPtr> results;
+  for (auto a = arguments.rbegin(); a != arguments.rend(); ++a) {
+    if (const auto* id = std::get_if<ir::DefinitionId>(&a->value)) {
+      results.push_back(evaluateDefinition(state, *id));
+    }
+  }
+  return results;
+}
 
 /// How often the first kind repeats, to say "3 numbers" rather than "a number, a number, a number".
 std::string kindOf(const Item& item) {
@@ -185,12 +203,18 @@ EntityPtr brought(State& state, const EntityPtr& entity, Use use, const Span& sp
 }
 
 std::optional<Items> evaluate(State& state, const std::vector<ir::Argument>& arguments, Use use) {
+  std::vector<EntityPtr> nested = executeNested(state, arguments);
   Items items;
   items.reserve(arguments.size());
   Expansion expand(state, use, items);
   bool good = true;
   for (const ir::Argument& argument : arguments) {
-    good = expand(argument) && good;
+    if (std::holds_alternative<ir::DefinitionId>(argument.value)) {
+      good = expand(argument, nested.back()) && good;
+      nested.pop_back();
+    } else {
+      good = expand(argument) && good;
+    }
     if (items.size() > state.options.limits.elements) {
       state.report(diagnose(argument.span, diag::LimitElements, items.size(),
                             state.options.limits.elements));

@@ -104,6 +104,7 @@ TEST(ListErrors, AreTold) {
   EXPECT_THAT(b.reported(), ElementsAre("104", "109", "103"));
 }
 
+/// The last nested definition is executed first, as the old system's listings show.
 TEST(Definitions, StoreNamedAndNestedEntities) {
   Builder b;  // L1 = LINE/(P1 = POINT/0,0),(POINT/1,0,0)
   const ir::SymbolId p = b.entity("P1", EntityType::point);
@@ -114,8 +115,8 @@ TEST(Definitions, StoreNamedAndNestedEntities) {
   const Evaluation e = b.run();
   ASSERT_THAT(b.reported(), IsEmpty());
   ASSERT_EQ(e.defined.size(), 3U);
-  EXPECT_EQ(e.defined[0].name, "P1");
-  EXPECT_EQ(e.defined[1].name, "");
+  EXPECT_EQ(e.defined[0].name, "");
+  EXPECT_EQ(e.defined[1].name, "P1");
   EXPECT_EQ(e.defined[2].name, "L1");
   EXPECT_THAT(canon(e, "L1"), ElementsAre(0, -1, 0, 0));  // normal to the right of the direction
 }
