@@ -159,7 +159,9 @@ class TextRenderer {
         out_ << displayText(rest.substr(0, end)) << "\n         ";
         rest.remove_prefix(end + 1);
       }
-      out_ << displayText(rest) << (old.empty() ? "" : "      ") << old << '\n';
+      out_ << displayText(rest);
+      const bool list = d.help.find('\n') != std::string::npos;
+      out_ << (old.empty() ? "" : list ? "\n   " : "      ") << old << '\n';
     } else if (!old.empty()) {
       out_ << "   " << old << '\n';
     }

@@ -24,11 +24,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
 CHECKS = ("geometry", "records", "ends", "vectors", "bands", "coverage", "diagnostics")
 END_TOLERANCE = 1e-4  # part unit
+OTHERS = ("wikipedia-apt-1", "personal-apt-sample")  # of other origin: they compile, and their paths keep the bands
 COVERAGE = HERE / "coverage.tsv"
 
 
 def programs():
-    """(name, source, result) of every program with a result of the old system."""
+    """(name, source, result) of every program with a result of the old system, and of some without one."""
     data = PROJECT / "tests" / "data" / "oracle"
     for folder in (data / "cases", data / "bad"):
         for result in sorted(folder.glob("*.json")):
@@ -40,6 +41,8 @@ def programs():
         return
     for result in sorted(examples.glob("*.json")):
         yield "examples/" + result.stem, shared / "corpus" / "aptos-apt360" / (result.stem + ".apt"), result
+    for name in OTHERS:
+        yield "web/" + name, shared / "corpus" / "web" / (name + ".apt"), None
 
 
 class Arelem:
@@ -159,10 +162,25 @@ def compare_diagnostics(oracle, code, messages):
     return wrong
 
 
+def compare_bands(arelem, source, ours, outcome):
+    """Notes in the outcome whether the path keeps its bands; the demands of its motions, or None."""
+    moved = demands = None
+    try:
+        outcome["rows"], outcome["skipped"], moved, demands = measure_bands(arelem, source, ours)
+    except part_program.Unfollowed as reason:
+        outcome["skipped"] = [f"not followed: {reason}"]
+    outcome["wrong"]["bands"] = ([moved] if moved else []) + [
+        f"statement {r['isn']}, {r['role']} surface: {r['low']:+.6f} to {r['high']:+.6f}, middles of chords "
+        f"{r['middle_low']:+.6f} to {r['middle_high']:+.6f}, allowed {-r['inner']:+.6f} to {r['outer']:+.6f}"
+        for r in outcome["rows"] if bands.violation(r)]
+    outcome["wrong"]["coverage"] = compare_coverage(outcome["name"], len(outcome["rows"]))
+    return demands
+
+
 def compare(task):
     name, source, result, binary = task
     arelem = Arelem(binary)
-    oracle = json.loads(result.read_text())
+    oracle = json.loads(result.read_text()) if result else {"status": "ok", "prints": [], "diagnostics": []}
     outcome = {"name": name, "wrong": {}, "rows": [], "skipped": [], "vectors": (0, 0), "end": 0.0, "stops": []}
     try:
         strict = ["--dialect=apt360"] if oracle["status"] != "ok" else []
@@ -179,23 +197,17 @@ def compare(task):
         outcome["wrong"]["diagnostics"] = [f"exit {code}: line {line} {first['code']} {first['message']}"]
         return outcome
     outcome["wrong"]["geometry"] = compare_geometry(arelem, source, oracle)
+    our_motions = records.motions(ours)
+    demands = compare_bands(arelem, source, ours, outcome)
+    if result is None:
+        return outcome
     difference = records.first_difference(records.others(ours), records.others(oracle["cl"]))
     outcome["wrong"]["records"] = [difference] if difference else []
-    our_motions = records.motions(ours)
-    moved = demands = None
-    try:
-        outcome["rows"], outcome["skipped"], moved, demands = measure_bands(arelem, source, ours)
-    except part_program.Unfollowed as reason:
-        outcome["skipped"] = [f"not followed: {reason}"]
     outcome["wrong"]["ends"], outcome["end"], outcome["stops"] = compare_ends(
         our_motions, records.motions(oracle["cl"]), band_allowance(oracle["cl"]), demands)
     counts = records.cut_vectors(ours), records.cut_vectors(oracle["cl"])
     outcome["vectors"] = counts
     outcome["wrong"]["vectors"] = [f"{counts[0]} points, the old system needs {counts[1]}"] if counts[0] > counts[1] else []
-    outcome["wrong"]["bands"] = ([moved] if moved else []) + [
-        f"statement {r['isn']}, {r['role']} surface: {r['low']:+.6f} to {r['high']:+.6f}, middles of chords {r['middle_low']:+.6f} to "
-        f"{r['middle_high']:+.6f}, allowed {-r['inner']:+.6f} to {r['outer']:+.6f}" for r in outcome["rows"] if bands.violation(r)]
-    outcome["wrong"]["coverage"] = compare_coverage(name, len(outcome["rows"]))
     return outcome
 
 

@@ -18,7 +18,7 @@ struct Scene {
   Profile cutter;
   double side = 1.0;
   Vec3 axis = Vec3::UnitZ();
-  std::optional<Vec3> axisTo;
+  std::optional<Vec3> axisTo = std::nullopt;
   Allowed allowed{0.001, 0.001, 1e-9};
 
   Verdict prove(const Vec3& from, const Vec3& to, bool on = false) {

@@ -272,7 +272,7 @@ TEST(Refusal, WrongModifierNamesThePlaceAndWhatFits) {
 TEST(Refusal, MissingParameterIsNamed) {
   const Failure failure = refused(T::circle, {W::CENTER, point(0, 0), W::RADIUS});
   EXPECT_EQ(failure.message,
-            "CIRCLE has 3 parameters, one is missing: `r` would fit as parameter 4");
+            "CIRCLE lacks a parameter, the number is 3: `r` would fit as parameter 4");
 }
 
 }  // namespace
