@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <variant>
 
 #include "ir/define/matcher.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/diag/geometry.h"
+#include "ir/space/tolerance.h"
 #include "runtime/define/resolve.h"
 
 namespace arelem::define {
@@ -93,6 +95,29 @@ bool allFinite(const geometry::Canon& canon) {
   return std::all_of(canon.begin(), canon.end(), [](double v) { return std::isfinite(v); });
 }
 
+/// LINE/CANON and PLANE/CANON take any numbers, and programs keep other things in them; only
+/// copies may go on with a normal of length 0.
+std::optional<Failure> nullNormal(std::span<const Parameter> parameters) {
+  std::optional<Failure> failure;
+  for (const Parameter& parameter : parameters) {
+    if (const Word* word = std::get_if<Word>(&parameter); word != nullptr && *word == Word::CANON) {
+      return std::nullopt;
+    }
+    const EntityPtr* entity = std::get_if<EntityPtr>(&parameter);
+    if (entity == nullptr ||
+        ((*entity)->type != EntityType::line && (*entity)->type != EntityType::plane)) {
+      continue;
+    }
+    const geometry::Canon& c = (*entity)->canon;
+    const double largest = std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2])});
+    if (!(largest > tolerance::nullDirection)) {
+      failure =
+          fail(diag::NullDirection, spell((*entity)->type), largest, tolerance::nullDirection);
+    }
+  }
+  return failure;
+}
+
 /// Minus zero prints badly and means nothing.
 void clearMinusZeros(geometry::Canon& canon) {
   for (double& v : canon) {
@@ -117,6 +142,9 @@ Result<Entity> define(EntityType type,
     return failureOf(*noun, symbols, *mismatch);
   }
   const auto form = static_cast<std::size_t>(std::get<FormId>(found));
+  if (auto failure = nullNormal(parameters)) {
+    return *std::move(failure);
+  }
   Result<Resolved> resolved = methods[form](Arguments(type, parameters, context));
   if (!resolved) {
     return resolved.takeFailure();

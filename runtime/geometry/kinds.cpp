@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "ir/diag/geometry.h"
 #include "ir/diag/motion.h"
+#include "ir/space/tolerance.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 
 namespace arelem::surface {
@@ -47,10 +49,19 @@ AnySurface tabulatedOf(const std::vector<double>& c) {
   return TabulatedCylinder(std::move(curve));
 }
 
-/// Canonical input may give a normal of any length.
-Plane planeOf(const std::vector<double>& c) {
+/// Canonical input may give a normal or an axis of any length.
+Result<AnySurface> planeOf(const Entity& entity) {
+  const auto& c = entity.canon;
   const double length = vec(c, 0).norm();
-  return {vec(c, 0) / length, c[3] / length};
+  if (!(length > tolerance::nullDirection)) {
+    return fail(diag::NullDirection, spell(entity.type), vec(c, 0).cwiseAbs().maxCoeff(),
+                tolerance::nullDirection);
+  }
+  return AnySurface(Plane{vec(c, 0) / length, c[3] / length});
+}
+
+Vec3 axisOf(const std::vector<double>& c) {
+  return vec(c, 3).normalized();
 }
 
 }  // namespace
@@ -60,17 +71,17 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
   switch (entity.type) {
     case EntityType::line:
     case EntityType::plane:
-      return AnySurface(planeOf(c));
+      return planeOf(entity);
     case EntityType::circle:
     case EntityType::cylinder:
-      return AnySurface(Cylinder{vec(c, 0), vec(c, 3), c[6]});
+      return AnySurface(Cylinder{vec(c, 0), axisOf(c), c[6]});
     case EntityType::sphere:
       return AnySurface(Sphere{vec(c, 0), c[3]});
     case EntityType::cone:
       return AnySurface(
-          Cone{vec(c, 0), vec(c, 3), c[6], std::sqrt(std::max(0.0, 1.0 - c[6] * c[6]))});
+          Cone{vec(c, 0), axisOf(c), c[6], std::sqrt(std::max(0.0, 1.0 - c[6] * c[6]))});
     case EntityType::torus:
-      return AnySurface(Torus{vec(c, 0), vec(c, 3), c[6], c[7]});
+      return AnySurface(Torus{vec(c, 0), axisOf(c), c[6], c[7]});
     case EntityType::ellipse:
     case EntityType::hyperbola:
     case EntityType::gconic:

@@ -6,6 +6,7 @@
 #include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/angle.h"
+#include "runtime/geometry/shapes.h"
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/item.h"
 
@@ -174,15 +175,24 @@ Result<double> distance(const Entity& a, const Entity& b) {
   if ((a.type != EntityType::line && a.type != EntityType::plane) || a.type != b.type) {
     return wrongOperands(Word::DISTF, fmt::format("{} and {}", spell(a.type), spell(b.type)));
   }
-  const Vec3 n = triple(a);
-  const Vec3 m = triple(b);
+  for (const Entity* plane : {&a, &b}) {  // CANON takes any numbers
+    const double length = triple(*plane).norm();
+    if (!(length > tolerance::nullDirection)) {
+      return noValue(Word::DISTF,
+                     fmt::format("the normal of a {} is {} long", spell(plane->type), length));
+    }
+  }
+  const geometry::Plane first = geometry::Plane::of(a.canon);
+  const geometry::Plane second = geometry::Plane::of(b.canon);
+  const Vec3& n = first.normal;
+  const Vec3& m = second.normal;
   const double sense = n.dot(m) < 0.0 ? -1.0 : 1.0;
   const double gap = (n - sense * m).lpNorm<Eigen::Infinity>();
   if (gap > tolerance::parallel) {
     return noValue(Word::DISTF, fmt::format("the normals differ by {}: the {}s are not parallel",
                                             gap, spell(a.type)));
   }
-  return std::abs(a.canon[3] - sense * b.canon[3]);
+  return std::abs(first.distance - sense * second.distance);
 }
 
 }  // namespace
