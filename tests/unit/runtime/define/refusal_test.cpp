@@ -233,7 +233,7 @@ TEST(Refusal, Canonical) {
       {T::point, {W::CANON, 1.0, 2.0}, "WrongCanonicalCount"},
       {T::cylinder, {W::CANON, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0}, "NullDirection"},
       {T::sphere, {W::CANON, 0.0, 0.0, 0.0, -1.0}, "BadCanonicalValue"},
-      {T::plane, {point(0, 0), W::PARLEL, make(T::plane, {0, 0, 0, 2})}, "NotFinite"},
+      {T::plane, {point(0, 0), W::PARLEL, make(T::plane, {0, 0, 0, 2})}, "NullDirection"},
       {T::circle, {W::CANON, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 2.0}, "BadCanonicalValue"},
       {T::cone, {W::CANON, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 2.0}, "BadCanonicalValue"},
       {T::line, {p, W::CANON}, "WrongCanonicalType"},
