@@ -146,8 +146,8 @@ class Planner {
       const double slack = startShare * (g.inner + g.outer) + startLength;
       if (gap > g.outer + slack || gap < -g.inner - slack) {
         const std::string& name = surfaceOf(role).name;
-        return role == partRole ? fail(diag::OffPartSurface, gap, name, -g.inner, g.outer)
-                                : fail(diag::OffDriveSurface, gap, name, -g.inner, g.outer);
+        return role == partRole ? fail(diag::OffPartSurface, gap, name, 0.0 - g.inner, g.outer)
+                                : fail(diag::OffDriveSurface, gap, name, 0.0 - g.inner, g.outer);
       }
     }
     return std::nullopt;

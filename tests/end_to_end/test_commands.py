@@ -105,6 +105,12 @@ class Messages(ArelemCase):
         self.assertNotIn("\033", self.err)
 
 
+    def test_no_minus_zero(self):
+        self.write("off.apt", "CUTTER/2\nFROM/0,5,0\nTLLFT,INDIRV/1,0,0\nGOFWD/(LINE/XAXIS),TO,(LINE/20,0,20,5)\nFINI\n")
+        self.assertExit(4, "off.apt")
+        self.assertIn("outside its tolerance 0 to 0.0005", self.err)
+
+
 class Geometry(ArelemCase):
     PROGRAM = "P1=POINT/1,2,3\nA=2.5\nRESERV/Q,3\nQ(2)=POINT/A,0\nL1=LINE/(POINT/0,0),P1\nFINI\n"
 
