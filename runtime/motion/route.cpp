@@ -136,7 +136,7 @@ const tool::Profile* cutterFor(const State& state, Role role) {
 }
 
 Vec3 sidePoint(const State& state, const Vec3& toolEnd, const Vec3& axis) {
-  const double lift = state.cutter ? std::min(state.cutter->h, state.cutter->d) / 2 : 0.0;
+  const double lift = state.cutter ? state.cutter->h / 2 : 0.0;
   return toolEnd + lift * axis;
 }
 

@@ -48,8 +48,7 @@ namespace arelem::motion {
 [[nodiscard]] Result<NamedSurface> named(const EntityPtr& entity);
 [[nodiscard]] const tool::Profile* cutterFor(const State& state, Role role);
 
-/// The point from which the side of a surface is judged: on the axis, at half the height or the
-/// radius.
+/// The point from which the side of a surface is judged: on the axis at half the cutter's height.
 [[nodiscard]] Vec3 sidePoint(const State& state, const Vec3& toolEnd, const Vec3& axis);
 
 }  // namespace arelem::motion
