@@ -21,6 +21,7 @@ namespace {
 struct Location {
   Vec3 point;
   std::optional<Vec3> axis;
+  std::optional<Vec3> side;
   Span origin;
 };
 
@@ -35,9 +36,12 @@ class Path : public cl::RecordSink {
     for (std::size_t i = 0; i + motion->stride() <= motion->coordinates.size();
          i += motion->stride()) {
       const double* c = motion->coordinates.data() + i;
-      Location location{{c[0], c[1], c[2]}, std::nullopt, record.origin};
+      Location location{{c[0], c[1], c[2]}, std::nullopt, std::nullopt, record.origin};
       if (motion->withAxis) {
         location.axis = Vec3(c[3], c[4], c[5]);
+      }
+      if (motion->withSide) {
+        location.side = Vec3(c[6], c[7], c[8]);
       }
       locations.push_back(location);
     }
@@ -71,6 +75,10 @@ std::optional<Diagnostic> firstDifference(const Path& wanted,
     const double turned = w.axis && f.axis ? degreesBetween(*w.axis, *f.axis) : 0.0;
     if (!(turned <= allowed.degrees)) {
       return diagnose(w.origin, diag::AxisDiffers, i + 1, name, turned, allowed.degrees);
+    }
+    const double about = w.side && f.side ? degreesBetween(*w.side, *f.side) : 0.0;
+    if (!(about <= allowed.degrees)) {
+      return diagnose(w.origin, diag::SideDiffers, i + 1, name, about, allowed.degrees);
     }
   }
   if (wanted.locations.size() != found.locations.size()) {

@@ -60,7 +60,8 @@ class TapeWriter : public Writer {
       const tape::TapeWord on = withAxis_ ? 1 : 0;
       write(record, 9000, 2, &on, 1);
     }
-    const std::vector<double>& numbers = motion.coordinates;
+    const std::vector<double>& numbers = motion.withSide ? withoutSides(record, motion)
+                                                         : motion.coordinates;
     std::size_t from = 0;
     int sub = static_cast<int>(motion.kind);
     do {
@@ -69,6 +70,19 @@ class TapeWriter : public Writer {
       from += count;
       sub = static_cast<int>(cl::Motion::Kind::continuation);
     } while (from < numbers.size());
+  }
+
+  /// The old layout has no place for the turn of the tool about its axis: told once.
+  const std::vector<double>& withoutSides(const cl::Record& record, const cl::Motion& motion) {
+    if (!toldOfSides_) {
+      sink_.accept(diagnose(record.origin, diag::TapeWithoutSide));
+      toldOfSides_ = true;
+    }
+    sixes_.clear();
+    for (std::size_t i = 0; i + motion.stride() <= motion.coordinates.size(); i += motion.stride()) {
+      sixes_.insert(sixes_.end(), &motion.coordinates[i], &motion.coordinates[i] + 6);
+    }
+    return sixes_;
   }
 
   void chunk(const cl::Record& record,
@@ -138,7 +152,9 @@ class TapeWriter : public Writer {
   DiagnosticSink& sink_;
   Numbering numbering_;
   tape::Encoded encoded_;
+  std::vector<double> sixes_;
   bool withAxis_ = false;
+  bool toldOfSides_ = false;
   bool refused_ = false;
 };
 }  // namespace

@@ -76,7 +76,7 @@ bool readFastLine(std::string_view line, FastLine& result) {
     return false;
   }
   std::uint8_t count = 0;
-  while (p != end && count < 7) {
+  while (p != end && count < result.numbers.numbers.size()) {
     p = skipBlanks(p + 1, end);
     p = p == end ? nullptr : readNumber(p, end, result.numbers.numbers[count]);
     if (p == nullptr) {
@@ -90,7 +90,7 @@ bool readFastLine(std::string_view line, FastLine& result) {
     }
   }
   result.numbers.count = count;
-  return p == end && (count == 2 || count == 3 || count == 4 || count == 6 || count == 7);
+  return p == end && count != 1 && count != 5 && count != 8;
 }
 
 }  // namespace arelem::frontend

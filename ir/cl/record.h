@@ -47,9 +47,13 @@ struct Motion {
   Kind kind = Kind::go;
   std::string name;  ///< point, drive surface or pattern; "" when unnamed
   int subscript = 0;
-  bool withAxis = false;            ///< six numbers a point (MULTAX) instead of three
-  std::vector<double> coordinates;  ///< x y z or x y z i j k, one location after another
-  [[nodiscard]] std::size_t stride() const { return withAxis ? 6U : 3U; }
+  bool withAxis = false;  ///< six numbers a point (MULTAX) instead of three
+  /// Nine numbers: the axis, then the direction of the tool's own x axis, which is square to it.
+  /// Poses of spray guns, whose fan or footprint turns about the axis. Only with `withAxis`.
+  bool withSide = false;
+  /// x y z, x y z i j k or x y z i j k u v w, one location after another.
+  std::vector<double> coordinates;
+  [[nodiscard]] std::size_t stride() const { return withSide ? 9U : withAxis ? 6U : 3U; }
   [[nodiscard]] std::size_t points() const { return coordinates.size() / stride(); }
 };
 /// 6000/1 CUT, DNTCUT; 6000/2 2DCALC, 3DCALC, NDTEST.

@@ -61,7 +61,7 @@ struct Locate {
 struct LocateNumbers {
   Word word = Word::GOTO;
   std::uint8_t count = 0;
-  std::array<double, 7> numbers{};
+  std::array<double, 10> numbers{};  ///< x y z, axis i j k, side u v w, feed
 };
 struct SurfaceUse {
   Condition condition = Condition::automatic;

@@ -30,6 +30,7 @@ struct Locate {
   Vec3 point = Vec3::Zero();
   std::optional<double> axial;
   std::optional<Vec3> axis;  ///< as written, not normalised
+  std::optional<Vec3> side;  ///< direction of the tool's own x axis, as written; only with an axis
   std::optional<double> feed;
   std::string name;  ///< of the point or pattern, "" when given by numbers
   int subscript = 0;

@@ -8,8 +8,8 @@ namespace arelem::runtime::interpret {
 namespace {
 
 constexpr std::string_view placeForms =
-    "x,y | x,y,z[,feed] | x,y,z,i,j,k[,feed] | x,y,z,vector[,feed] | "
-    "point[,feed] | point,i,j,k[,feed] | point,vector[,feed]";
+    "x,y | x,y,z[,feed] | x,y,z,i,j,k[,u,v,w][,feed] | x,y,z,vector[,vector][,feed] | "
+    "point[,feed] | point,i,j,k[,u,v,w][,feed] | point,vector[,vector][,feed]";
 constexpr std::string_view stepForms = "dx,dy,dz[,feed] | vector[,feed] | d[,feed] along the axis";
 
 std::string formsOf(Word word) {
@@ -66,23 +66,39 @@ class Reader {
 
  private:
   std::optional<Locate> axisAndFeed(Locate locate, std::size_t next) {
-    const EntityPtr* vector =
-        next < items_.size() ? items_[next].entity(EntityType::vector) : nullptr;
-    if (vector != nullptr) {
-      locate.axis = tripleOf(**vector);
-      ++next;
-    } else if (leadingNumbers(next) >= 3) {
-      locate.axis = state_.systems.vectorToBase(triple(next));
-      next += 3;
+    locate.axis = direction(next);
+    if (locate.axis) {
+      locate.side = direction(next);
     }
-    if (locate.axis && isNull(*locate.axis)) {
-      Diagnostic d = diagnose(items_[next - 1].span, diag::NullVector, spell(word_),
-                              locate.axis->x(), locate.axis->y(), locate.axis->z());
-      labelOperands(d, items_);
-      state_.report(std::move(d));
+    for (const std::optional<Vec3>& v : {locate.axis, locate.side}) {
+      if (v && isNull(*v)) {
+        Diagnostic d = diagnose(items_[next - 1].span, diag::NullVector, spell(word_), v->x(),
+                                v->y(), v->z());
+        labelOperands(d, items_);
+        state_.report(std::move(d));
+        return std::nullopt;
+      }
+    }
+    if (locate.side && isNull(locate.side->normalized().cross(locate.axis->normalized()))) {
+      state_.report(diagnose(items_[next - 1].span, diag::SideAlongAxis, spell(word_)));
       return std::nullopt;
     }
     return feed(std::move(locate), next);
+  }
+
+  /// A direction as a vector or as three numbers at `next`, which moves on; none is there otherwise.
+  std::optional<Vec3> direction(std::size_t& next) {
+    const EntityPtr* vector =
+        next < items_.size() ? items_[next].entity(EntityType::vector) : nullptr;
+    if (vector != nullptr) {
+      ++next;
+      return tripleOf(**vector);
+    }
+    if (leadingNumbers(next) >= 3) {
+      next += 3;
+      return state_.systems.vectorToBase(triple(next - 3));
+    }
+    return std::nullopt;
   }
 
   std::optional<Locate> feed(Locate locate, std::size_t next) {
@@ -153,7 +169,7 @@ void locateItems(State& state, Word word, const Items& items) {
 }  // namespace
 
 void execute(State& state, const ir::LocateNumbers& numbers) {
-  const std::array<double, 7>& n = numbers.numbers;
+  const auto& n = numbers.numbers;
   const bool plain = (numbers.count == 3 || numbers.count == 6) && numbers.word != Word::GODLTA;
   if (plain && state.systems.atBase()) {
     state.meetImplied(spell(numbers.word), false, true);

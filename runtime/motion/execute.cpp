@@ -85,6 +85,17 @@ class Machine {
     writer_.finishPoints();
   }
 
+  /// FROM or GOTO: with the side of the tool where the statement gives one, MULTAX or not.
+  void putPlace(const Locate& l) {
+    if (l.side && state_.output) {
+      const Vec3 square = *l.side - l.side->dot(state_.axis) * state_.axis;
+      writer_.putPose(l, state_.axis, square.normalized());
+      return;
+    }
+    put(l.point, l.word == Word::FROM ? cl::Motion::Kind::from : cl::Motion::Kind::go, l.name,
+        l.subscript);
+  }
+
   void putFeed(const std::optional<double>& feed) {
     if (feed) {
       writer_.putFeed(*feed);
@@ -149,7 +160,7 @@ class Machine {
         state_.forward.reset();  // the first FROM moves nothing
         state_.lastAcross.reset();
       }
-      put(state_.toolEnd, cl::Motion::Kind::from, l.name, l.subscript);
+      putPlace(l);
       fact("FROM", 0, first ? 0.0 : (state_.toolEnd - before).norm(), nullptr, since);
       return;
     }
@@ -160,7 +171,11 @@ class Machine {
       target = before + (l.axial ? Vec3(*l.axial * state_.axis) : l.point);
     }
     moveTo(target);
-    put(target, cl::Motion::Kind::go, l.axial ? "TLAXIS" : l.name, l.subscript);
+    if (l.word == Word::GOTO) {
+      putPlace(l);
+    } else {
+      put(target, cl::Motion::Kind::go, l.axial ? "TLAXIS" : l.name, l.subscript);
+    }
     fact(l.word == Word::GODLTA ? "GODLTA" : "GOTO", 1, (target - before).norm(), nullptr, since);
   }
 

@@ -45,6 +45,7 @@ void RecordWriter::startPoints(cl::Motion::Kind kind,
   motion.name = name;
   motion.subscript = subscript;
   motion.withAxis = withAxis;
+  motion.withSide = false;
   motion.coordinates.clear();
 }
 
@@ -59,6 +60,19 @@ void RecordWriter::add(const Vec3& toolEnd, const Vec3& axis) {
   for (int i = 0; motion.withAxis && i < 3; ++i) {
     motion.coordinates.push_back(plain(axis[i]));
   }
+}
+
+void RecordWriter::putPose(const runtime::Locate& locate, const Vec3& axis, const Vec3& side) {
+  startPoints(locate.word == Word::FROM ? cl::Motion::Kind::from : cl::Motion::Kind::go,
+              locate.name, locate.subscript, true);
+  auto& motion = std::get<cl::Motion>(points_.body);
+  motion.withSide = true;
+  for (const Vec3& part : {locate.point, axis, side}) {
+    for (int i = 0; i < 3; ++i) {
+      motion.coordinates.push_back(plain(part[i]));
+    }
+  }
+  finishPoints();
 }
 
 void RecordWriter::flush() {

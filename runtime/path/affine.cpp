@@ -15,9 +15,9 @@ void moveMotion(cl::Motion& motion, const Affine& by) {
   for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
     Eigen::Map<Vec3> point(&motion.coordinates[i]);
     point = by.point(point);
-    if (motion.withAxis) {
-      Eigen::Map<Vec3> axis(&motion.coordinates[i + 3]);
-      axis = by.direction(axis);
+    for (std::size_t k = 3; k < stride; k += 3) {
+      Eigen::Map<Vec3> direction(&motion.coordinates[i + k]);
+      direction = by.direction(direction);
     }
   }
 }

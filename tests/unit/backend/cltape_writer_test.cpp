@@ -147,5 +147,19 @@ TEST(TapeWriter, ACardIsA1000RecordOfItsOwn) {
               ::testing::ElementsAre("1:1000/3", "2:1000/4", "3:5000/5", "4:1000/4", "5:5000/5"));
 }
 
+TEST(TapeWriter, PosesLoseTheirSideAndTheWriterSaysSo) {
+  cl::Motion pose;
+  pose.withAxis = true;
+  pose.withSide = true;
+  pose.coordinates = {1, 2, 3, 0, 0, 1, 1, 0, 0, 4, 5, 6, 0, 0, 1, 0, 1, 0};
+  CollectingSink sink;
+  const auto tape =
+      decoded(written("cltape", {record(1, pose), record(2, pose)}, backend::Context{}, sink));
+  ASSERT_EQ(tape.size(), 5U);
+  EXPECT_EQ(tape[2].words, 2 + 12);
+  ASSERT_EQ(sink.all().size(), 1U);
+  EXPECT_EQ(sink.all()[0].kind().code, "W0604");
+}
+
 }  // namespace
 }  // namespace arelem::test

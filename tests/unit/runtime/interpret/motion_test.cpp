@@ -120,8 +120,8 @@ TEST(Locating, WrongCountsNameTheForms) {
 }
 
 TEST(Locating, FastLaneAgreesWithTheSlowOne) {
-  for (const std::uint8_t count : {2, 3, 4, 5, 6, 7}) {
-    const std::array<double, 7> n{1, 2, 3, 0.5, 0.25, 1, 50};
+  for (const std::uint8_t count : {2, 3, 4, 5, 6, 7, 8, 9, 10}) {
+    const std::array<double, 10> n{1, 2, 3, 0.5, 0.25, 1, 50, 1, 0, 20};
     Builder slow;
     slow.locate(Word::GOTO, slow.numbers(std::vector<double>(n.begin(), n.begin() + count)));
     Builder fast;
@@ -133,6 +133,7 @@ TEST(Locating, FastLaneAgreesWithTheSlowOne) {
     if (!a.empty()) {
       EXPECT_EQ(a[0].point, b[0].point);
       EXPECT_EQ(a[0].axis, b[0].axis);
+      EXPECT_EQ(a[0].side, b[0].side);
       EXPECT_EQ(a[0].feed, b[0].feed);
     }
   }

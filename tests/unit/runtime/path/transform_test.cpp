@@ -243,5 +243,18 @@ TEST(Copy, StopsAtTheLimitOfRecords) {
   EXPECT_THAT(tape.codes(), ElementsAre("E0803"));
 }
 
+TEST(Tracut, TurnsTheSideOfAPose) {
+  cl::Motion pose;
+  pose.withAxis = true;
+  pose.withSide = true;
+  pose.coordinates = {1, 2, 3, 0, 0, 1, 1, 0, 0};
+  Tape tape;
+  tape.post(Word::TRACUT, {cl::SurfaceValue{EntityType::matrix, "", 0, {0, -1, 0, 10, 1, 0, 0, 0, 0, 0, 1, 0}}});
+  tape.put(pose).finish();
+  const auto& moved = std::get<cl::Motion>(tape.records().back().body);
+  // A quarter turn about z, then ten along x: x becomes y.
+  EXPECT_THAT(moved.coordinates, ElementsAre(8, 1, 3, 0, 0, 1, 0, 1, 0));
+}
+
 }  // namespace
 }  // namespace arelem::path

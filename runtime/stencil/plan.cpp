@@ -1,0 +1,192 @@
+#include "runtime/stencil/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ir/diag/stencil.h"
+#include "ir/space/tolerance.h"
+#include "runtime/geometry/angle.h"
+
+namespace arelem::stencil {
+
+namespace {
+Vec3 nozzleOf(const Pose& pose) {
+  return {pose.place.x(), pose.place.y(), pose.height};
+}
+
+/// Nozzle and height of a pose whose line, yaw and tilt are known.
+void place(Pose& pose, const FanGun& gun) {
+  const double width = widthOf(pose.line);
+  const Tilted tilted = placeTilted(width, gun.fan, pose.tilt);
+  const auto [sine, cosine] = geometry::sinCosDegrees(pose.yaw);
+  pose.place = middleOf(pose.line) + tilted.shift * Vec2(cosine, sine);
+  pose.height = heightOf(gun, width) + tilted.height - heightFor(width, gun.fan);
+}
+
+/// The yaw nearest to the one before.
+double unwound(double yaw, double before) {
+  return yaw + 360.0 * std::round((before - yaw) / 360.0);
+}
+
+/// Speed of the move over a cell: the paint of a cell is speedTimesWidth per time, so that its film
+/// is that of all others when the time is its area over that. For a square cell this is K / width.
+double speedOver(const Pose& from, const Pose& to, const Job& job) {
+  if (job.asSource) {
+    return job.speedTimesWidth / widthOf(from.line);
+  }
+  const double area = areaOf(from.line, to.line);
+  const double way = (nozzleOf(to) - nozzleOf(from)).norm();
+  const double width = 0.5 * (widthOf(from.line) + widthOf(to.line));
+  // A cell without area is turned over at the speed of its width.
+  const double thin = tolerance::rounding * width * width;
+  return area > thin ? job.speedTimesWidth * way / area : job.speedTimesWidth / width;
+}
+
+std::optional<Failure> objectionTo(const Track& track, const Job& job) {
+  if (job.gun.speed <= 0.0) {
+    return std::nullopt;
+  }
+  const auto fastest =
+      std::max_element(track.poses.begin(), track.poses.end(),
+                       [](const Pose& a, const Pose& b) { return a.speed < b.speed; });
+  constexpr double rounding = 1.0 + 1e-9;
+  if (fastest->speed <= job.gun.speed * rounding) {
+    return std::nullopt;
+  }
+  return fail(diag::StencilSpeed, track.stroke, track.symbol, fastest->speed, fastest->place.x(),
+              fastest->place.y(), widthOf(fastest->line), job.gun.speed,
+              job.gun.speed / fastest->speed);
+}
+
+/// A pose on the way from one to the other.
+Pose between(const Pose& a, const Pose& b, double t, const FanGun& gun) {
+  Pose pose = a;
+  pose.line = {a.line.first + t * (b.line.first - a.line.first),
+               a.line.second + t * (b.line.second - a.line.second)};
+  pose.yaw = unwound(yawOf(pose.line), a.yaw);
+  pose.tilt = a.tilt + t * (b.tilt - a.tilt);
+  place(pose, gun);
+  return pose;
+}
+
+/// Run-up: the gun comes from where it would have been `leadOn` before its first line.
+void addRunUp(Track& track, const FanGun& gun) {
+  if (gun.leadOn <= 0.0 || track.poses.size() < 2) {
+    return;
+  }
+  Pose start = track.poses[0];
+  const Vec2 way = track.poses[1].place - start.place;
+  if (way.norm() <= tolerance::coincidence) {
+    return;
+  }
+  const Vec2 back = start.speed * gun.leadOn / way.norm() * way;
+  start.line.first -= back;
+  start.line.second -= back;
+  start.place -= back;
+  track.poses.insert(track.poses.begin(), start);
+  ++track.off;
+}
+
+/// Puts the pose in at which the gun is switched off, `leadOff` before the end of the last line.
+void addSwitchOff(Track& track, const FanGun& gun) {
+  track.off = track.poses.size() - 1;
+  double left = gun.leadOff;
+  for (std::size_t i = track.poses.size() - 1; i-- > track.on && left > 0.0;) {
+    const Pose& a = track.poses[i];
+    const Pose& b = track.poses[i + 1];
+    const double seconds = (nozzleOf(b) - nozzleOf(a)).norm() / a.speed;
+    if (seconds > left) {
+      track.poses.insert(track.poses.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                         between(a, b, 1.0 - left / seconds, gun));
+      track.off = i + 1;
+      return;
+    }
+    left -= seconds;
+    track.off = i;
+  }
+}
+}  // namespace
+
+double heightOf(const FanGun& gun, double width) {
+  return gun.heightSlope > 0.0 ? gun.heightAtZero + gun.heightSlope * width
+                               : heightFor(width, gun.fan);
+}
+
+Result<Track> planRun(const Run& run, const Job& job) {
+  Track track{run.symbol, run.stroke, {}, 0, 0};
+  for (const Line& line : run.lines) {
+    Pose pose;
+    pose.line = line;
+    pose.yaw = track.poses.empty() ? yawOf(line) : unwound(yawOf(line), track.poses.back().yaw);
+    place(pose, job.gun);
+    track.poses.push_back(pose);
+  }
+  const auto setSpeeds = [&] {
+    for (std::size_t i = 0; i < track.poses.size(); ++i) {
+      const bool last = i + 1 == track.poses.size();
+      track.poses[i].speed = job.asSource || !last
+                                 ? speedOver(track.poses[i], track.poses[last ? i : i + 1], job)
+                                 : (i > 0 ? track.poses[i - 1].speed : 0.0);
+    }
+  };
+  setSpeeds();
+  if (job.tilt != TiltRule::off) {
+    std::vector<double> seconds;
+    for (std::size_t i = 0; i + 1 < track.poses.size(); ++i) {
+      seconds.push_back((nozzleOf(track.poses[i + 1]) - nozzleOf(track.poses[i])).norm() /
+                        track.poses[i].speed);
+    }
+    const std::vector<double> tilts =
+        tiltsOf(run.lines, job.tilt, job.gun.fan, job.limits, seconds);
+    for (std::size_t i = 0; i < tilts.size(); ++i) {
+      track.poses[i].tilt = tilts[i];
+      place(track.poses[i], job.gun);
+    }
+    setSpeeds();
+  }
+  if (std::optional<Failure> objection = objectionTo(track, job)) {
+    return *std::move(objection);
+  }
+  addSwitchOff(track, job.gun);
+  addRunUp(track, job.gun);
+  return track;
+}
+
+Evenness evennessOf(const Track& track, const FanGun& gun) {
+  Evenness result;
+  double paint = 0.0;
+  double within = 0.0;
+  struct CellFilm {
+    double area = 0.0, time = 0.0;
+    std::array<double, stripsOfACell> strips{};
+  };
+  std::vector<CellFilm> cells;
+  for (std::size_t i = 0; i + 1 < track.poses.size(); ++i) {
+    const Pose& a = track.poses[i];
+    const Pose& b = track.poses[i + 1];
+    const double tilt = 0.5 * (a.tilt + b.tilt);
+    const double share = areaShare(a.line, b.line, shareOf(tilt, gun.fan));
+    result.leastShare = std::min({result.leastShare, share, 100.0 - share});
+    result.mostShare = std::max({result.mostShare, share, 100.0 - share});
+    const double area = areaOf(a.line, b.line);
+    const double time = (nozzleOf(b) - nozzleOf(a)).norm() / a.speed;
+    if (area > tolerance::rounding) {
+      cells.push_back({area, time, filmOf(a.line, b.line, gun.fan, tilt)});
+      result.area += area;
+      paint += time;
+    }
+  }
+  for (CellFilm& cell : cells) {
+    const double mean = cell.time / cell.area * result.area / paint;
+    for (const double strip : cell.strips) {
+      const double film = mean * strip;
+      result.film.add({film, film});
+      constexpr double tenPercent = 0.1;
+      within += std::abs(film - 1.0) <= tenPercent ? cell.area / stripsOfACell : 0.0;
+    }
+  }
+  result.withinTenPercent = result.area > 0.0 ? within / result.area : 1.0;
+  return result;
+}
+
+}  // namespace arelem::stencil

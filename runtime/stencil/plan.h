@@ -1,0 +1,86 @@
+#pragma once
+#include "ir/space/vector.h"
+#include "runtime/stencil/cell.h"
+#include "runtime/stencil/message.h"
+
+namespace arelem::stencil {
+
+/// Everything in mm, mm/s, s and degrees.
+
+/// What of a spray gun with a flat fan counts here.
+struct FanGun {
+  double fan = 63.5;  ///< full angle
+  /// Measured height = heightAtZero + heightSlope times width; a slope of 0: by the fan's angle.
+  double heightAtZero = 0.0;
+  double heightSlope = 0.0;
+  double speed = 0.0;    ///< largest; 0: any
+  double leadOn = 0.0;   ///< the gun is switched on that much before its first line
+  double leadOff = 0.0;  ///< and off that much before its last
+};
+[[nodiscard]] double heightOf(const FanGun& gun, double width);
+
+enum class TiltRule : std::uint8_t {
+  off,
+  trapezoid,      ///< halves each cell as if its sides were parallel (Blank 2.5.1)
+  quadrilateral,  ///< halves each cell as it is (2.5.2)
+  best            ///< makes the film of each cell as even as it can be
+};
+struct TiltLimits {
+  double most = 25.4;  ///< of the axis that Blank's end effector has
+  double rate = 60.0;  ///< deg/s
+};
+
+struct Job {
+  FanGun gun;
+  TiltRule tilt = TiltRule::off;
+  TiltLimits limits;
+  /// Paint constant: speed times width, mm2/s. Speed is inversely proportional to width (2.6).
+  double speedTimesWidth = 0.0;
+  /// Speeds as the source has them: those of the line that a move begins at, not of its cell.
+  bool asSource = false;
+};
+
+/// One place of the gun. `speed` is that of the move to the next pose.
+struct Pose {
+  Line line;                  ///< on the ground
+  double yaw = 0.0;           ///< of the line, without jumps of more than half a turn along a run
+  double tilt = 0.0;          ///< positive towards the second end of the line
+  double height = 0.0;        ///< of the nozzle over the ground
+  Vec2 place = Vec2::Zero();  ///< of the nozzle
+  double speed = 0.0;
+};
+
+/// A run as the gun goes it. Between `on` and `off` it sprays.
+struct Track {
+  std::string symbol;
+  std::size_t stroke = 0;
+  std::vector<Pose> poses;
+  std::size_t on = 0;   ///< index of the pose at which the gun is switched on
+  std::size_t off = 0;  ///< and off
+};
+
+/// The tilt of each line of a run: what the cells beside it want, held to the limits. No tilt is
+/// above `limits.most` or turns faster than `limits.rate` in the seconds given for each cell;
+/// within that it departs from the wanted one as little as possible.
+[[nodiscard]] std::vector<double> tiltsOf(const std::vector<Line>& lines,
+                                          TiltRule rule,
+                                          double fan,
+                                          const TiltLimits& limits,
+                                          const std::vector<double>& seconds);
+
+/// Plans one run. Error E0562: a move needs more than the gun's largest speed; it names the factor
+/// that would do.
+[[nodiscard]] Result<Track> planRun(const Run& run, const Job& job);
+
+/// Film of a track: mean film of each cell over the mean of all, strips within the cell, and how
+/// the paint of its two halves divides the area.
+struct Evenness {
+  Spread film;               ///< strips over the mean film
+  double leastShare = 50.0;  ///< percent of a cell's area that half of its paint falls on
+  double mostShare = 50.0;
+  double withinTenPercent = 1.0;  ///< share of the area
+  double area = 0.0;
+};
+[[nodiscard]] Evenness evennessOf(const Track& track, const FanGun& gun);
+
+}  // namespace arelem::stencil
