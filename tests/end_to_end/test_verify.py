@@ -35,6 +35,16 @@ class Verify(ArelemCase):
         self.assertExit(5, "verify", "r.cls", "--with", "a.apt")
         self.assertExit(0, "verify", "r.cls", "--with", "a.apt", "--tolerance", "0.001")
 
+    def test_a_turned_gun_is_found(self):
+        self.write("g.apt", "FROM/0,0,200,0,0,1,1,0,0\nGOTO/100,0,200,0,0,1,0,1,0\nFINI\n")
+        self.assertExit(0, "g.apt", "-o", "g.cls")
+        self.assertExit(0, "verify", "g.cls", "--with", "g.apt")
+        text = (self.folder / "g.cls").read_text()
+        self.write("g.cls", text.replace("0.0, 1.0, 0.0\n", "0.1, 1.0, 0.0\n", 1))
+        self.assertExit(5, "verify", "g.cls", "--with", "g.apt")
+        self.assertIn("E0920", self.err)
+        self.assertIn("5.71 degrees", self.err)  # atan 0.1
+
     def test_lost_location(self):
         lines = (self.folder / "a.cls").read_text().splitlines(True)
         last = max(i for i, line in enumerate(lines) if line.startswith("GOTO"))

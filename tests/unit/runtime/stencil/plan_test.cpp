@@ -1,0 +1,181 @@
+#include "runtime/stencil/plan.h"
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace arelem::stencil {
+namespace {
+
+using testing::HasSubstr;
+
+const Alphabet& roadway() {
+  static const Alphabet alphabet = [] {
+    std::ifstream in(ARELEM_SOURCE_DIR "/stdlib/roadway.alphabet");
+    std::stringstream text;
+    text << in.rdbuf();
+    return *readAlphabet(text.str(), "roadway.alphabet");
+  }();
+  return alphabet;
+}
+
+std::vector<stencil::Run> runs(const std::string& text, double height = 2500.0, double angle = 0.0) {
+  auto made = runsOf(text, roadway(), {Vec2::Zero(), height, angle, std::nullopt}, {}, {});
+  EXPECT_TRUE(made.ok());
+  return *std::move(made);
+}
+
+Job job(TiltRule tilt = TiltRule::off) {
+  Job made;
+  made.tilt = tilt;
+  made.speedTimesWidth = 60000.0;
+  return made;
+}
+
+TEST(Message, SymbolsStandSideBySide) {
+  // A grid unit is 100: an I is 100 wide, the gap 100, a blank 400.
+  const auto made = runs("I I");
+  ASSERT_EQ(made.size(), 2U);
+  EXPECT_NEAR(made[0].lines[0].first.x(), 0.0, 1e-9);
+  EXPECT_NEAR(made[1].lines[0].first.x(), 100 + 100 + 400 + 100, 1e-9);
+  const auto spaced = runsOf("II", roadway(), {Vec2(5, 7), 2500, 90, 30.0}, {}, {});
+  // Written upwards: the second I is 130 further along y, its height runs to -x.
+  EXPECT_NEAR(((*spaced)[1].lines[0].first - Vec2(5, 7 + 130)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(((*spaced)[1].lines[1].first - Vec2(5 - 2500, 7 + 130)).norm(), 0.0, 1e-9);
+}
+
+TEST(Message, WhatCannotBePaintedIsNamed) {
+  const auto failure = [](const std::string& text, Limits limits = {}) {
+    auto made = runsOf(text, roadway(), {Vec2::Zero(), 100, 0, std::nullopt}, {}, limits);
+    EXPECT_FALSE(made.ok());
+    return made.ok() ? Failure{} : made.takeFailure();
+  };
+  EXPECT_THAT(failure("AB?").message, HasSubstr("character 3 of the text, `?`"));
+  EXPECT_THAT(failure("AB?").message, HasSubstr("A B C D"));
+  EXPECT_THAT(failure("<BACK>").message, HasSubstr("`<BACK>`"));
+  EXPECT_EQ(failure("   ").row->code, "E0563");
+  Limits few;
+  few.points = 10;
+  EXPECT_EQ(failure("SSS", few).row->code, "E0564");
+}
+
+TEST(Plan, StraightStrokeHasSpeedAndHeightOfItsWidth) {
+  const auto track = planRun(runs("I")[0], job());
+  ASSERT_TRUE(track.ok());
+  ASSERT_EQ(track->poses.size(), 2U);
+  EXPECT_NEAR(track->poses[0].speed, 600.0, 1e-9);  // 60000 / 100
+  EXPECT_NEAR(track->poses[0].height, 50.0 / std::tan(31.75 * std::numbers::pi / 180), 1e-9);
+  EXPECT_NEAR(track->poses[0].yaw, 0.0, 1e-12);
+}
+
+TEST(Plan, AFasterGunThanThereIsIsRefusedWithTheFactor) {
+  Job slow = job();
+  slow.gun.speed = 450.0;
+  const auto track = planRun(runs("I")[0], slow);
+  ASSERT_FALSE(track.ok());
+  EXPECT_EQ(track.failure().row->code, "E0562");
+  EXPECT_THAT(track.failure().message, HasSubstr("needs 600 mm/s"));
+  EXPECT_THAT(track.failure().message, HasSubstr("0.75 times"));
+}
+
+TEST(Plan, GunIsSwitchedEarlierByItsLeadTimes) {
+  Job leading = job();
+  leading.gun.leadOn = 0.05;   // 30 mm at 600 mm/s
+  leading.gun.leadOff = 0.02;  // 12 mm
+  const auto track = planRun(runs("I")[0], leading);
+  ASSERT_TRUE(track.ok());
+  ASSERT_EQ(track->poses.size(), 4U);
+  EXPECT_EQ(track->on, 0U);
+  EXPECT_EQ(track->off, 2U);
+  EXPECT_NEAR(track->poses[0].place.y(), -30.0, 1e-9);
+  EXPECT_NEAR(track->poses[2].place.y(), 2500.0 - 12.0, 1e-9);
+  EXPECT_NEAR(track->poses[3].place.y(), 2500.0, 1e-9);
+}
+
+TEST(Plan, TiltKeepsItsLimits) {
+  for (const TiltRule rule : {TiltRule::trapezoid, TiltRule::quadrilateral, TiltRule::best}) {
+    Job tilted = job(rule);
+    tilted.limits = {12.0, 40.0};
+    for (const stencil::Run& run : runs("SBDG3")) {
+      const auto track = planRun(run, tilted);
+      ASSERT_TRUE(track.ok());
+      for (std::size_t i = 0; i + 1 < track->poses.size(); ++i) {
+        const Pose& a = track->poses[i];
+        const Pose& b = track->poses[i + 1];
+        EXPECT_LE(std::abs(a.tilt), 12.0 + 1e-12);
+        const Vec3 way(b.place.x() - a.place.x(), b.place.y() - a.place.y(), b.height - a.height);
+        // The seconds are those of the untilted way, which the tilt changes a little.
+        EXPECT_LE(std::abs(b.tilt - a.tilt), 1.25 * 40.0 * way.norm() / a.speed + 1e-9)
+            << run.symbol << i;
+      }
+    }
+  }
+}
+
+TEST(Plan, FilmGetsEvenerWithEachRule) {
+  const stencil::Run bowl = runs("P")[1];
+  double before = 1e9;
+  for (const TiltRule rule : {TiltRule::off, TiltRule::trapezoid, TiltRule::quadrilateral}) {
+    Job wide = job(rule);
+    wide.limits = {45.0, 1e9};
+    const auto track = planRun(bowl, wide);
+    const Evenness even = evennessOf(*track, wide.gun);
+    EXPECT_LT(even.mostShare, before);
+    before = even.mostShare;
+    EXPECT_LE(even.leastShare + even.mostShare, 100.0 + 1e-9);
+  }
+  // Square cells are even whatever the rule.
+  const auto straight = planRun(runs("I")[0], job(TiltRule::best));
+  const Evenness even = evennessOf(*straight, {});
+  EXPECT_NEAR(even.film.worst(), 0.0, 1e-9);
+  EXPECT_NEAR(even.area, 100.0 * 2500.0, 1e-6);
+  EXPECT_NEAR(even.withinTenPercent, 1.0, 1e-9);
+}
+
+TEST(Plan, ShorterOrdersPaintTheSame) {
+  std::vector<stencil::Run> given = runs("SCHOOL XING");
+  std::vector<stencil::Run> ordered = given;
+  shorten(ordered, Vec2::Zero());
+  EXPECT_LT(travelOf(ordered, Vec2::Zero()), travelOf(given, Vec2::Zero()));
+  EXPECT_EQ(ordered.size(), given.size());
+  const auto area = [](const std::vector<stencil::Run>& all) {
+    double sum = 0.0;
+    for (const stencil::Run& run : all) {
+      for (std::size_t i = 0; i + 1 < run.lines.size(); ++i) {
+        sum += areaOf(run.lines[i], run.lines[i + 1]);
+      }
+    }
+    return sum;
+  };
+  EXPECT_NEAR(area(ordered), area(given), 1e-6 * area(given));
+}
+
+TEST(Cell, PaintOfATiltedFan) {
+  EXPECT_NEAR(paintUpTo(0.0, 63.5, 10.0), 0.0, 1e-12);
+  EXPECT_NEAR(paintUpTo(1.0, 63.5, 10.0), 1.0, 1e-12);
+  EXPECT_NEAR(paintUpTo(0.3, 63.5, 0.0), 0.3, 1e-12);
+  // Half the paint lies on either side of the fan's middle.
+  EXPECT_NEAR(paintUpTo(shareOf(10.0, 63.5), 63.5, 10.0), 0.5, 1e-12);
+}
+
+TEST(Cell, BestDivisionIsNotWorse) {
+  const Stroke& bowl = roadway().find("P")->strokes[1];
+  const auto lines = linesOf(bowl, 4.0, 25.0, 20, Division::equal);
+  const auto best = bestDivision(lines, Measured(bowl.shape->second), 63.5, 25.4);
+  const auto worst = [](const std::vector<Line>& all) {
+    double w = 0.0;
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+      w = std::max(
+          w, spreadOf(all[i], all[i + 1], 63.5, bestTilt(all[i], all[i + 1], 63.5, 25.4)).worst());
+    }
+    return w;
+  };
+  EXPECT_LT(worst(best), worst(lines));
+}
+
+}  // namespace
+}  // namespace arelem::stencil
