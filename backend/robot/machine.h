@@ -1,0 +1,102 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ir/diag/result.h"
+#include "ir/space/vector.h"
+
+namespace arelem::robot {
+
+/// Lengths in mm, angles in degrees, times in s.
+
+using Matrix3 = Eigen::Matrix3d;
+
+/// Where the coordinates of the part program lie, seen from the base of the robot.
+struct Frame {
+  Vec3 shift = Vec3::Zero();
+  std::array<double, 3> angles{};  ///< ZYZ moving axes: yaw, pitch, roll
+};
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+  [[nodiscard]] bool has(double value) const { return value >= low && value <= high; }
+};
+
+/// Two turning links, a quill and its turn (Adept Three, kinematics of Rehiara 2011). Joint 4 is
+/// the heading of the tool less joints 1 and 2.
+struct Scara {
+  double link1 = 559.0;
+  double link2 = 508.0;
+  Range joint1{-150.0, 150.0};
+  Range joint2{-150.0, 150.0};
+  Range joint4{-270.0, 270.0};
+  Range height{0.0, 305.0};  ///< of the tool point over the base
+  double stretch = 0.99;     ///< largest share of the reach: at 1 the elbow is straight and singular
+  bool lefty = false;
+};
+
+/// A turning pantograph that enlarges the way of its actuator (Blank 2.25, 2.26).
+struct Pantograph {
+  double ratio = 25.0 / 3.0;
+  Range actuator{0.0, 1000.0};
+  Range turn{-180.0, 180.0};
+  std::array<double, 2> speed{200.0, 90.0};           ///< of actuator (mm/s) and turn (deg/s)
+  std::array<double, 2> acceleration{2000.0, 360.0};  ///< mm/s2, deg/s2
+};
+/// Two links of one length, read out by encoders (listing of pathS.c, corrected).
+struct Elbow {
+  double link = 2794.0;            ///< 110 in
+  double countsPerTurn = 88000.0;  ///< of both encoders
+  Range elbow{0.0, 90.0};          ///< half the angle at the elbow: acos(reach / 2 links)
+  Range turn{-180.0, 180.0};
+  std::array<double, 2> speed{30.0, 90.0};            ///< deg/s
+  std::array<double, 2> acceleration{360.0, 360.0};  ///< deg/s2
+};
+
+/// An axis of the end effector that tilts the gun, driven by an eight bit word.
+struct TiltAxis {
+  double most = 25.4;
+  double step = 0.2;
+  int firstOutput = 33;
+  bool signMagnitude = true;  ///< as Blank's table 2.2; else two's complement, as his text
+};
+/// The word for an angle, and the angle of a word.
+[[nodiscard]] int tiltWord(const TiltAxis& axis, double degrees);
+[[nodiscard]] double tiltAngle(const TiltAxis& axis, int word);
+
+/// How V+ programs are written.
+struct VplusStyle {
+  enum class Format : std::uint8_t {
+    program,  ///< a complete program
+    pathS,    ///< the lines of Blank's pathS.c: the angle of the tool in the roll slot
+    pathB     ///< those of pathB.c: in the yaw slot, which turns the other way
+  };
+  Format format = Format::program;
+  bool onTheFly = false;  ///< SIGNAL without BREAK
+  bool crlf = true;
+  bool controlZ = false;  ///< a form feed behind .END and SUB at the end, as the controller stores
+  int columns = 80;
+};
+
+struct Machine {
+  std::string file;
+  std::string name;
+  Frame frame;
+  double speed = 0.0;         ///< largest of the tool point, mm/s; 0: not checked
+  double rapid = 500.0;       ///< of RAPID moves, mm/s
+  double acceleration = 2000.0;  ///< of moves without spraying, mm/s2
+  double interval = 0.032;       ///< of joint tables
+  std::optional<Scara> scara;
+  std::optional<Pantograph> pantograph;
+  std::optional<Elbow> elbow;
+  std::optional<TiltAxis> tilt;
+  VplusStyle vplus;
+};
+
+/// Reads a machine file (TOML; docs/manual/machines.md). Errors: E0650 no TOML, E0651 an unknown
+/// key, E0652 a value of the wrong kind or outside its range; all with file and line.
+[[nodiscard]] Result<Machine> readMachine(std::string_view text, std::string_view file);
+
+}  // namespace arelem::robot

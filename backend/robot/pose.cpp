@@ -1,0 +1,81 @@
+#include "backend/robot/pose.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace arelem::robot {
+
+namespace {
+constexpr double radian = std::numbers::pi / 180.0;
+constexpr double singular = 1e-9;       // sine of the pitch
+constexpr double uprightTilt = 1e-6;    // how far a side may lean out of the plane of the tilt
+
+Matrix3 about(const Vec3& axis, double degrees) {
+  return Eigen::AngleAxisd(degrees * radian, axis).toRotationMatrix();
+}
+double degrees(double y, double x) {
+  const double angle = std::atan2(y, x) / radian;
+  return angle == 0.0 ? 0.0 : angle;  // not -0
+}
+}  // namespace
+
+Matrix3 matrixOf(const Euler& e) {
+  return about(Vec3::UnitZ(), e.yaw) * about(Vec3::UnitY(), e.pitch) * about(Vec3::UnitZ(), e.roll);
+}
+
+Euler eulerOf(const Matrix3& r) {
+  const double s = std::hypot(r(0, 2), r(1, 2));
+  if (s < singular) {
+    const bool up = r(2, 2) > 0.0;
+    return {0.0, up ? 0.0 : 180.0, degrees(r(1, 0), up ? r(0, 0) : -r(0, 0))};
+  }
+  return {degrees(r(1, 2), r(0, 2)), std::atan2(s, r(2, 2)) / radian,
+          degrees(r(2, 1), -r(2, 0))};
+}
+
+Matrix3 toolFrame(const Pose& pose) {
+  const Vec3 z = -pose.axis.normalized();
+  if (!pose.side) {
+    const double lean = std::hypot(z.x(), z.y());
+    return matrixOf({lean < singular ? 0.0 : degrees(z.y(), z.x()),
+                     std::atan2(lean, z.z()) / radian, 0.0});
+  }
+  const Vec3 x = (*pose.side - pose.side->dot(z) * z).normalized();
+  Matrix3 frame;
+  frame << x, z.cross(x), z;
+  return frame;
+}
+
+Pose poseOf(const Vec3& point, const Matrix3& frame) {
+  return {point, -frame.col(2), Vec3(frame.col(0))};
+}
+
+std::optional<Upright> uprightOf(const Pose& pose) {
+  const Vec3 axis = pose.axis.normalized();
+  if (!pose.side) {
+    return std::hypot(axis.x(), axis.y()) < singular && axis.z() > 0.0
+               ? std::optional<Upright>({0.0, 0.0})
+               : std::nullopt;
+  }
+  const Vec3 side = pose.side->normalized();
+  const double across = axis.cross(side).z();  // the third axis must be level
+  if (axis.z() <= 0.0 || std::abs(across) > uprightTilt) {
+    return std::nullopt;
+  }
+  const double level = std::hypot(side.x(), side.y());
+  if (level < singular) {
+    return std::nullopt;
+  }
+  return Upright{degrees(-side.z(), level), degrees(side.y(), side.x())};
+}
+
+Pose inBase(const Frame& frame, const Pose& pose) {
+  const Matrix3 turn = matrixOf({frame.angles[0], frame.angles[1], frame.angles[2]});
+  Pose moved{turn * pose.point + frame.shift, turn * pose.axis, std::nullopt};
+  if (pose.side) {
+    moved.side = turn * *pose.side;
+  }
+  return moved;
+}
+
+}  // namespace arelem::robot

@@ -1,0 +1,95 @@
+#include "backend/robot/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "ir/diag/robot.h"
+
+namespace arelem::robot {
+
+namespace {
+constexpr double radian = std::numbers::pi / 180.0;
+constexpr double rounding = 1e-9;  // mm and degrees
+
+std::optional<Failure> outside(const Range& range,
+                               double value,
+                               int joint,
+                               std::string_view place) {
+  if (value >= range.low - rounding && value <= range.high + rounding) {
+    return std::nullopt;
+  }
+  return fail(diag::JointRange, place, joint, value, range.low, range.high);
+}
+}  // namespace
+
+Range reachOf(const Scara& s) {
+  const double fold = std::min(std::max(std::abs(s.joint2.low), std::abs(s.joint2.high)), 180.0);
+  const double inner = s.link1 * s.link1 + s.link2 * s.link2 +
+                       2.0 * s.link1 * s.link2 * std::cos(fold * radian);
+  return {std::sqrt(std::max(0.0, inner)), s.stretch * (s.link1 + s.link2)};
+}
+
+Result<ScaraJoints> jointsOf(const Scara& s,
+                             const Vec3& point,
+                             double heading,
+                             double joint4Before,
+                             std::string_view place) {
+  const double radius = std::hypot(point.x(), point.y());
+  const Range reach = reachOf(s);
+  if (!reach.has(radius)) {
+    const bool far = radius > reach.high;
+    return fail(diag::OutOfReach, place, point.x(), point.y(), radius,
+                far ? radius - reach.high : reach.low - radius, far ? "outside" : "inside",
+                far ? reach.high : reach.low);
+  }
+  if (!s.height.has(point.z())) {
+    return fail(diag::HeightRange, place, point.z(), s.height.low, s.height.high);
+  }
+  const double cosine = (radius * radius - s.link1 * s.link1 - s.link2 * s.link2) /
+                        (2.0 * s.link1 * s.link2);
+  const double bend = (s.lefty ? 1.0 : -1.0) * std::acos(std::clamp(cosine, -1.0, 1.0));
+  ScaraJoints joints;
+  joints.joint2 = bend / radian;
+  joints.joint1 = (std::atan2(point.y(), point.x()) -
+                   std::atan2(s.link2 * std::sin(bend), s.link1 + s.link2 * std::cos(bend))) /
+                  radian;
+  joints.joint1 = std::remainder(joints.joint1, 360.0);
+  joints.height = point.z();
+  const double plain = heading - joints.joint1 - joints.joint2;
+  joints.joint4 = plain + 360.0 * std::round((joint4Before - plain) / 360.0);
+  for (const auto& [number, range, value] :
+       {std::tuple{1, s.joint1, joints.joint1}, {2, s.joint2, joints.joint2},
+        {4, s.joint4, joints.joint4}}) {
+    if (std::optional<Failure> failure = outside(range, value, number, place)) {
+      return *std::move(failure);
+    }
+  }
+  return joints;
+}
+
+Vec3 pointOf(const Scara& s, const ScaraJoints& j) {
+  const double a = j.joint1 * radian;
+  const double b = a + j.joint2 * radian;
+  return {s.link1 * std::cos(a) + s.link2 * std::cos(b),
+          s.link1 * std::sin(a) + s.link2 * std::sin(b), j.height};
+}
+
+std::optional<Failure> objectionToLine(const Scara& s,
+                                       const Vec3& from,
+                                       const Vec3& to,
+                                       std::string_view place) {
+  const Eigen::Vector2d a = from.head<2>();
+  const Eigen::Vector2d way = to.head<2>() - a;
+  const double square = way.squaredNorm();
+  const double t = square > 0.0 ? std::clamp(-a.dot(way) / square, 0.0, 1.0) : 0.0;
+  const double nearest = (a + t * way).norm();
+  const Range reach = reachOf(s);
+  if (nearest >= reach.low - rounding) {
+    return std::nullopt;
+  }
+  return fail(diag::LineThroughBase, place, nearest, reach.low, reach.low - nearest);
+}
+
+}  // namespace arelem::robot

@@ -1,0 +1,34 @@
+#pragma once
+#include "backend/robot/pose.h"
+
+namespace arelem::robot {
+
+/// Joint angles of a SCARA, degrees, and the height of its quill, mm.
+struct ScaraJoints {
+  double joint1 = 0.0;
+  double joint2 = 0.0;
+  double height = 0.0;
+  double joint4 = 0.0;
+};
+
+/// Closed inverse kinematics; the elbow on the side that the machine file names, joint 4 nearest to
+/// `joint4Before`. Errors: E0660 outside the reach, by how much; E0661 height; E0662 a joint beyond
+/// its range. `place` tells the pose in messages: "location 12".
+[[nodiscard]] Result<ScaraJoints> jointsOf(const Scara& scara,
+                                           const Vec3& point,
+                                           double heading,
+                                           double joint4Before,
+                                           std::string_view place);
+/// The tool point of joint angles.
+[[nodiscard]] Vec3 pointOf(const Scara& scara, const ScaraJoints& joints);
+
+/// A straight move keeps its elbow, so that its whole way must lie outside the inner circle of the
+/// reach. Error E0663: by how much it comes too near.
+[[nodiscard]] std::optional<Failure> objectionToLine(const Scara& scara,
+                                                     const Vec3& from,
+                                                     const Vec3& to,
+                                                     std::string_view place);
+/// Radii between which the arm reaches, mm.
+[[nodiscard]] Range reachOf(const Scara& scara);
+
+}  // namespace arelem::robot

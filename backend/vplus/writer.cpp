@@ -1,0 +1,312 @@
+#include "backend/vplus/writer.h"
+
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <set>
+
+#include "backend/robot/machine.h"
+#include "backend/robot/reach.h"
+#include "backend/text/clean.h"
+#include "backend/vplus/blank.h"
+#include "backend/vplus/name.h"
+#include "ir/diag/robot.h"
+
+namespace arelem::backend {
+
+namespace {
+using namespace robot;
+
+constexpr double secondsOfAMinute = 60.0;
+constexpr double millimetersOfAnInch = 25.4;
+constexpr int bitsOfTilt = 8;
+
+/// Numbers as V+ takes them, three decimals, never "-0.000".
+std::string number(double value) {
+  const double rounded = std::round(value * 1e3) / 1e3;
+  return fmt::format("{:.3f}", rounded == 0.0 ? 0.0 : rounded);
+}
+
+class VplusWriter : public Writer {
+ public:
+  VplusWriter(std::ostream& out, const Context& context, DiagnosticSink& sink)
+      : out_(out), sink_(sink) {
+    if (context.machine != nullptr) {
+      machine_ = *context.machine;
+    } else {
+      machine_.speed = 0.0;
+    }
+  }
+
+  void accept(const cl::Record& record) override {
+    record_ = &record;
+    std::visit(*this, record.body);
+  }
+
+  void finish() override {
+    const std::string end = machine_.vplus.crlf ? "\r\n" : "\n";
+    std::string text = ".PROGRAM " + vplus::programName(name_) + "()" + end;
+    text += "  ; made by arelem from CL data" + end;
+    text += "  AUTO f" + end;
+    const Frame& f = machine_.frame;
+    text += fmt::format("  SET f = TRANS({}, {}, {}, {}, {}, {})", number(f.shift.x()),
+                        number(f.shift.y()), number(f.shift.z()), number(f.angles[0]),
+                        number(f.angles[1]), number(f.angles[2])) +
+            end;
+    text += "  ACCEL 100, 100" + end;
+    for (const std::string& line : lines_) {
+      text += "  " + line + end;
+    }
+    if (!signalsAfterMove_.empty()) {
+      text += "  BREAK" + end;
+    }
+    for (const std::string& line : signalsAfterMove_) {
+      text += "  " + line + end;
+    }
+    text += "  BREAK" + end + "  RETURN" + end + ".END" + end;
+    if (machine_.vplus.controlZ) {
+      text += "\f\x1a";
+    }
+    out_ << text;
+    out_.flush();
+  }
+
+  void operator()(const cl::Motion& motion) {
+    const std::size_t stride = motion.stride();
+    for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
+      const double* c = motion.coordinates.data() + i;
+      Pose pose;
+      pose.point = millimeters_ * Vec3(c[0], c[1], c[2]);
+      if (motion.withAxis) {
+        pose.axis = Vec3(c[3], c[4], c[5]);
+      }
+      if (motion.withSide) {
+        pose.side = Vec3(c[6], c[7], c[8]);
+      }
+      ++location_;
+      moveTo(pose, motion.kind == cl::Motion::Kind::from);
+    }
+  }
+  void operator()(const cl::Post& post) {
+    if (!post.foreign.empty()) {
+      return without(post.foreign);
+    }
+    switch (post.word) {
+      case Word::FEDRAT:
+        return feed(post);
+      case Word::RAPID:
+        rapid_ = true;
+        return;
+      case Word::SPRAY:
+        return spray(post);
+      case Word::DELAY:
+        if (const double* seconds = numberAt(post, 0)) {
+          line(fmt::format("DELAY {}", number(*seconds)));
+        }
+        return;
+      case Word::STOP:
+      case Word::OPSTOP:
+        line("BREAK");
+        line("PAUSE");
+        return;
+      case Word::TRACUT:
+      case Word::COPY:
+      case Word::INDEX:
+      case Word::MACHIN:
+      case Word::END:
+        return;  // done already, or said by the program itself
+      default:
+        without(spell(post.word));
+    }
+  }
+  void operator()(const cl::Text& text) {
+    if (text.word == Word::PARTNO && name_.empty()) {
+      name_ = trimmed(text.text);
+    }
+    if (text.word == Word::INSERT) {
+      return without("INSERT");
+    }
+    std::string clean = printableAscii(trimmed(text.text));
+    clean.resize(std::min(clean.size(), static_cast<std::size_t>(machine_.vplus.columns) - 4));
+    line("; " + clean);
+  }
+  void operator()(const cl::Units& units) {
+    millimeters_ = units.unit == Word::CM       ? 10.0
+                   : units.unit == Word::INCHES ? millimetersOfAnInch
+                   : units.unit == Word::FEET   ? 12.0 * millimetersOfAnInch
+                                                : 1.0;
+  }
+  template <class Other>
+  void operator()(const Other&) {}  // what tells of surfaces, tolerances and the cutter moves nothing
+
+ private:
+  void line(std::string text) { lines_.push_back(std::move(text)); }
+  void report(Failure failure) {
+    if (reported_++ < mostReports) {
+      sink_.accept(at(record_->origin, std::move(failure)));
+    }
+  }
+  /// A word that the robot has no use for: told once.
+  void without(std::string_view word) {
+    if (told_.insert(std::string(word)).second) {
+      sink_.accept(diagnose(record_->origin, diag::VplusWithout, word));
+    }
+    line(fmt::format("; {} is left out", printableAscii(word)));
+  }
+  static const double* numberAt(const cl::Post& post, std::size_t i) {
+    return i < post.arguments.size() ? std::get_if<double>(&post.arguments[i]) : nullptr;
+  }
+  static bool has(const cl::Post& post, Word word) {
+    for (const cl::Value& value : post.arguments) {
+      const Word* found = std::get_if<Word>(&value);
+      if (found != nullptr && *found == word) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void feed(const cl::Post& post) {
+    const double* value = numberAt(post, 0);
+    if (value == nullptr || !(*value > 0.0) || has(post, Word::IPR) || has(post, Word::MMPR)) {
+      report(fail(diag::VplusFeed, value == nullptr ? 0.0 : *value));
+      return;
+    }
+    speed_ = has(post, Word::MMPS)   ? *value
+             : has(post, Word::MMPM) ? *value / secondsOfAMinute
+             : has(post, Word::IPM)  ? *value * millimetersOfAnInch / secondsOfAMinute
+                                     : *value * millimeters_ / secondsOfAMinute;
+    rapid_ = false;
+  }
+
+  /// SPRAY/ON, n and SPRAY/OFF, n: at the location before, or on the way from it.
+  void spray(const cl::Post& post) {
+    const double* output = numberAt(post, 1);
+    const bool on = has(post, Word::ON);
+    const int n = output == nullptr ? 1 : static_cast<int>(*output);
+    const std::string signal = fmt::format("SIGNAL {}", on ? n : -n);
+    if (machine_.vplus.onTheFly) {
+      signalsAfterMove_.push_back(signal);
+      return;
+    }
+    line("BREAK");
+    line(signal);
+  }
+
+  void moveTo(const Pose& pose, bool isFrom) {
+    const std::string place = fmt::format("location {}", location_);
+    const Pose inRobot = inBase(machine_.frame, pose);
+    Pose written = pose;
+    const bool upright = machine_.scara || machine_.tilt;
+    if (upright && !standUpright(inRobot, place, written)) {
+      return;
+    }
+    check(inRobot, place, isFrom);
+    setSpeed(place);
+    const Euler e = eulerOf(toolFrame(written));
+    const bool joint = isFrom || location_ == 1;  // nothing is known of where the robot stands
+    line(fmt::format("{} f:TRANS({}, {}, {}, {}, {}, {})", joint ? "MOVE" : "MOVES",
+                     number(pose.point.x()), number(pose.point.y()), number(pose.point.z()),
+                     number(e.yaw), number(e.pitch), number(e.roll)));
+    for (std::string& signal : signalsAfterMove_) {
+      line(std::move(signal));
+    }
+    signalsAfterMove_.clear();
+    before_ = inRobot;
+  }
+
+  /// Splits the pose into what the robot holds upright and what its tilt axis does.
+  bool standUpright(const Pose& inRobot, const std::string& place, Pose& written) {
+    const std::optional<Upright> upright = uprightOf(inRobot);
+    const double lean = std::acos(std::clamp(inRobot.axis.normalized().z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+    constexpr double straight = 1e-4;  // degrees
+    if (!upright || (!machine_.tilt && lean > straight)) {
+      report(fail(diag::ToolNotUpright, place, lean,
+                  machine_.tilt ? " but for the tilt along its side" : ""));
+      return false;
+    }
+    if (machine_.tilt) {
+      if (std::abs(upright->tilt) > machine_.tilt->most + straight) {
+        report(fail(diag::TiltRange, place, upright->tilt, machine_.tilt->most));
+        return false;
+      }
+      const int word = tiltWord(*machine_.tilt, upright->tilt);
+      if (word != tiltWord_) {
+        line(fmt::format("BITS {}, {} = {}", machine_.tilt->firstOutput, bitsOfTilt, word));
+        tiltWord_ = word;
+      }
+    }
+    if (written.side) {
+      const Vec3 third = written.axis.cross(*written.side);
+      written.axis = matrixOf({machine_.frame.angles[0], machine_.frame.angles[1],
+                               machine_.frame.angles[2]})
+                         .transpose() *
+                     Vec3::UnitZ();
+      written.side = third.cross(written.axis);
+    }
+    return true;
+  }
+
+  void check(const Pose& pose, const std::string& place, bool isFrom) {
+    if (!machine_.scara) {
+      return;
+    }
+    const std::optional<Upright> upright = uprightOf(pose);
+    auto joints = jointsOf(*machine_.scara, pose.point, upright ? upright->heading : 0.0, joint4_,
+                           place);
+    if (!joints) {
+      report(joints.takeFailure());
+    } else {
+      joint4_ = joints->joint4;
+      if (before_ && !isFrom) {
+        if (auto failure = objectionToLine(*machine_.scara, before_->point, pose.point, place)) {
+          report(*std::move(failure));
+        }
+      }
+    }
+  }
+
+  void setSpeed(const std::string& place) {
+    const double speed = rapid_ ? machine_.rapid : speed_;
+    rapid_ = false;
+    if (machine_.speed > 0.0 && speed > machine_.speed) {
+      report(fail(diag::RobotSpeed, place, speed, machine_.speed, machine_.speed / speed));
+    }
+    if (speed > 0.0 && number(speed) != written_) {
+      written_ = number(speed);
+      line(fmt::format("SPEED {}, 100 MMPS ALWAYS", written_));
+    }
+  }
+
+  static constexpr std::size_t mostReports = 20;
+  std::ostream& out_;
+  DiagnosticSink& sink_;
+  Machine machine_;
+  const cl::Record* record_ = nullptr;
+  std::vector<std::string> lines_;
+  std::vector<std::string> signalsAfterMove_;
+  std::set<std::string> told_;
+  std::string name_;
+  std::string written_;  // the speed in force
+  double millimeters_ = 1.0;
+  double speed_ = 0.0;
+  bool rapid_ = false;
+  double joint4_ = 0.0;
+  int tiltWord_ = 0;
+  std::size_t location_ = 0;
+  std::size_t reported_ = 0;
+  std::optional<Pose> before_;
+};
+}  // namespace
+
+std::unique_ptr<Writer> makeVplusWriter(std::ostream& out,
+                                        const Context& context,
+                                        DiagnosticSink& sink) {
+  if (context.machine != nullptr &&
+      context.machine->vplus.format != VplusStyle::Format::program) {
+    return makeBlankWriter(out, *context.machine, sink);
+  }
+  return std::make_unique<VplusWriter>(out, context, sink);
+}
+
+}  // namespace arelem::backend
