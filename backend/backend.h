@@ -11,6 +11,10 @@
 #include "ir/program/program.h"
 #include "ir/text/source_map.h"
 
+namespace arelem::robot {
+struct Machine;
+}
+
 namespace arelem::backend {
 
 /// One printed value or title, as the listing shows it.
@@ -32,6 +36,7 @@ struct Context {
   std::vector<EntityPtr> entities;       ///< in order of definition
   std::vector<ListingItem> printed;
   std::string_view deck;  ///< what PUNCH wrote
+  const robot::Machine* machine = nullptr;  ///< of --machine; null without
   int decimals =
       -1;  ///< of lengths in text targets, 1 to 15; -1: as many as read back to the same double
 };

@@ -10,6 +10,7 @@
 #include "backend/json/writer.h"
 #include "backend/listing/writer.h"
 #include "backend/svg/writer.h"
+#include "backend/vplus/writer.h"
 
 namespace arelem::backend {
 
@@ -48,6 +49,10 @@ const std::array table = {
            .summary = "picture of the tool path and its geometry",
            .suffixes = {".svg"},
            .make = makePictureWriter},
+    Target{.name = "vplus",
+           .summary = "V+ program for Adept and Staubli controllers",
+           .suffixes = {".v2", ".pg"},
+           .make = makeVplusWriter},
 };
 
 bool endsWithIgnoringCase(std::string_view path, std::string_view suffix) {

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <set>
 
-#include "ir/diag/robot.h"
 #include <toml++/toml.h>
+
+#include "ir/diag/robot.h"
 
 namespace arelem::robot {
 
@@ -15,7 +16,9 @@ constexpr double fullTurn = 360.0;
 /// One table of the file. Remembers the first thing that is wrong, and which keys were asked for.
 class Table {
  public:
-  Table(const toml::table& table, std::string path, std::string_view file,
+  Table(const toml::table& table,
+        std::string path,
+        std::string_view file,
         std::optional<Failure>& failure)
       : table_(table), path_(std::move(path)), file_(file), failure_(failure) {}
 
@@ -56,7 +59,9 @@ class Table {
     }
   }
   /// One of the given words; its place in the list.
-  void choice(std::string_view key, std::size_t& value, std::initializer_list<std::string_view> words) {
+  void choice(std::string_view key,
+              std::size_t& value,
+              std::initializer_list<std::string_view> words) {
     const toml::node* node = find(key);
     if (node == nullptr) {
       return;
@@ -115,7 +120,8 @@ class Table {
         for (const std::string& one : asked_) {
           known += (known.empty() ? "" : ", ") + one;
         }
-        failure_ = fail(diag::MachineKey, file_, key.source().begin.line, path_ + std::string(key.str()), known);
+        failure_ = fail(diag::MachineKey, file_, key.source().begin.line,
+                        path_ + std::string(key.str()), known);
       }
     }
   }
@@ -127,7 +133,8 @@ class Table {
   }
   void wrong(const toml::node& node, std::string_view key, const std::string& wanted) {
     if (!failure_) {
-      failure_ = fail(diag::MachineValue, file_, node.source().begin.line, path_ + std::string(key), wanted);
+      failure_ = fail(diag::MachineValue, file_, node.source().begin.line, path_ + std::string(key),
+                      wanted);
     }
   }
 

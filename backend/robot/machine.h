@@ -33,7 +33,7 @@ struct Scara {
   Range joint2{-150.0, 150.0};
   Range joint4{-270.0, 270.0};
   Range height{0.0, 305.0};  ///< of the tool point over the base
-  double stretch = 0.99;     ///< largest share of the reach: at 1 the elbow is straight and singular
+  double stretch = 0.99;  ///< largest share of the reach: at 1 the elbow is straight and singular
   bool lefty = false;
 };
 
@@ -51,7 +51,7 @@ struct Elbow {
   double countsPerTurn = 88000.0;  ///< of both encoders
   Range elbow{0.0, 90.0};          ///< half the angle at the elbow: acos(reach / 2 links)
   Range turn{-180.0, 180.0};
-  std::array<double, 2> speed{30.0, 90.0};            ///< deg/s
+  std::array<double, 2> speed{30.0, 90.0};           ///< deg/s
   std::array<double, 2> acceleration{360.0, 360.0};  ///< deg/s2
 };
 
@@ -84,8 +84,8 @@ struct Machine {
   std::string file;
   std::string name;
   Frame frame;
-  double speed = 0.0;         ///< largest of the tool point, mm/s; 0: not checked
-  double rapid = 500.0;       ///< of RAPID moves, mm/s
+  double speed = 0.0;            ///< largest of the tool point, mm/s; 0: not checked
+  double rapid = 500.0;          ///< of RAPID moves, mm/s
   double acceleration = 2000.0;  ///< of moves without spraying, mm/s2
   double interval = 0.032;       ///< of joint tables
   std::optional<Scara> scara;

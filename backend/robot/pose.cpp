@@ -7,8 +7,8 @@ namespace arelem::robot {
 
 namespace {
 constexpr double radian = std::numbers::pi / 180.0;
-constexpr double singular = 1e-9;       // sine of the pitch
-constexpr double uprightTilt = 1e-6;    // how far a side may lean out of the plane of the tilt
+constexpr double singular = 1e-9;     // sine of the pitch
+constexpr double uprightTilt = 1e-6;  // how far a side may lean out of the plane of the tilt
 
 Matrix3 about(const Vec3& axis, double degrees) {
   return Eigen::AngleAxisd(degrees * radian, axis).toRotationMatrix();
@@ -29,16 +29,15 @@ Euler eulerOf(const Matrix3& r) {
     const bool up = r(2, 2) > 0.0;
     return {0.0, up ? 0.0 : 180.0, degrees(r(1, 0), up ? r(0, 0) : -r(0, 0))};
   }
-  return {degrees(r(1, 2), r(0, 2)), std::atan2(s, r(2, 2)) / radian,
-          degrees(r(2, 1), -r(2, 0))};
+  return {degrees(r(1, 2), r(0, 2)), std::atan2(s, r(2, 2)) / radian, degrees(r(2, 1), -r(2, 0))};
 }
 
 Matrix3 toolFrame(const Pose& pose) {
   const Vec3 z = -pose.axis.normalized();
   if (!pose.side) {
     const double lean = std::hypot(z.x(), z.y());
-    return matrixOf({lean < singular ? 0.0 : degrees(z.y(), z.x()),
-                     std::atan2(lean, z.z()) / radian, 0.0});
+    return matrixOf(
+        {lean < singular ? 0.0 : degrees(z.y(), z.x()), std::atan2(lean, z.z()) / radian, 0.0});
   }
   const Vec3 x = (*pose.side - pose.side->dot(z) * z).normalized();
   Matrix3 frame;

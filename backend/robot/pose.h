@@ -23,8 +23,8 @@ struct Euler {
 /// Inverse; at pitch 0 and 180, where only one angle counts, yaw is 0.
 [[nodiscard]] Euler eulerOf(const Matrix3& turn);
 
-/// The tool frame of a robot: its z points out of the flange to the work, against the tool axis, its
-/// x along the side; without a side the roll is 0.
+/// The tool frame of a robot: its z points out of the flange to the work, against the tool axis,
+/// its x along the side; without a side the roll is 0.
 [[nodiscard]] Matrix3 toolFrame(const Pose& pose);
 [[nodiscard]] Pose poseOf(const Vec3& point, const Matrix3& toolFrame);
 

@@ -26,8 +26,8 @@ std::optional<Failure> outside(const Range& range,
 
 Range reachOf(const Scara& s) {
   const double fold = std::min(std::max(std::abs(s.joint2.low), std::abs(s.joint2.high)), 180.0);
-  const double inner = s.link1 * s.link1 + s.link2 * s.link2 +
-                       2.0 * s.link1 * s.link2 * std::cos(fold * radian);
+  const double inner =
+      s.link1 * s.link1 + s.link2 * s.link2 + 2.0 * s.link1 * s.link2 * std::cos(fold * radian);
   return {std::sqrt(std::max(0.0, inner)), s.stretch * (s.link1 + s.link2)};
 }
 
@@ -47,8 +47,8 @@ Result<ScaraJoints> jointsOf(const Scara& s,
   if (!s.height.has(point.z())) {
     return fail(diag::HeightRange, place, point.z(), s.height.low, s.height.high);
   }
-  const double cosine = (radius * radius - s.link1 * s.link1 - s.link2 * s.link2) /
-                        (2.0 * s.link1 * s.link2);
+  const double cosine =
+      (radius * radius - s.link1 * s.link1 - s.link2 * s.link2) / (2.0 * s.link1 * s.link2);
   const double bend = (s.lefty ? 1.0 : -1.0) * std::acos(std::clamp(cosine, -1.0, 1.0));
   ScaraJoints joints;
   joints.joint2 = bend / radian;
@@ -59,9 +59,9 @@ Result<ScaraJoints> jointsOf(const Scara& s,
   joints.height = point.z();
   const double plain = heading - joints.joint1 - joints.joint2;
   joints.joint4 = plain + 360.0 * std::round((joint4Before - plain) / 360.0);
-  for (const auto& [number, range, value] :
-       {std::tuple{1, s.joint1, joints.joint1}, {2, s.joint2, joints.joint2},
-        {4, s.joint4, joints.joint4}}) {
+  for (const auto& [number, range, value] : {std::tuple{1, s.joint1, joints.joint1},
+                                             {2, s.joint2, joints.joint2},
+                                             {4, s.joint4, joints.joint4}}) {
     if (std::optional<Failure> failure = outside(range, value, number, place)) {
       return *std::move(failure);
     }

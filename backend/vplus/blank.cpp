@@ -28,10 +28,10 @@ class BlankWriter : public Writer {
         move(motion->coordinates.data() + i);
       }
     } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
-      const double* value = post->word == Word::FEDRAT && post->foreign.empty() &&
-                                    !post->arguments.empty()
-                                ? std::get_if<double>(&post->arguments[0])
-                                : nullptr;
+      const double* value =
+          post->word == Word::FEDRAT && post->foreign.empty() && !post->arguments.empty()
+              ? std::get_if<double>(&post->arguments[0])
+              : nullptr;
       speed_ = value != nullptr ? *value : speed_;
     }
   }

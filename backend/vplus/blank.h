@@ -5,7 +5,8 @@
 namespace arelem::backend {
 
 /// The lines that the programs of Blank's appendix A print for the Adept: a move, then the speed of
-/// the next one, to be read into a program of the controller. What is neither is left out, as there.
+/// the next one, to be read into a program of the controller. What is neither is left out, as
+/// there.
 [[nodiscard]] std::unique_ptr<Writer> makeBlankWriter(std::ostream& out,
                                                       const robot::Machine& machine,
                                                       DiagnosticSink& sink);

@@ -8,14 +8,14 @@ namespace arelem::vplus {
 
 namespace {
 constexpr std::array<std::string_view, 66> keywords = {
-    "ABOVE",  "ACCEL",  "ALWAYS", "APPRO",   "APPROS",  "AUTO",   "BASE",   "BELOW",  "BITS",
-    "BREAK",  "BY",     "CALL",   "COARSE",  "CPOFF",   "CPON",   "DELAY",  "DEPART", "DEPARTS",
-    "DEST",   "DISABLE", "DO",    "DOUBLE",  "DURATION", "ELSE",  "ENABLE", "END",    "FINE",
-    "FLIP",   "FOR",    "GLOBAL", "GOTO",    "HERE",    "IF",     "INVERSE", "IPS",   "LEFTY",
-    "LOCAL",  "MMPS",   "MONITOR", "MOVE",   "MOVES",   "NOFLIP", "NONULL", "NULL",   "OFF",
-    "ON",     "PARAMETER", "PAUSE", "REAL",  "RETURN",  "RIGHTY", "RX",     "RY",     "RZ",
-    "SET",    "SHIFT",  "SIGNAL", "SPEED",   "STEP",    "STOP",   "THEN",   "TO",     "TOOL",
-    "TRANS",  "TYPE",   "WHILE"};
+    "ABOVE", "ACCEL",     "ALWAYS",  "APPRO",  "APPROS",   "AUTO",   "BASE",    "BELOW",  "BITS",
+    "BREAK", "BY",        "CALL",    "COARSE", "CPOFF",    "CPON",   "DELAY",   "DEPART", "DEPARTS",
+    "DEST",  "DISABLE",   "DO",      "DOUBLE", "DURATION", "ELSE",   "ENABLE",  "END",    "FINE",
+    "FLIP",  "FOR",       "GLOBAL",  "GOTO",   "HERE",     "IF",     "INVERSE", "IPS",    "LEFTY",
+    "LOCAL", "MMPS",      "MONITOR", "MOVE",   "MOVES",    "NOFLIP", "NONULL",  "NULL",   "OFF",
+    "ON",    "PARAMETER", "PAUSE",   "REAL",   "RETURN",   "RIGHTY", "RX",      "RY",     "RZ",
+    "SET",   "SHIFT",     "SIGNAL",  "SPEED",  "STEP",     "STOP",   "THEN",    "TO",     "TOOL",
+    "TRANS", "TYPE",      "WHILE"};
 
 bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');

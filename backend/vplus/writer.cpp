@@ -137,7 +137,8 @@ class VplusWriter : public Writer {
                                                 : 1.0;
   }
   template <class Other>
-  void operator()(const Other&) {}  // what tells of surfaces, tolerances and the cutter moves nothing
+  void operator()(const Other&) {
+  }  // what tells of surfaces, tolerances and the cutter moves nothing
 
  private:
   void line(std::string text) { lines_.push_back(std::move(text)); }
@@ -218,7 +219,8 @@ class VplusWriter : public Writer {
   /// Splits the pose into what the robot holds upright and what its tilt axis does.
   bool standUpright(const Pose& inRobot, const std::string& place, Pose& written) {
     const std::optional<Upright> upright = uprightOf(inRobot);
-    const double lean = std::acos(std::clamp(inRobot.axis.normalized().z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+    const double lean =
+        std::acos(std::clamp(inRobot.axis.normalized().z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
     constexpr double straight = 1e-4;  // degrees
     if (!upright || (!machine_.tilt && lean > straight)) {
       report(fail(diag::ToolNotUpright, place, lean,
@@ -238,10 +240,10 @@ class VplusWriter : public Writer {
     }
     if (written.side) {
       const Vec3 third = written.axis.cross(*written.side);
-      written.axis = matrixOf({machine_.frame.angles[0], machine_.frame.angles[1],
-                               machine_.frame.angles[2]})
-                         .transpose() *
-                     Vec3::UnitZ();
+      written.axis =
+          matrixOf({machine_.frame.angles[0], machine_.frame.angles[1], machine_.frame.angles[2]})
+              .transpose() *
+          Vec3::UnitZ();
       written.side = third.cross(written.axis);
     }
     return true;
@@ -252,8 +254,8 @@ class VplusWriter : public Writer {
       return;
     }
     const std::optional<Upright> upright = uprightOf(pose);
-    auto joints = jointsOf(*machine_.scara, pose.point, upright ? upright->heading : 0.0, joint4_,
-                           place);
+    auto joints =
+        jointsOf(*machine_.scara, pose.point, upright ? upright->heading : 0.0, joint4_, place);
     if (!joints) {
       report(joints.takeFailure());
     } else {
@@ -302,8 +304,7 @@ class VplusWriter : public Writer {
 std::unique_ptr<Writer> makeVplusWriter(std::ostream& out,
                                         const Context& context,
                                         DiagnosticSink& sink) {
-  if (context.machine != nullptr &&
-      context.machine->vplus.format != VplusStyle::Format::program) {
+  if (context.machine != nullptr && context.machine->vplus.format != VplusStyle::Format::program) {
     return makeBlankWriter(out, *context.machine, sink);
   }
   return std::make_unique<VplusWriter>(out, context, sink);

@@ -153,6 +153,8 @@ void Statements::dispatch(const Parts& p) {
       return plain(p, {.owner = spell(p.word)});
     case WordClass::units:
       return units(p);
+    case WordClass::stencil:
+      return plain(p, {.owner = spell(p.word), .strings = true});
     case WordClass::call:
     case WordClass::ifWord:
     case WordClass::syn:

@@ -156,6 +156,9 @@ void execute(State& state, const ir::Command& command) {
     case WordClass::canon:
       canon(state, command);
       return;
+    case WordClass::stencil:
+      stencil(state, command);
+      return;
     case WordClass::units:
       units(state, command);
       return;

@@ -24,4 +24,7 @@ void runControl(State& state, const ir::Command& command);
 /// Every word of the post-processor, and TRACUT, INDEX, COPY, MACHIN.
 void post(State& state, const ir::Command& command);
 
+/// STENCL: letters painted on the ground.
+void stencil(State& state, const ir::Command& command);
+
 }  // namespace arelem::runtime::interpret

@@ -1,0 +1,327 @@
+// STENCL: words to a statement of runtime/stencil, its tracks to actions.
+#include "runtime/stencil/stencil.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "ir/diag/stencil.h"
+#include "ir/space/tolerance.h"
+#include "runtime/geometry/angle.h"
+#include "runtime/interpret/command.h"
+#include "runtime/interpret/item.h"
+
+namespace arelem::runtime::interpret {
+
+namespace {
+using stencil::TiltRule;
+
+constexpr double radian = std::numbers::pi / 180.0;
+constexpr std::string_view form =
+    "STENCL/ 'TEXT', HEIGHT, h, FAN, deg [, c0, c1], SPEED, mm per second [, largest] "
+    "[, ORIGIN, point] [, ATANGL, deg] [, SPACE, w] [, NUMPTS, n] "
+    "[, TILT, {OFF|TRAPZ|QUADR|BEST} [, largest [, degrees per second]]] [, LEAD, on, off] "
+    "[, OUTPUT, n] [, ALPHAB, 'file'] [, COMPAT]";
+
+/// Reads the parameters of STENCL from left to right. Lengths become mm.
+class Reader {
+ public:
+  Reader(const Items& items, double millimeters) : items_(items), unit_(millimeters) {}
+
+  Result<stencil::Statement> run() {
+    const std::string* text = items_.empty() ? nullptr : std::get_if<std::string>(&items_[0].value);
+    if (text == nullptr) {
+      return wrong(items_.empty() ? "no parameters" : describe(items_[0]) + " in front",
+                   "the first parameter is the text in quotes");
+    }
+    made_.text = *text;
+    next_ = 1;
+    while (next_ < items_.size()) {
+      if (auto failure = one()) {
+        return *std::move(failure);
+      }
+    }
+    for (const Word word : {Word::HEIGHT, Word::FAN, Word::SPEED}) {
+      if (seen_.count(word) == 0) {
+        return wrong(fmt::format("no {}", spell(word)), fmt::format("{} is needed", spell(word)));
+      }
+    }
+    return std::move(made_);
+  }
+
+ private:
+  static Failure wrong(std::string what, std::string rule) {
+    return fail(diag::StencilForm, std::move(what), std::move(rule))
+        .withHelp("the form is " + std::string(form));
+  }
+
+  std::optional<Failure> one() {
+    const Word* word = std::get_if<Word>(&items_[next_].value);
+    if (word == nullptr) {
+      return wrong(describe(items_[next_]) + fmt::format(" as parameter {}", next_ + 1),
+                   "a word belongs there");
+    }
+    if (!seen_.insert(*word).second) {
+      return wrong(fmt::format("{} twice", spell(*word)), "each word stands once");
+    }
+    ++next_;
+    return value(*word);
+  }
+
+  std::optional<Failure> value(Word word) {
+    switch (word) {
+      case Word::HEIGHT:
+        return positive(word, unit_, made_.placement.height);
+      case Word::FAN:
+        return fan();
+      case Word::LEAD:
+        return lead();
+      case Word::OUTPUT:
+        return output();
+      case Word::ORIGIN:
+        return origin();
+      case Word::ATANGL:
+        return number(word, made_.placement.angle);
+      case Word::SPACE:
+        return number(word, made_.placement.space.emplace(), unit_);
+      case Word::TILT:
+        return tilt();
+      case Word::NUMPTS:
+        return points();
+      case Word::SPEED:
+        return speed();
+      case Word::ALPHAB:
+        return alphabet();
+      case Word::COMPAT:
+        made_.job.asSource = true;
+        return std::nullopt;
+      default:
+        return wrong(fmt::format("the word {}", spell(word)), "it has no meaning there");
+    }
+  }
+
+  std::optional<Failure> number(Word word, double& into, double unit = 1.0) {
+    const double* value = next_ < items_.size() ? items_[next_].number() : nullptr;
+    if (value == nullptr) {
+      return wrong(fmt::format("{} without a number", spell(word)), "a number belongs there");
+    }
+    into = *value * unit;
+    ++next_;
+    return std::nullopt;
+  }
+  std::optional<Failure> positive(Word word, double unit, double& into) {
+    if (auto failure = number(word, into, unit)) {
+      return failure;
+    }
+    if (!(into > 0.0)) {
+      return fail(diag::StencilNumber, spell(word), into / unit, "positive");
+    }
+    return std::nullopt;
+  }
+
+  /// FAN, deg [, c0, c1]: the full angle, and a measured height = c0 + c1 width.
+  std::optional<Failure> fan() {
+    stencil::FanGun& fan = made_.job.gun;
+    if (auto failure = number(Word::FAN, fan.fan)) {
+      return failure;
+    }
+    if (!(fan.fan > 0.0 && fan.fan < 180.0)) {
+      return fail(diag::StencilNumber, "the angle of the fan", fan.fan,
+                  "above 0 and below 180 degrees");
+    }
+    if (!more()) {
+      return std::nullopt;
+    }
+    if (auto failure = number(Word::FAN, fan.heightAtZero, unit_)) {
+      return failure;
+    }
+    return positive(Word::FAN, 1.0, fan.heightSlope);
+  }
+  /// SPEED, v [, most]: over a line one grid unit wide, and the largest of the gun.
+  std::optional<Failure> speed() {
+    if (auto failure = positive(Word::SPEED, 1.0, made_.speed)) {
+      return failure;
+    }
+    return more() ? positive(Word::SPEED, 1.0, made_.job.gun.speed) : std::nullopt;
+  }
+  std::optional<Failure> lead() {
+    if (auto failure = number(Word::LEAD, made_.job.gun.leadOn)) {
+      return failure;
+    }
+    if (auto failure = number(Word::LEAD, made_.job.gun.leadOff)) {
+      return failure;
+    }
+    const double least = std::min(made_.job.gun.leadOn, made_.job.gun.leadOff);
+    return least < 0.0 ? std::optional(fail(diag::StencilNumber, "a LEAD time", least, "0 or more"))
+                       : std::nullopt;
+  }
+  std::optional<Failure> output() {
+    double value = 0.0;
+    if (auto failure = number(Word::OUTPUT, value)) {
+      return failure;
+    }
+    constexpr double mostOutputs = 4095.0;
+    if (value < 1.0 || value > mostOutputs || value != std::round(value)) {
+      return fail(diag::StencilNumber, "OUTPUT", value, "a whole number from 1 to 4095");
+    }
+    made_.output = static_cast<int>(value);
+    return std::nullopt;
+  }
+  [[nodiscard]] bool more() const {
+    return next_ < items_.size() && items_[next_].number() != nullptr;
+  }
+
+  std::optional<Failure> origin() {
+    const EntityPtr* point =
+        next_ < items_.size() ? items_[next_].entity(EntityType::point) : nullptr;
+    if (point != nullptr) {
+      const std::vector<double>& p = (*point)->canon;
+      made_.placement.origin = unit_ * stencil::Vec2(p[0], p[1]);
+      made_.ground = unit_ * p[2];
+      ++next_;
+      return std::nullopt;
+    }
+    return wrong("ORIGIN without a point", "a POINT belongs there");
+  }
+
+  std::optional<Failure> tilt() {
+    const Word* word = next_ < items_.size() ? std::get_if<Word>(&items_[next_].value) : nullptr;
+    const std::map<Word, TiltRule> rules = {{Word::OFF, TiltRule::off},
+                                            {Word::TRAPZ, TiltRule::trapezoid},
+                                            {Word::QUADR, TiltRule::quadrilateral},
+                                            {Word::BEST, TiltRule::best}};
+    if (word == nullptr || rules.count(*word) == 0) {
+      return wrong("TILT without a rule", "OFF, TRAPZ, QUADR or BEST belongs there");
+    }
+    made_.job.tilt = rules.at(*word);
+    ++next_;
+    stencil::TiltLimits& limits = made_.job.limits;
+    if (more()) {
+      if (auto failure = positive(Word::TILT, 1.0, limits.most)) {
+        return failure;
+      }
+      if (limits.most >= 90.0) {
+        return fail(diag::StencilNumber, "the largest tilt", limits.most, "below 90 degrees");
+      }
+    }
+    return more() ? positive(Word::TILT, 1.0, limits.rate) : std::nullopt;
+  }
+
+  std::optional<Failure> points() {
+    double value = 0.0;
+    if (auto failure = number(Word::NUMPTS, value)) {
+      return failure;
+    }
+    constexpr double most = 10000.0;
+    const double whole = std::round(value);
+    if (std::abs(value - whole) > tolerance::wholeNumber || whole < 2.0 || whole > most) {
+      return fail(diag::StencilNumber, "NUMPTS", value, "a whole number from 2 to 10000");
+    }
+    made_.cells = static_cast<int>(whole) - 1;
+    return std::nullopt;
+  }
+
+  std::optional<Failure> alphabet() {
+    const std::string* file =
+        next_ < items_.size() ? std::get_if<std::string>(&items_[next_].value) : nullptr;
+    if (file == nullptr) {
+      return wrong("ALPHAB without a file", "the name of a file in quotes belongs there");
+    }
+    made_.alphabet = *file;
+    ++next_;
+    return std::nullopt;
+  }
+
+  const Items& items_;
+  double unit_;
+  stencil::Statement made_;
+  std::set<Word> seen_;
+  std::size_t next_ = 0;
+};
+
+/// Puts the tracks into the stream: poses of the gun, its switching, feeds.
+class TrackWriter {
+ public:
+  TrackWriter(State& state, const stencil::Statement& statement)
+      : state_(state), statement_(statement), unit_(state.context.millimeters) {}
+
+  void write(const std::vector<stencil::Track>& tracks) {
+    for (const stencil::Track& track : tracks) {
+      write(track);
+    }
+  }
+
+ private:
+  void write(const stencil::Track& track) {
+    post(Word::RAPID, {});
+    for (std::size_t i = 0; i < track.poses.size(); ++i) {
+      go(track.poses[i]);
+      if (i == track.off) {
+        post(Word::SPRAY, {Word::OFF, static_cast<double>(statement_.output)});
+      }
+      if (i == track.on) {
+        post(Word::SPRAY, {Word::ON, static_cast<double>(statement_.output)});
+      }
+      // The speed of the last line is no move's; the source prints it all the same.
+      if (i + 1 < track.poses.size() || statement_.job.asSource) {
+        post(Word::FEDRAT, {track.poses[i].speed, Word::MMPS});
+      }
+    }
+  }
+  void post(Word word, std::vector<cl::Value> values) {
+    state_.emit(Pass{cl::Post{word, "", std::move(values)}});
+  }
+  void go(const stencil::Pose& pose) {
+    const auto [sy, cy] = geometry::sinCosDegrees(pose.yaw);
+    const auto [st, ct] = geometry::sinCosDegrees(pose.tilt);
+    Locate locate;
+    locate.word = Word::GOTO;
+    const Vec3 place(pose.place.x(), pose.place.y(), statement_.ground + pose.height);
+    locate.point = state_.systems.pointToBase(place / unit_);
+    locate.axis = state_.systems.vectorToBase({st * cy, st * sy, ct});
+    locate.side = state_.systems.vectorToBase({ct * cy, ct * sy, -st});
+    state_.emit(std::move(locate));
+  }
+
+  State& state_;
+  const stencil::Statement& statement_;
+  double unit_;
+};
+
+void report(State& state, Failure failure, const Items& items) {
+  Diagnostic d = at(state.statement->span, std::move(failure));
+  labelOperands(d, items);
+  state.report(std::move(d));
+}
+}  // namespace
+
+void stencil(State& state, const ir::Command& command) {
+  state.meetImplied("STENCL", false, true);
+  const auto items = evaluate(state, command.arguments, Use::definition);
+  if (!items) {
+    return;
+  }
+  Result<stencil::Statement> statement = Reader(*items, state.context.millimeters).run();
+  if (!statement) {
+    report(state, statement.takeFailure(), *items);
+    return;
+  }
+  const Vec3 up = state.systems.vectorToBase(Vec3::UnitZ()).normalized();
+  const double lean = std::acos(std::clamp(up.z(), -1.0, 1.0)) / radian;
+  constexpr double level = 1e-6;  // degrees
+  if (lean > level) {
+    report(state, fail(diag::StencilSystem, state.systems.current(), lean), *items);
+    return;
+  }
+  Result<stencil::Painted> painted = stencil::paint(
+      *statement, state.options.files, state.options.limits, statement->placement.origin);
+  if (!painted) {
+    report(state, painted.takeFailure(), *items);
+    return;
+  }
+  TrackWriter(state, *statement).write(painted->tracks);
+}
+
+}  // namespace arelem::runtime::interpret
