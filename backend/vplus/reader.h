@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "backend/robot/pose.h"
+#include "ir/diag/result.h"
+
+namespace arelem::vplus {
+
+/// A move of a program to a place that its text gives.
+struct Move {
+  robot::Pose pose;  ///< seen from the frame that the program sets first, mm
+  std::size_t line = 0;
+  bool straight = false;
+  double speed = 0.0;  ///< mm/s in force, 0: in percent or none
+};
+
+/// A switch of outputs: where in the sequence of moves, which, on or off.
+struct Switched {
+  std::size_t afterMoves = 0;
+  int output = 0;
+  bool on = false;
+};
+
+struct ProgramText {
+  std::string name;
+  std::vector<Move> moves;
+  std::vector<Switched> signals;
+  std::vector<Failure> warnings;  ///< W0631 long lines, W0632 names that are read but never set
+  bool straightLine = true;       ///< no IF, FOR, WHILE or CALL: the moves are those of a run
+};
+
+/// Reads one V+ program strictly: what the grammar of docs/manual/vplus.md does not have is an
+/// error (E0630 with line and column). `tilt` tells how BITS of its output lean the tool; may be
+/// null.
+[[nodiscard]] Result<ProgramText> readProgram(std::string_view text,
+                                              std::string_view file,
+                                              const robot::TiltAxis* tilt);
+
+}  // namespace arelem::vplus
