@@ -3,17 +3,13 @@
 #include <iostream>
 
 #include "app/command.h"
-#include "app/library_path.h"
+#include "app/machine.h"
 #include "app/options.h"
 #include "app/output_plan.h"
 #include "app/output_set.h"
 #include "app/pipeline.h"
 #include "app/report.h"
-#include "app/source_file.h"
 #include "app/stopwatch.h"
-
-#include "backend/robot/machine.h"
-#include "ir/text/find_file.h"
 
 namespace arelem::app {
 
@@ -42,8 +38,9 @@ void addOptions(CLI::App& app, CompileOptions& options) {
       ->type_name("DIR");
   app.add_option("--report", options.outputs.report, "what each statement did, as JSON")
       ->type_name("FILE");
-  app.add_option("--machine", options.machine,
-                 "the robot that the program is for: a TOML file, looked for here and in the library")
+  app.add_option(
+         "--machine", options.machine,
+         "the robot that the program is for: a TOML file, looked for here and in the library")
       ->type_name("FILE");
   app.add_option("--decimals", options.decimals,
                  "decimals of lengths in text formats; default: exact")
@@ -90,22 +87,6 @@ void printSummary(const PlannedJob& plan, const Compilation& job, const OutputSe
   }
 }
 
-/// A machine file by its path, or by its name in the folders of the library.
-Result<robot::Machine> readMachine(const std::string& name, const Settings& settings) {
-  std::vector<std::string> folders = settings.libraryPath;
-  for (std::string& folder : installedLibrary()) {
-    folders.push_back(std::move(folder));
-  }
-  std::error_code error;
-  const Found found = std::filesystem::exists(name, error) ? Found{} : findInside(name, folders);
-  const std::string path = found.state == Found::State::inside ? found.path.string() : name;
-  Result<std::string> text = readBytes(path, settings.limits);
-  if (!text) {
-    return text.takeFailure();
-  }
-  return robot::readMachine(*text, displayName(path));
-}
-
 bool needsMotion(const PlannedJob& plan) {
   return std::any_of(plan.outputs.begin(), plan.outputs.end(),
                      [](const PlannedOutput& output) { return output.target->needsMotion; });
@@ -121,7 +102,7 @@ void produce(Compilation& job,
   context.decimals = options.decimals;
   std::optional<robot::Machine> machine;
   if (!options.machine.empty()) {
-    Result<robot::Machine> read = readMachine(options.machine, job.settings);
+    Result<robot::Machine> read = loadMachine(options.machine, job.settings);
     if (!read) {
       job.log.accept(read.takeFailure());
       return;

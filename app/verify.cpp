@@ -7,12 +7,15 @@
 
 #include "app/certify.h"
 #include "app/command.h"
+#include "app/machine.h"
 #include "app/options.h"
 #include "app/pipeline.h"
 #include "app/source_file.h"
 
 #include "backend/cltape/reader.h"
+#include "backend/vplus/reader.h"
 #include "ir/diag/render_text.h"
+#include "ir/diag/robot.h"
 
 namespace arelem::app {
 
@@ -29,6 +32,12 @@ struct Location {
 class Path : public cl::RecordSink {
  public:
   void accept(const cl::Record& record) override {
+    if (const auto* units = std::get_if<cl::Units>(&record.body)) {
+      millimeters = units->unit == Word::CM       ? 10.0
+                    : units->unit == Word::INCHES ? 25.4
+                    : units->unit == Word::FEET   ? 304.8
+                                                  : 1.0;
+    }
     const auto* motion = std::get_if<cl::Motion>(&record.body);
     if (motion == nullptr) {
       return;
@@ -47,12 +56,23 @@ class Path : public cl::RecordSink {
     }
   }
   std::vector<Location> locations;
+  double millimeters = 1.0;  ///< of the part unit
 };
 
 struct Allowed {
   double distance = 1e-6;  ///< part unit
   double degrees = 1e-4;
 };
+
+/// What the three decimals of a V+ program, and the steps of a tilt axis, take away.
+Allowed vplusRounding(const Allowed& given,
+                      double millimeters,
+                      const std::optional<robot::Machine>& machine) {
+  constexpr double digit = 1.0e-3;  // mm and degrees: half of it for each coordinate and angle
+  const double step = machine && machine->tilt ? 0.5 * machine->tilt->step : 0.0;
+  return {std::max(given.distance, digit / millimeters),
+          std::max(given.degrees, 2.0 * digit + 1.001 * step)};
+}
 
 double degreesBetween(const Vec3& a, const Vec3& b) {
   constexpr double degreesOfARadian = 180.0 / std::numbers::pi;
@@ -120,12 +140,52 @@ bool pathOfOutput(const std::string& file,
   return good;
 }
 
+/// The moves of a V+ program, in the part unit. Its coordinates are mm with three decimals.
+bool pathOfVplus(const std::string& file,
+                 const std::string& text,
+                 const std::optional<robot::Machine>& machine,
+                 double millimeters,
+                 DiagnosticLog& log,
+                 Path& path) {
+  const robot::TiltAxis* tilt = machine && machine->tilt ? &*machine->tilt : nullptr;
+  auto program = vplus::readProgram(text, displayName(file), tilt);
+  if (!program) {
+    log.accept(program.takeFailure());
+    return false;
+  }
+  for (Failure& warning : program->warnings) {
+    log.accept(std::move(warning));
+  }
+  if (!program->straightLine) {
+    log.accept(fail(diag::VplusBranches, displayName(file)));
+    return false;
+  }
+  for (const vplus::Move& move : program->moves) {
+    path.locations.push_back(
+        {move.pose.point / millimeters, move.pose.axis, move.pose.side, nowhere});
+  }
+  return true;
+}
+
 ExitCode verify(const std::string& output,
                 const std::string& program,
                 const Settings& settings,
-                const Allowed& allowed,
+                Allowed allowed,
+                const std::string& machineFile,
                 const InterruptFlag& interrupted) {
   Compilation job(settings);
+  std::optional<robot::Machine> machine;
+  if (!machineFile.empty()) {
+    Result<robot::Machine> read = loadMachine(machineFile, settings);
+    if (!read) {
+      job.log.accept(read.takeFailure());
+      job.log.print(job.sources, job.main, settings);
+      return job.log.exitCode();
+    }
+    machine = *std::move(read);
+  }
+  const backend::Target* target = backend::targetForFile(output);
+  const bool isVplus = target != nullptr && target->name == "vplus";
   Result<std::string> text = readBytes(program, settings.limits);
   Result<std::string> bytes = readBytes(output, settings.limits);
   for (Result<std::string>* input : {&text, &bytes}) {
@@ -137,7 +197,11 @@ ExitCode verify(const std::string& output,
   Path found;
   ExitCode result = ExitCode::ok;
   if (text && bytes && pathOfText(job, program, *std::move(text), wanted, interrupted) &&
-      pathOfOutput(output, *std::move(bytes), settings, found, interrupted, result)) {
+      (isVplus ? pathOfVplus(output, *bytes, machine, wanted.millimeters, job.log, found)
+               : pathOfOutput(output, *std::move(bytes), settings, found, interrupted, result))) {
+    if (isVplus) {
+      allowed = vplusRounding(allowed, wanted.millimeters, machine);
+    }
     if (std::optional<Diagnostic> difference =
             firstDifference(wanted, found, displayName(output), allowed)) {
       job.log.accept(*std::move(difference));
@@ -167,6 +231,7 @@ int runVerify(const Invocation& invocation) {
   app.add_option("CL", request.path, "the CL file of the program; without it, arelem's own path");
   app.add_option("--with", with, "the part program that the output FILE was made from")
       ->type_name("FILE");
+  app.add_option("--machine", machine, "the machine file it was made for")->type_name("FILE");
   app.add_option("--tolerance", allowed.distance,
                  "with --with: largest distance of a location, part unit (1e-6)")
       ->check(CLI::NonNegativeNumber);
@@ -186,8 +251,9 @@ int runVerify(const Invocation& invocation) {
   const std::string& output = request.program;
   if (const backend::Target* target = backend::targetForFile(output);
       target != nullptr && !target->readsBack) {
-    printUsageError("verify", "`" + output + "` is " + std::string(target->name) +
-                                  ", which is not read back; verify reads CL text and CL tapes");
+    printUsageError("verify",
+                    "`" + output + "` is " + std::string(target->name) +
+                        ", which is not read back; verify reads CL text, CL tapes and V+ programs");
     return static_cast<int>(ExitCode::wrongUse);
   }
   return static_cast<int>(verify(output, with, settings, allowed, interrupted));

@@ -52,6 +52,7 @@ const std::array table = {
     Target{.name = "vplus",
            .summary = "V+ program for Adept and Staubli controllers",
            .suffixes = {".v2", ".pg"},
+           .readsBack = true,
            .make = makeVplusWriter},
 };
 

@@ -1,10 +1,10 @@
-#include <charconv>
 #include <cmath>
 #include <map>
 
 #include "ir/diag/stencil.h"
 #include "ir/space/tolerance.h"
 #include "runtime/stencil/alphabet.h"
+#include "runtime/stencil/alphabet_line.h"
 
 namespace arelem::stencil {
 
@@ -14,51 +14,24 @@ constexpr std::size_t mostStrokes = 200;
 constexpr std::size_t mostPieces = 50;
 constexpr std::size_t mostLines = 200'000;
 constexpr double mostCells = 1000.0;
-constexpr double largestNumber = 1000.0;  // grid units
-constexpr double smallestGrid = 1e-3;
-constexpr std::size_t longestShown = 24;  // of a wrong word
 
-/// The words of one line with their columns.
-struct Words {
-  struct Word {
-    std::string_view text;
-    std::size_t column = 1;
-  };
-  explicit Words(std::string_view line) {
-    std::size_t i = 0;
-    while (i < line.size()) {
-      if (line[i] == ' ' || line[i] == '\t' || line[i] == '\r') {
-        ++i;
-        continue;
-      }
-      if (line[i] == '#') {
-        break;
-      }
-      const std::size_t end = std::min(line.find_first_of(" \t\r", i), line.size());
-      list.push_back({line.substr(i, end - i), i + 1});
-      i = end;
-    }
-    endColumn = i + 1;
-  }
-  std::vector<Word> list;
-  std::size_t endColumn = 1;
-};
-
-class Reader {
+class Reader : private AlphabetLine {
  public:
-  Reader(std::string_view text, std::string_view file) : text_(text) { alphabet_.file = file; }
+  Reader(std::string_view text, std::string_view file) : AlphabetLine(file), text_(text) {
+    alphabet_.file = file;
+  }
 
   Result<Alphabet> read() {
-    std::size_t begin = 0;
-    while (begin < text_.size() && !failure_) {
-      const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+    std::size_t at = 0;
+    while (at < text_.size() && !failure_) {
+      const std::size_t end = std::min(text_.find('\n', at), text_.size());
       ++lineNumber_;
       if (lineNumber_ > mostLines) {
         tooMany(mostLines, "lines");
         break;
       }
-      readLine(Words(text_.substr(begin, end - begin)));
-      begin = end + 1;
+      readLine(text_.substr(at, end - at));
+      at = end + 1;
     }
     if (!failure_ && !seenGrid_) {
       wrongAt(1, "the file ends without GRID: an alphabet begins with GRID width height");
@@ -74,101 +47,11 @@ class Reader {
   }
 
  private:
-  // ---- failures: the first one ends the reading
-  void wrongAt(std::size_t column, std::string_view what) {
-    if (!failure_) {
-      failure_ = fail(diag::AlphabetSyntax, alphabet_.file, lineNumber_, column, what);
-    }
-  }
-  void wrong(std::string_view wanted) {
-    const std::size_t column = more() ? words_->list[next_].column : words_->endColumn;
-    const std::string found =
-        more() ? "`" + shown(words_->list[next_].text) + "`" : std::string("the end of the line");
-    wrongAt(column, found + " stands where " + std::string(wanted) + " is expected");
-  }
-  void tooMany(std::size_t limit, std::string_view what) {
-    if (!failure_) {
-      failure_ = fail(diag::AlphabetSize, alphabet_.file, lineNumber_, limit, what);
-    }
-  }
-  /// A word of the file as a message may show it: printable and short.
-  static std::string shown(std::string_view word) {
-    std::string clean;
-    for (const char c : word.substr(0, longestShown)) {
-      clean += c > ' ' && c < '\x7f' ? c : '?';
-    }
-    return word.size() > longestShown ? clean + "..." : clean;
-  }
-
-  // ---- words of the line
-  [[nodiscard]] bool more() const { return next_ < words_->list.size(); }
-  bool take(std::string_view word) {
-    if (more() && words_->list[next_].text == word) {
-      ++next_;
-      return true;
-    }
-    return false;
-  }
-  void end() {
-    if (!failure_ && more()) {
-      wrong("the end of the line");
-    }
-  }
-  /// A number or several with commas between them.
-  template <std::size_t count>
-  std::array<double, count> numbers(std::string_view wanted) {
-    std::array<double, count> values{};
-    if (!more()) {
-      wrong(wanted);
-      return values;
-    }
-    const std::string_view text = words_->list[next_].text;
-    const char* p = text.data();
-    const char* const last = p + text.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto [after, error] = std::from_chars(p, last, values[i]);
-      const bool good = error == std::errc{} && std::isfinite(values[i]) &&
-                        std::abs(values[i]) <= largestNumber &&
-                        (i + 1 == count ? after == last : after != last && *after == ',');
-      if (!good) {
-        wrong(wanted);
-        return {};
-      }
-      p = after + 1;
-    }
-    ++next_;
-    return values;
-  }
-  Vec2 point(std::string_view wanted = "a point such as 4,18") {
-    const auto p = numbers<2>(wanted);
-    return {p[0], p[1]};
-  }
-  double positive(std::string_view wanted) {
-    const std::size_t at = next_;
-    const double value = numbers<1>(wanted)[0];
-    if (!failure_ && value < smallestGrid) {
-      next_ = at;
-      wrong(wanted);
-    }
-    return value;
-  }
-  int wholeNumber(std::string_view wanted, double most) {
-    const std::size_t at = next_;
-    const double value = numbers<1>(wanted)[0];
-    if (!failure_ && (value < 1.0 || value > most || value != std::floor(value))) {
-      next_ = at;
-      wrong(wanted);
-    }
-    return failure_ ? 1 : static_cast<int>(value);
-  }
-
   // ---- statements
-  void readLine(const Words& words) {
-    if (words.list.empty()) {
+  void readLine(std::string_view line) {
+    if (!begin(line)) {
       return;
     }
-    words_ = &words;
-    next_ = 0;
     if (!seenGrid_) {
       take("GRID") ? grid() : wrong("GRID");
     } else if (take("SPACING")) {
@@ -187,7 +70,6 @@ class Reader {
       wrong("SPACING, PRIMITIVE, FIRST, SECOND, SYMBOL or STROKE");
     }
     end();
-    words_ = nullptr;
   }
 
   void grid() {
@@ -200,7 +82,7 @@ class Reader {
     finishShape();
     const int number = wholeNumber("the number of a primitive, 1 to 999", 999.0);
     if (!failure_ && shapes_.count(number) != 0) {
-      wrongAt(words_->list[1].column, "primitive " + std::to_string(number) + " is there already");
+      wrongAt(words_.list[1].column, "primitive " + std::to_string(number) + " is there already");
       return;
     }
     Curved& made = shapes_[number];
@@ -235,7 +117,7 @@ class Reader {
   }
 
   void piece(Edge& edge) {
-    const std::size_t column = words_->list[next_].column;
+    const std::size_t column = words_.list[next_].column;
     Piece made;
     if (take("SPLINE")) {
       SplinePiece spline;
@@ -294,7 +176,7 @@ class Reader {
       wrong("a character or a name such as <RIGHT>");
       return;
     }
-    const Words::Word name = words_->list[next_++];
+    const LineWords::Word name = words_.list[next_++];
     if (!isName(name.text)) {
       --next_;
       wrong("one printable character or a name of capitals and digits such as <RIGHT>");
@@ -338,10 +220,10 @@ class Reader {
       tooMany(mostStrokes, "strokes of a symbol");
       return;
     }
-    const std::size_t column = more() ? words_->list[next_].column : words_->endColumn;
+    const std::size_t column = more() ? words_.list[next_].column : words_.endColumn;
     Stroke made;
     made.primitive = wholeNumber("the number of a primitive, 1 to 999", 999.0);
-    if (more() && words_->list[next_].text.find(',') != std::string_view::npos) {
+    if (more() && words_.list[next_].text.find(',') != std::string_view::npos) {
       made.shape = straightShape();
     } else if (const auto found = shapes_.find(made.primitive); found != shapes_.end()) {
       made.shape = found->second.shape;
@@ -367,7 +249,7 @@ class Reader {
       line.first = point("the first end of a fan line, such as 0,25,");
       line.second = point("the second end of a fan line, such as 1,25,");
       if (!failure_ && widthOf(line) < smallestGrid) {
-        wrongAt(words_->list[at].column, "a fan line of length 0");
+        wrongAt(words_.list[at].column, "a fan line of length 0");
       }
       if (shape->lines.size() >= mostPieces) {
         tooMany(mostPieces, "lines of a stroke");
@@ -408,11 +290,7 @@ class Reader {
   Alphabet alphabet_;
   std::map<int, Curved> shapes_;
   std::shared_ptr<Shape> open_;
-  const Words* words_ = nullptr;
-  std::size_t next_ = 0;
-  std::size_t lineNumber_ = 0;
   bool seenGrid_ = false;
-  std::optional<Failure> failure_;
 };
 }  // namespace
 

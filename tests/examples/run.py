@@ -4,10 +4,13 @@
 import argparse
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
+# A CL tape has no place for the turn of a gun, a robot no spindle: warnings that belong to the format.
+EXPECTED = {"W0604", "W0620"}
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -24,7 +27,8 @@ def main():
             words = [w for t in targets for w in ("--to", t)]
             done = subprocess.run([arelem, "compile", str(program), "--out-dir", folder, *words], capture_output=True, text=True)
             sizes = {p.suffix: p.stat().st_size for p in pathlib.Path(folder).iterdir()}
-        if done.returncode or done.stderr or len(sizes) != len(targets) or 0 in [n for s, n in sizes.items() if s != ".deck"]:
+        told = set(re.findall(r"\[([EW]\d{4})\]", done.stderr))
+        if done.returncode or told - EXPECTED or len(sizes) != len(targets) or 0 in [n for s, n in sizes.items() if s != ".deck"]:
             problems.append(f"{program.name}: exit {done.returncode}, outputs {sizes}\n{done.stderr}")
     print("\n".join([*problems, f"{len(programs)} examples, {len(targets)} formats, {len(problems)} problems"]))
     sys.exit(1 if problems else 0)

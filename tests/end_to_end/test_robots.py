@@ -1,0 +1,75 @@
+"""STENCL and V+ through the whole command: the letters of 1996 byte for byte, read back, limits, nothing written on errors."""
+import pathlib
+import unittest
+
+from arelem_run import ArelemCase
+
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data" / "stencil"
+S = ("P=POINT/400,-900,0\nSTENCL/'S',HEIGHT,1800,FAN,63.5,509.3,0.878715,SPEED,600,ORIGIN,P,COMPAT\nFINI\n")
+# Half of one over the tangent of 31.75 degrees: the height of B by the angle of the fan, moved up.
+B = ("P=POINT/400,-950,0\nC=0.5/TANF(31.75)\n"
+     "STENCL/'B',HEIGHT,1900,FAN,63.5,507.317,C,SPEED,(43200/76),ORIGIN,P,COMPAT\nFINI\n")
+STOP = "PARTNO STOP\nUNITS/MM\nSTENCL/'STOP',HEIGHT,500,FAN,63.5,SPEED,600,TILT,QUADR\nFINI\n"
+
+
+class Robots(ArelemCase):
+    def test_letters_of_1996(self):
+        for letter, program in (("S", S), ("B", B)):
+            self.write("l.apt", program)
+            self.assertExit(0, "l.apt", "-o", "l.v2", "--machine", f"path_{letter.lower()}.machine.toml")
+            self.assertEqual((self.folder / "l.v2").read_bytes(), (DATA / f"letter{letter}_vplus.txt").read_bytes(), letter)
+
+    def test_program_is_read_back(self):
+        self.write("stop.apt", STOP)
+        self.assertExit(0, "stop.apt", "-o", "stop.v2")
+        self.assertExit(0, "verify", "stop.v2", "--with", "stop.apt")
+        text = (self.folder / "stop.v2").read_text()
+        line = [one for one in text.splitlines() if "MOVES" in one][5]
+        first = line.split("(")[1].split(",")[0]
+        self.write("stop.v2", text.replace(line, line.replace(first, str(float(first) + 0.5), 1)))
+        self.assertExit(5, "verify", "stop.v2", "--with", "stop.apt")
+        self.assertIn("E0901", self.err)
+
+    def test_inches_are_read_back(self):
+        self.write("i.apt", STOP.replace("MM", "INCHES").replace("500", "20"))
+        self.assertExit(0, "i.apt", "-o", "i.v2")
+        self.assertExit(0, "verify", "i.v2", "--with", "i.apt")
+
+    def test_milling_goes_the_same_way(self):
+        self.write("m.apt", "PARTNO M\nUNITS/MM\nFROM/0,0,50\nRAPID\nGOTO/10,0,5\nFEDRAT/600\nGOTO/10,20,5\nFINI\n")
+        self.assertExit(0, "m.apt", "-o", "m.v2")
+        text = (self.folder / "m.v2").read_text()
+        self.assertIn("MOVES f:TRANS(10.000, 20.000, 5.000, 0.000, 180.000, 0.000)", text)
+        self.assertExit(0, "verify", "m.v2", "--with", "m.apt")
+
+    def test_out_of_reach_writes_nothing(self):
+        self.write("stop.apt", STOP.replace("500", "2440"))
+        self.assertExit(1, "stop.apt", "-o", "far.v2", "--machine", "adept_three.machine.toml")
+        self.assertIn("E0660", self.err)
+        self.assertFalse((self.folder / "far.v2").exists())
+
+    def test_letter_for_the_adept_three(self):
+        # The letter P stands in the reach of the arm, as in figure 2.24 of the source.
+        self.write("p.apt", "UNITS/MM\nO=POINT/550,-300,0\nSTENCL/'P',HEIGHT,600,FAN,63.5,300,0.87,SPEED,300,ORIGIN,O,TILT,QUADR\nFINI\n")
+        self.assertExit(0, "p.apt", "-o", "p.v2", "--machine", "adept_three.machine.toml")
+        self.assertIn("BITS 33, 8 = ", (self.folder / "p.v2").read_text())
+        self.assertExit(0, "verify", "p.v2", "--with", "p.apt", "--machine", "adept_three.machine.toml")
+
+    def test_damaged_files_are_named(self):
+        self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSTROKE 9\n")
+        self.write("a.apt", "STENCL/'A',HEIGHT,500,FAN,60,SPEED,100,ALPHAB,'x.alphabet'\nFINI\n")
+        self.assertExit(1, "a.apt", "-o", "a.cls")
+        self.assertIn("`x.alphabet`, line 3, column 8", self.err)
+        self.assertFalse((self.folder / "a.cls").exists())
+        self.write("m.toml", "speed = 3\nspede = 4\n")
+        self.assertExit(1, "a.apt", "-o", "a.v2", "--machine", "m.toml", "-I", ".")
+
+    def test_own_symbols_need_no_compiler(self):
+        self.write("plus.alphabet", "GRID 4 25\nSYMBOL +\nSTROKE 5 1.5,6 2.5,6 TO 1.5,19 2.5,19\n")
+        self.write("a.apt", "UNITS/MM\nSTENCL/'+',HEIGHT,2500,FAN,60,SPEED,100,ALPHAB,'plus.alphabet'\nFINI\n")
+        self.assertExit(0, "a.apt", "-o", "a.cls")
+        self.assertIn("GOTO / 200.0, 600.0,", (self.folder / "a.cls").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,175 @@
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "backend/robot/machine.h"
+#include "backend/robot/reach.h"
+
+namespace arelem::robot {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  auto read = readMachine(text, "x.toml");
+  EXPECT_FALSE(read.ok()) << text;
+  return read.ok() ? "" : std::string(read.failure().row->code) + " " + read.failure().message;
+}
+
+TEST(MachineFile, ReadsWhatItIsTold) {
+  const auto read = readMachine(
+      "name = \"M\"\nspeed = 900\n[scara]\nlink1 = 500\njoint1 = [-10, 20]\n"
+      "[tilt]\ncoding = \"twos-complement\"\n[vplus]\nsignal = \"fly\"\n",
+      "x.toml");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->name, "M");
+  EXPECT_EQ(read->speed, 900.0);
+  EXPECT_EQ(read->scara->link1, 500.0);
+  EXPECT_EQ(read->scara->link2, 508.0);
+  EXPECT_EQ(read->scara->joint1.high, 20.0);
+  EXPECT_FALSE(read->tilt->signMagnitude);
+  EXPECT_TRUE(read->vplus.onTheFly);
+  EXPECT_FALSE(read->elbow.has_value());
+}
+
+TEST(MachineFile, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(refusal("speed = = 3"), HasSubstr("E0650 `x.toml`, line 1"));
+  EXPECT_THAT(refusal("\nspede = 3"), HasSubstr("E0651 `x.toml`, line 2: there is no key `spede`"));
+  EXPECT_THAT(refusal("[scara]\nlink3 = 3"), HasSubstr("`scara.link3`"));
+  EXPECT_THAT(refusal("speed = \"fast\""),
+              HasSubstr("E0652 `x.toml`, line 1: `speed` must be a number"));
+  EXPECT_THAT(refusal("speed = -1"), HasSubstr("E0652"));
+  EXPECT_THAT(refusal("speed = nan"), HasSubstr("E0652"));
+  EXPECT_THAT(refusal("[scara]\njoint1 = [5, -5]"), HasSubstr("the smaller first"));
+  EXPECT_THAT(refusal("[vplus]\nsignal = \"late\""), HasSubstr("one of \"stop\", \"fly\""));
+  EXPECT_THAT(refusal("scara = 3"), HasSubstr("must be a table [scara]"));
+}
+
+TEST(MachineFile, ShippedOnesAreGood) {
+  for (const std::string name : {"adept_three", "path_s", "path_b"}) {
+    std::ifstream in(ARELEM_SOURCE_DIR "/stdlib/" + name + ".machine.toml");
+    std::stringstream text;
+    text << in.rdbuf();
+    const auto read = readMachine(text.str(), name);
+    EXPECT_TRUE(read.ok()) << (read.ok() ? "" : read.failure().message);
+  }
+}
+
+/// Blank's table 2.2 is sign and magnitude; his text says two's complement. Cases BLANK-zworld.
+TEST(Tilt, WordsOfTheSource) {
+  TiltAxis table;
+  EXPECT_EQ(tiltWord(table, 0.2), 1);
+  EXPECT_EQ(tiltWord(table, 25.4), 127);
+  EXPECT_EQ(tiltWord(table, -25.4), 255);
+  EXPECT_NEAR(tiltAngle(table, 255), -25.4, 1e-12);
+  TiltAxis text;
+  text.signMagnitude = false;
+  std::ifstream in(ARELEM_SOURCE_DIR "/tests/data/stencil/cases_blank.json");
+  int cases = 0;
+  for (const auto& one : nlohmann::json::parse(in)) {
+    if (one["id"].get<std::string>().starts_with("BLANK-zworld")) {
+      EXPECT_NEAR(tiltAngle(text, one["inputs"]["byte"]), one["expected"]["deg"], 1e-6);
+      ++cases;
+    }
+  }
+  EXPECT_EQ(cases, 4);
+  for (int word = 0; word < 256; ++word) {
+    EXPECT_NEAR(tiltAngle(text, tiltWord(text, tiltAngle(text, word))), tiltAngle(text, word),
+                1e-12);
+  }
+}
+
+TEST(Euler, ToolStraightDownTakesItsHeadingAsRoll) {
+  for (const double heading : {0.0, 30.0, 135.0, -90.0}) {
+    const double a = heading * std::numbers::pi / 180.0;
+    const Pose pose{Vec3::Zero(), Vec3::UnitZ(), Vec3(std::cos(a), std::sin(a), 0.0)};
+    const Euler e = eulerOf(toolFrame(pose));
+    EXPECT_NEAR(e.yaw, 0.0, 1e-9);
+    EXPECT_NEAR(e.pitch, 180.0, 1e-9);
+    EXPECT_NEAR(std::remainder(e.roll - (180.0 - heading), 360.0), 0.0, 1e-9);
+  }
+}
+
+/// A round tool: pitch and yaw follow from the axis, roll is 0.
+TEST(Euler, AxisWithoutSide) {
+  const Euler level = eulerOf(toolFrame({Vec3::Zero(), Vec3::UnitX(), std::nullopt}));
+  EXPECT_NEAR(level.pitch, 90.0, 1e-9);
+  EXPECT_NEAR(std::abs(level.yaw), 180.0, 1e-9);
+  EXPECT_NEAR(level.roll, 0.0, 1e-9);
+}
+
+TEST(Euler, RandomFramesComeBack) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Quaterniond q(unit(random), unit(random), unit(random), unit(random));
+    const Matrix3 frame = q.normalized().toRotationMatrix();
+    EXPECT_LT((matrixOf(eulerOf(frame)) - frame).norm(), 1e-12);
+    const Pose pose = poseOf(Vec3(1, 2, 3), frame);
+    EXPECT_LT((toolFrame(pose) - frame).norm(), 1e-12);
+  }
+}
+
+TEST(Upright, TiltAlongTheSideIsFoundAndNothingElse) {
+  const double b = 15.0 * std::numbers::pi / 180.0;
+  // Heading along y, tilted by 15 degrees towards it.
+  const auto found = uprightOf(
+      {Vec3::Zero(), Vec3(0, std::sin(b), std::cos(b)), Vec3(0, std::cos(b), -std::sin(b))});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->tilt, 15.0, 1e-9);
+  EXPECT_NEAR(found->heading, 90.0, 1e-9);
+  EXPECT_FALSE(uprightOf({Vec3::Zero(), Vec3(std::sin(b), 0, std::cos(b)), Vec3(0, 1, 0)}));
+}
+
+TEST(Scara, JointsLeadBackToThePlace) {
+  Scara arm;
+  arm.height = {-1000, 1000};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(-2.0, 2.0), radius(300.0, 1050.0);
+  for (const bool lefty : {false, true}) {
+    arm.lefty = lefty;
+    for (int i = 0; i < 200; ++i) {
+      const double a = angle(random);
+      const double r = radius(random);
+      const Vec3 place(r * std::cos(a), r * std::sin(a), 5.0);
+      const auto joints = jointsOf(arm, place, 20.0, 0.0, "here");
+      if (joints) {
+        EXPECT_LT((pointOf(arm, *joints) - place).norm(), 1e-9);
+        EXPECT_EQ(joints->joint2 > 0.0, lefty);
+        EXPECT_NEAR(std::remainder(joints->joint1 + joints->joint2 + joints->joint4 - 20.0, 360.0),
+                    0.0, 1e-9);
+      } else {
+        EXPECT_EQ(joints.failure().row->code, "E0662");
+      }
+    }
+  }
+}
+
+TEST(Scara, RefusesWithTheMeasure) {
+  const Scara arm;
+  const auto message = [&](const Vec3& place) {
+    auto joints = jointsOf(arm, place, 0.0, 0.0, "location 7");
+    EXPECT_FALSE(joints.ok());
+    return joints.ok() ? "" : joints.failure().message;
+  };
+  // 0.99 of 1067 is 1056.33.
+  EXPECT_THAT(
+      message({1100, 0, 100}),
+      HasSubstr("location 7 at 1100, 0 lies 1100 mm from the axis of the robot, 43.67 mm outside"));
+  // Folded to 150 degrees: sqrt(559^2 + 508^2 - 2 559 508 cos 30) = 280.5.
+  EXPECT_THAT(message({200, 0, 100}), HasSubstr("mm inside its reach of 280.5"));
+  EXPECT_THAT(message({600, 0, 400}), HasSubstr("height 400 mm"));
+  const auto line = objectionToLine(arm, {500, -500, 0}, {-500, -100, 0}, "location 8");
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->row->code, "E0663");
+  EXPECT_FALSE(objectionToLine(arm, {500, -300, 0}, {500, 300, 0}, "location 9"));
+}
+
+}  // namespace
+}  // namespace arelem::robot

@@ -1,0 +1,251 @@
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "backend/robot/machine.h"
+#include "backend/vplus/name.h"
+#include "backend/vplus/reader.h"
+#include "tests/unit/backend/writing.h"
+
+namespace arelem::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+cl::Motion pose(std::vector<double> numbers) {
+  cl::Motion m;
+  m.withAxis = numbers.size() >= 6;
+  m.withSide = numbers.size() == 9;
+  m.coordinates = std::move(numbers);
+  return m;
+}
+cl::Post post(Word word, std::vector<cl::Value> values = {}) {
+  return {word, "", std::move(values)};
+}
+
+std::string program(const std::vector<cl::Record>& records,
+                    const robot::Machine* machine = nullptr,
+                    std::vector<std::string>* codes = nullptr) {
+  backend::Context context;
+  context.machine = machine;
+  CollectingSink sink;
+  std::string text = written("vplus", records, context, sink);
+  for (const Diagnostic& d : sink.all()) {
+    if (codes != nullptr) {
+      codes->emplace_back(d.kind().code);
+    } else {
+      ADD_FAILURE() << d.message;
+    }
+  }
+  return text;
+}
+
+std::vector<cl::Record> stroke() {
+  return {record(1, cl::Text{Word::PARTNO, " Stroke 1"}),
+          record(2, post(Word::RAPID)),
+          record(2, pose({100, 0, 200, 0, 0, 1, 1, 0, 0})),
+          record(2, post(Word::SPRAY, {Word::ON, 3.0})),
+          record(2, post(Word::FEDRAT, {250.0, Word::MMPS})),
+          record(2, pose({100, 400, 200, 0, 0, 1, 0, 1, 0})),
+          record(2, post(Word::SPRAY, {Word::OFF, 3.0})),
+          record(3, cl::Fini{})};
+}
+
+TEST(Vplus, AStrokeIsACompleteProgram) {
+  EXPECT_EQ(program(stroke()),
+            ".PROGRAM stroke.1()\r\n"
+            "  ; made by arelem from CL data\r\n"
+            "  AUTO f\r\n"
+            "  SET f = TRANS(0.000, 0.000, 0.000, 0.000, 0.000, 0.000)\r\n"
+            "  ACCEL 100, 100\r\n"
+            "  ; Stroke 1\r\n"
+            "  SPEED 500.000, 100 MMPS ALWAYS\r\n"
+            "  MOVE f:TRANS(100.000, 0.000, 200.000, 0.000, 180.000, 180.000)\r\n"
+            "  BREAK\r\n"
+            "  SIGNAL 3\r\n"
+            "  SPEED 250.000, 100 MMPS ALWAYS\r\n"
+            "  MOVES f:TRANS(100.000, 400.000, 200.000, 0.000, 180.000, 90.000)\r\n"
+            "  BREAK\r\n"
+            "  SIGNAL -3\r\n"
+            "  BREAK\r\n"
+            "  RETURN\r\n"
+            ".END\r\n");
+}
+
+TEST(Vplus, OnTheFlySignalsFollowTheMoveThatBegins) {
+  robot::Machine machine;
+  machine.vplus.onTheFly = true;
+  machine.vplus.crlf = false;
+  const std::string text = program(stroke(), &machine);
+  EXPECT_THAT(text, HasSubstr("180.000, 90.000)\n  SIGNAL 3\n  BREAK\n  SIGNAL -3\n"));
+}
+
+TEST(Vplus, ReadsBackWhatItWrites) {
+  auto read = vplus::readProgram(program(stroke()), "x.v2", nullptr);
+  ASSERT_TRUE(read.ok()) << read.failure().message;
+  EXPECT_EQ(read->name, "STROKE.1");
+  ASSERT_EQ(read->moves.size(), 2U);
+  EXPECT_LT((read->moves[1].pose.point - Vec3(100, 400, 200)).norm(), 1e-9);
+  EXPECT_LT((read->moves[1].pose.axis - Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_LT((*read->moves[1].pose.side - Vec3::UnitY()).norm(), 1e-9);
+  EXPECT_EQ(read->moves[1].speed, 250.0);
+  EXPECT_TRUE(read->moves[1].straight);
+  ASSERT_EQ(read->signals.size(), 2U);
+  EXPECT_EQ(read->signals[0].afterMoves, 1U);
+  EXPECT_TRUE(read->signals[0].on);
+  EXPECT_TRUE(read->warnings.empty());
+}
+
+TEST(Vplus, FeedsAreSpeeds) {
+  const auto speed = [](std::vector<cl::Value> values, Word unit = Word::MM) {
+    const std::string text =
+        program({record(1, cl::Units{unit}), record(2, post(Word::FEDRAT, std::move(values))),
+                 record(3, pose({1, 0, 0}))});
+    const std::size_t at = text.find("SPEED ");
+    return text.substr(at, text.find(',', at) - at);
+  };
+  EXPECT_EQ(speed({600.0}), "SPEED 10.000");               // mm a minute
+  EXPECT_EQ(speed({60.0}, Word::INCHES), "SPEED 25.400");  // in a minute
+  EXPECT_EQ(speed({60.0, Word::IPM}), "SPEED 25.400");
+  EXPECT_EQ(speed({600.0, Word::MMPM}, Word::INCHES), "SPEED 10.000");
+  EXPECT_EQ(speed({12.5, Word::MMPS}), "SPEED 12.500");
+  std::vector<std::string> codes;
+  program({record(1, post(Word::FEDRAT, {0.2, Word::MMPR})),
+           record(2, post(Word::COOLNT, {Word::ON})), record(2, post(Word::COOLNT, {Word::OFF}))},
+          nullptr, &codes);
+  EXPECT_THAT(codes, ElementsAre("E0621", "W0620"));
+}
+
+TEST(Vplus, TiltGoesToItsOwnAxis) {
+  robot::Machine machine;
+  machine.tilt.emplace();
+  const double b = 10.0 * 3.14159265358979 / 180.0;
+  const std::vector<cl::Record> records = {
+      record(1, pose({0, 0, 300, std::sin(b), 0, std::cos(b), std::cos(b), 0, -std::sin(b)}))};
+  const std::string text = program(records, &machine);
+  EXPECT_THAT(text, HasSubstr("BITS 33, 8 = 50\r\n"));
+  EXPECT_THAT(text, HasSubstr("TRANS(0.000, 0.000, 300.000, 0.000, 180.000, 180.000)"));
+  auto read = vplus::readProgram(text, "x", &*machine.tilt);
+  ASSERT_TRUE(read.ok());
+  EXPECT_LT((read->moves[0].pose.axis - Vec3(std::sin(b), 0, std::cos(b))).norm(), 1e-9);
+  machine.tilt->most = 5.0;
+  std::vector<std::string> codes;
+  program(records, &machine, &codes);
+  EXPECT_THAT(codes, ElementsAre("E0665"));
+}
+
+TEST(Vplus, LimitsOfTheRobotAreKept) {
+  robot::Machine machine;
+  machine.scara.emplace();
+  machine.speed = 200.0;
+  std::vector<std::string> codes;
+  program({record(1, pose({2000, 0, 100})), record(2, pose({600, 0, 900})),
+           record(3, pose({600, 0, 100, 0.6, 0, 0.8})),
+           record(4, post(Word::FEDRAT, {250.0, Word::MMPS})), record(5, pose({600, 0, 100}))},
+          &machine, &codes);
+  EXPECT_THAT(codes, ElementsAre("E0660", "E0666", "E0661", "E0664", "E0666"));
+}
+
+TEST(Vplus, NamesOfPrograms) {
+  EXPECT_EQ(vplus::programName(" SCHOOL XING  24"), "school.xing.24");
+  EXPECT_EQ(vplus::programName("4711"), "p.4711");
+  EXPECT_EQ(vplus::programName("STOP"), "p.stop");
+  EXPECT_EQ(vplus::programName("A VERY LONG PART NAME"), "a.very.long.par");
+  EXPECT_EQ(vplus::programName("??"), "part");
+}
+
+std::string refusal(const std::string& statement) {
+  auto read = vplus::readProgram(".PROGRAM a()\n" + statement + "\n.END\n", "x.v2", nullptr);
+  return read.ok() ? "" : read.failure().message;
+}
+
+TEST(VplusReader, TakesTheGrammar) {
+  for (const char* good : {"AUTO REAL a, b[3]",
+                           "LOCAL c\nGLOBAL d",
+                           "100 MOVE HERE:TRANS(0,0,5)",
+                           "APPROS f:TRANS(1,2,3,0,180,0), 50 ; near",
+                           "DEPART 20",
+                           "SPEED 30 ALWAYS",
+                           "SPEED 250 MMPS ALWAYS",
+                           "SPEED 250, 100 MMPS",
+                           "SPEED 10 IPS",
+                           "SPEED 50 MONITOR",
+                           "ACCEL (1) 100, 80",
+                           "DURATION 0.1 ALWAYS",
+                           "COARSE 150 ALWAYS",
+                           "NULL",
+                           "SIGNAL 1, -2, 3001",
+                           "SET p = RZ(30):SHIFT(q BY 1,,3)",
+                           "x = 3*(4-2)/5",
+                           "TOOL TRANS(0,0,180)",
+                           "TOOL",
+                           "BASE 1,2,,4",
+                           "ENABLE CP",
+                           "PARAMETER HAND.TIME = 0.5",
+                           "TYPE \"hello\", x",
+                           "CALL other(1, 2)",
+                           "IF x > 3 THEN\nELSE\nEND",
+                           "FOR i = 1 TO 5 STEP 2\nEND",
+                           "WHILE x < 3 DO\nEND",
+                           "LEFTY",
+                           "move trans(652.0,432.0,(598.8+offset),0,180, 45.0)",
+                           "speed (424.3*scale), rotate MMPS ",
+                           "MOVE #PPOINT(1,2,3,4)"}) {
+    EXPECT_EQ(refusal(good), "") << good;
+  }
+}
+
+TEST(VplusReader, RefusesTheRest) {
+  EXPECT_THAT(refusal("MOVS f"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("JMOVE f"), HasSubstr("`F` stands where `=` is expected"));
+  EXPECT_THAT(refusal("MOVE TRANS(1,2,3,4,5,6,7)"), HasSubstr("behind 6 values"));
+  EXPECT_THAT(refusal("MOVE TRANS(1,2,3,0,181,0)"), HasSubstr("the pitch is 181"));
+  EXPECT_THAT(refusal("SPEED 0 MMPS"), HasSubstr("the speed is 0"));
+  EXPECT_THAT(refusal("SIGNAL 0"), HasSubstr("there is no output 0"));
+  EXPECT_THAT(refusal("SIGNAL 600"), HasSubstr("there is no output 600"));
+  EXPECT_THAT(refusal("a.name.too.long.x = 1"), HasSubstr("17 characters; 15 count"));
+  EXPECT_THAT(refusal("BREAK\nAUTO x"), HasSubstr("declarations stand before"));
+  EXPECT_THAT(refusal("IF x THEN"), HasSubstr("IF is not closed by END"));
+  EXPECT_THAT(refusal("END"), HasSubstr("END without"));
+  EXPECT_THAT(refusal("x = 1\nMOVE x"), HasSubstr("`X` is a number, and a location is expected"));
+  EXPECT_THAT(refusal("SET f = NULL\nf = 1"),
+              HasSubstr("`F` is a location and cannot become a number"));
+  EXPECT_THAT(refusal("BREAK 3"), HasSubstr("`3` stands where the end of the line"));
+  EXPECT_THAT(refusal("MOVE f:"), HasSubstr("the end of the line stands where a location"));
+  EXPECT_THAT(refusal("x = " + std::string(200, '(')), HasSubstr("148"));
+  EXPECT_THAT(refusal("TYPE \"open"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("x = 1\x07"), HasSubstr("not printable"));
+  EXPECT_FALSE(vplus::readProgram("", "x", nullptr).ok());
+  EXPECT_FALSE(vplus::readProgram(".PROGRAM a()\n", "x", nullptr).ok());
+  EXPECT_FALSE(vplus::readProgram(".PROGRAM a()\n.END\nBREAK\n", "x", nullptr).ok());
+}
+
+TEST(VplusReader, TellsWhatTheOperatorMustSet) {
+  auto read = vplus::readProgram(
+      ".PROGRAM a()\nGLOBAL offset\nspeed (5*scale) MMPS\nmove trans(1,2,offset)\n.END\n", "x",
+      nullptr);
+  ASSERT_TRUE(read.ok());
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_THAT(read->warnings[0].message, HasSubstr("`SCALE`"));
+  EXPECT_TRUE(read->moves.empty());
+}
+
+/// Damaged programs are read or refused.
+TEST(VplusReader, SurvivesRandomDamage) {
+  const std::string good = program(stroke());
+  std::mt19937 random(11);
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = good;
+    for (int k = 0; k < 4; ++k) {
+      text[random() % text.size()] = static_cast<char>(random() % 128);
+    }
+    const auto read = vplus::readProgram(text, "x", nullptr);
+    EXPECT_TRUE(read.ok() || !read.failure().message.empty());
+  }
+}
+
+}  // namespace
+}  // namespace arelem::test
