@@ -9,6 +9,7 @@
 #include "backend/ir/writer.h"
 #include "backend/json/writer.h"
 #include "backend/listing/writer.h"
+#include "backend/ngc/writer.h"
 #include "backend/svg/writer.h"
 
 namespace arelem::backend {
@@ -44,6 +45,10 @@ const std::array table = {
            .suffixes = {".deck"},
            .needsMotion = false,
            .make = makeDeckWriter},
+    Target{.name = "ngc",
+           .summary = "RS-274 for machine controls",
+           .suffixes = {".ngc", ".nc", ".tap"},
+           .make = makeNgcWriter},
     Target{.name = "svg",
            .summary = "picture of the tool path and its geometry",
            .suffixes = {".svg"},

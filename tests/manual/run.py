@@ -27,7 +27,10 @@ FENCE = re.compile(r"^```apt[ ]*([^\n]*)\n(.*?)^```$", re.M | re.S)
 REASONS = {
     "bytes that a manual page cannot hold": "E0102 W0103",
     "thousands of elements": "E0111 E0115 E0240",
-    "a second file": "E0243 E0245",
+    "a second file": "E0243 E0245 E0620",
+    "a line of more than 250 characters": "W0626",
+    "curves built in memory; tests/unit/runtime/spline shows them": "E0350 E0351 E0352 E0353 E0354 E0355",
+    "the command `time`; tests/end_to_end/test_time.py shows them": "E0365 E0366",
     "a file, a folder or a device that cannot be read or written": "E0610 E0611 E0612 E0613 E0701 E0702 E0730 E0731 E0732 E0895",
     "a CL tape; tests/unit/backend and tests/end_to_end show them": "E0602 E0603 E0720 E0721 E0722 E0891 W0723 W0724 W0725 W0726",
     "two files to compare; tests/end_to_end/test_verify.py shows them": "E0901 E0902 E0903",
