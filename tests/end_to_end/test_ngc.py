@@ -102,40 +102,6 @@ class Features(NgcCase):
             self.assertIn(hole, [(tuple(round(x, 4) for x in e), f) for e, f in ends])
         self.assertIn(("DWELL", ["0.5000"]), calls)
 
-    def test_five_axes(self):
-        machine = self.write("ac.toml", 'kinematics = "table-ac"\ntool_point = true\n')
-        text = ("CUTTER/6\nMULTAX/ON\nFEDRAT/300\nFROM/0,0,9,0,0,1\nGOTO/0,0,5,0,0,1\nGOTO/10,0,5,0,.6,.8\n"
-                "GOTO/20,0,5,.6,0,.8\nGOTO/30,0,5,.6,0,.8\nFINI\n")
-        calls = self.interpret(text, "--control", machine)
-        import math
-        moves = paths.canonical_moves(calls)
-        self.assertEqual(len(moves), 4)
-        for move, axis in zip(moves, ((0, 0, 1), (0, .6, .8), (.6, 0, .8), (.6, 0, .8))):
-            a, c = math.radians(move.axes[0]), math.radians(move.axes[2])
-            # The table turns the tool axis into z.
-            i, j, k = axis
-            x, y = i * math.cos(c) - j * math.sin(c), i * math.sin(c) + j * math.cos(c)
-            self.assertAlmostEqual(x, 0.0, places=5)
-            self.assertAlmostEqual(y * math.cos(a) - k * math.sin(a), 0.0, places=5)
-            self.assertAlmostEqual(y * math.sin(a) + k * math.cos(a), 1.0, places=5)
-        # Inverse time: 10 mm at 300 mm a minute, as the interpreter turns it back.
-        self.assertAlmostEqual(moves[1].feed, 300.0, delta=0.5)
-
-    def test_inches(self):
-        machine = self.write("inch.toml", 'units = "inch"\n')
-        text = "CUTTER/6\nFEDRAT/254\nFROM/0,0,0\nGOTO/25.4,50.8,0\nFINI\n"
-        moves = paths.canonical_moves(self.interpret(text, "--control", machine))
-        self.assertEqual(moves[-1].end, (1.0, 2.0, 0.0))
-        self.assertAlmostEqual(moves[-1].feed, 10.0)
-
-    def test_wrong_machine_files(self):
-        self.write("p.apt", "CUTTER/6\nFEDRAT/254\nFROM/0,0,0\nGOTO/1,0,0\nFINI\n")
-        for text in ('units = "ell"', "decimals = 20", "blend = -1", "nonsense = 1", "decimals = \"x\"", "= ="):
-            self.write("m.toml", text)
-            self.assertNotEqual(self.run_arelem("compile", "p.apt", "--to", "ngc", "-o", "p.ngc", "--control", "m.toml"), 0)
-            self.assertIn("E0620", self.err)
-            self.assertNotIn("p.ngc", self.files())
-
 
 if __name__ == "__main__":
     unittest.main()
