@@ -25,10 +25,8 @@ std::optional<int> coordinateAxis(const Vec3& direction) {
 /// Places round the axis: angle from the start, radius, height.
 class Cylinder {
  public:
-  Cylinder(int axis, const Vec3& center, const Vec3& start)
-      : u_((axis + 1) % 3), v_((axis + 2) % 3), w_(axis), center_(center) {
-    from_ = radial(start);
-  }
+  Cylinder(int axis, const Vec3& center)
+      : u_((axis + 1) % 3), v_((axis + 2) % 3), w_(axis), center_(center) {}
   [[nodiscard]] double radius(const Vec3& p) const { return radial(p).norm(); }
   [[nodiscard]] double height(const Vec3& p) const { return p(w_); }
   [[nodiscard]] double angle(const Vec3& a, const Vec3& b) const {
@@ -43,8 +41,17 @@ class Cylinder {
   }
   int u_, v_, w_;
   Vec3 center_;
-  Eigen::Vector2d from_;
 };
+
+/// The center moved along the chord in the plane of the arc until it is as far from one end as from
+/// the other: cut vectors end inside their tolerance, not on the circle.
+Vec3 equidistant(const Vec3& center, const Vec3& a, const Vec3& b, int axis) {
+  Vec3 chord = b - a;
+  Vec3 off = center - 0.5 * (a + b);
+  chord(axis) = off(axis) = 0.0;
+  const double square = chord.squaredNorm();
+  return square > 0.0 ? Vec3(center - off.dot(chord) / square * chord) : center;
+}
 
 }  // namespace
 
@@ -61,7 +68,7 @@ std::optional<Arc> arcThrough(const cl::SurfaceValue& surface,
   if (!axis) {
     return std::nullopt;
   }
-  const Cylinder round(*axis, center, start);
+  const Cylinder round(*axis, center);
   const double radius = round.radius(start);
   const double rise0 = round.height(start);
   std::vector<double> sweeps;
@@ -80,15 +87,18 @@ std::optional<Arc> arcThrough(const cl::SurfaceValue& surface,
     sweeps.push_back(sweep);
     before = &p;
   }
-  // A helix rises in proportion to its turn: give back points until it does.
+  // Give back points until the rest lies on one helix whose ends are equally far from its center.
   for (std::size_t n = sweeps.size(); n >= 2; --n) {
     const double rise = (round.height(points[n - 1]) - rise0) / sweeps[n - 1];
-    bool even = true;
-    for (std::size_t i = 0; i < n && even; ++i) {
-      even = std::abs(round.height(points[i]) - rise0 - rise * sweeps[i]) <= tolerance;
+    const Vec3 moved = equidistant(center, start, points[n - 1], *axis);
+    const Cylinder own(*axis, moved);
+    bool good = true;
+    for (std::size_t i = 0; i < n && good; ++i) {
+      good = std::abs(own.height(points[i]) - rise0 - rise * sweeps[i]) <= tolerance &&
+             std::abs(own.radius(points[i]) - own.radius(start)) <= tolerance;
     }
-    if (even) {
-      Arc arc{*axis, sweeps[0] > 0.0, points[n - 1], center, n};
+    if (good) {
+      Arc arc{*axis, sweeps[0] > 0.0, points[n - 1], moved, n};
       arc.center(*axis) = rise0;
       return arc;
     }

@@ -1,5 +1,7 @@
 #include "backend/ngc/cycle.h"
 
+#include <cmath>
+
 #include "ir/diag/ngc.h"
 
 namespace arelem::backend::ngc {
@@ -106,6 +108,7 @@ class Reader {
     if (!unknown_.empty()) {
       return fail(diag::NgcCycle, "has `" + unknown_ + "`, which no canned cycle takes");
     }
+    cycle_.depth = std::abs(cycle_.depth);  // some systems write the way down, some its length
     if (!(cycle_.depth > 0.0) || !(cycle_.clearance > 0.0)) {
       return fail(diag::NgcCycle, fmt::format("has depth {} and clearance {}; both are above 0",
                                               cycle_.depth, cycle_.clearance));

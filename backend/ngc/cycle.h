@@ -11,7 +11,7 @@ namespace arelem::backend::ngc {
 struct Cycle {
   enum class Kind { drill, dwell, peck };
   Kind kind = Kind::drill;
-  double depth = 0.0;          ///< below the location
+  double depth = 0.0;          ///< below the location; written with either sign
   double clearance = 0.0;      ///< above it
   double step = 0.0;           ///< of each peck
   double dwell = 0.0;          ///< seconds

@@ -9,7 +9,7 @@ class Move:
     def __init__(self, start, end, axes, feed, arc=None):
         self.start, self.end, self.axes, self.feed, self.arc = start, end, axes, feed, arc
 
-    def samples(self, count=64):
+    def samples(self, count=1000):
         if self.arc is None:
             return [self.start, self.end]
         (u, v, w), center, sweep = self.arc
@@ -57,9 +57,16 @@ def canonical_moves(calls):
     return moves
 
 
-def cl_locations(text, with_axis=False):
-    """(place, rapid, feed per minute or None, axis) of every location but FROM."""
-    rapid, feed, out = False, None, []
+class Location:
+    """A place of the CL; `hole` is (depth, clearance) under a canned cycle, `band` INTOL + OUTTOL in force."""
+
+    def __init__(self, place, rapid, feed, hole, band):
+        self.place, self.rapid, self.feed, self.hole, self.band = place, rapid, feed, hole, band
+
+
+def cl_locations(text):
+    """Every location but FROM."""
+    rapid, feed, hole, tolerances, out = False, None, None, {"INTOL": 0.0, "OUTTOL": 0.0005}, []
     for line in text.splitlines():
         record = json.loads(line)
         kind = record["kind"]
@@ -68,9 +75,15 @@ def cl_locations(text, with_axis=False):
                 rapid = True
             elif record["word"] == "FEDRAT":
                 feed = next(a for a in record["args"] if not isinstance(a, str))
+            elif record["word"] == "CYCLE":
+                numbers = [a for a in record["args"] if not isinstance(a, str)]
+                hole = (abs(numbers[0]), numbers[2]) if numbers else None
+                feed = numbers[1] if numbers else feed
+        elif kind in tolerances:
+            tolerances[kind] = abs(record["values"][0])
         elif kind in ("GOTO", "CONT"):
             for p in record["points"]:
-                out.append((tuple(p[:3]), rapid, feed, tuple(p[3:]) or (0.0, 0.0, 1.0)))
+                out.append(Location(tuple(p[:3]), rapid, feed, hole, sum(tolerances.values())))
             rapid = False
     return out
 
@@ -91,41 +104,65 @@ def to_polyline(p, points):
 
 
 def compare(moves, locations, resolution, arc_tolerance):
-    """Problems, as text. Each move ends in a location; an arc passes the locations before it."""
-    problems, i = [], 0
-    at = None
-    for move in moves:
-        passed = []
-        while i < len(locations):
-            place = locations[i][0]
-            i += 1
-            if at is not None and distance(place, at) <= resolution and distance(move.end, at) > resolution:
-                continue  # nothing moved, nothing is written
-            passed.append(place)
-            if distance(place, move.end) <= resolution:
-                break
+    """Problems, as text. Each move ends in a location, an arc passes the locations before it, and under a cycle each
+    location is drilled."""
+    problems, at, moves = [], None, iter(moves)
+    pending, waiting = None, []  # a move, and the locations that it has to pass
+    for location in locations:
+        if location.hole is not None:
+            at = drill(moves, location, resolution, problems)
+            continue
+        if at is not None and not waiting and distance(location.place, at) <= resolution:
+            continue  # nothing moved, nothing is written
+        waiting.append(location)
+        move = pending = pending or next(moves, None)
+        if move is None:
+            problems.append(f"location {location.place} is not in the output")
+            break
+        if distance(location.place, move.end) > resolution:
             if move.arc is None:
-                problems.append(f"location {i} {place}: the move ends at {move.end}")
-                return problems
-        else:
-            problems.append(f"move to {move.end}: no location left for it")
-            return problems
-        place, rapid, feed, _ = locations[i - 1]
-        if rapid != (move.feed is None):
-            problems.append(f"location {i}: rapid {rapid}, feed in the output {move.feed}")
-        if not rapid and feed is not None and abs(feed - move.feed) > 1e-3:
-            problems.append(f"location {i}: feed {feed}, in the output {move.feed}")
-        if move.arc is not None:
-            path = move.samples()
-            for p in passed:
-                if to_polyline(p, path) > arc_tolerance:
-                    problems.append(f"location {p} is {to_polyline(p, path):.6f} off the arc to {move.end}")
-            for p in path:
-                if to_polyline(p, [at, *passed]) > 2 * arc_tolerance + resolution:
-                    problems.append(f"the arc to {move.end} leaves the cut vectors at {p}")
-                    break
-        at = locations[i - 1][0]
-    for place, *_ in locations[i:]:
-        if at is None or distance(place, at) > resolution:
-            problems.append(f"location {place} is not in the output")
+                problems.append(f"location {location.place}: the move ends at {move.end}")
+                break
+            continue
+        check(move, waiting, at, resolution, arc_tolerance, problems)
+        at, pending, waiting = location.place, None, []
+    if waiting and not problems:
+        problems.append(f"location {waiting[0].place} is not in the output")
+    rest = list(moves)
+    if rest and not problems:
+        problems.append(f"{len(rest)} moves more than the CL has, the first to {rest[0].end}")
     return problems
+
+
+def drill(moves, location, resolution, problems):
+    """Takes the moves of one hole; the tool is then at the clearance above it."""
+    x, y, z = location.place
+    depth, clear = location.hole
+    top, bottom = (x, y, z + clear), (x, y, z - depth)
+    drilled = False
+    for move in moves:
+        if move.feed is not None:
+            drilled = drilled or distance(move.end, bottom) <= resolution
+            if abs(move.end[0] - x) + abs(move.end[1] - y) > resolution or abs(move.feed - location.feed) > 1e-3:
+                problems.append(f"hole {location.place}: a feed move to {move.end} at {move.feed}")
+        elif drilled and distance(move.end, top) <= resolution:
+            return top
+    problems.append(f"hole {location.place} is not drilled to {bottom} and left to {top}")
+    return top
+
+
+def check(move, passed, at, resolution, arc_tolerance, problems):
+    location = passed[-1]
+    if location.rapid != (move.feed is None):
+        problems.append(f"location {location.place}: rapid {location.rapid}, feed in the output {move.feed}")
+    if not location.rapid and abs(location.feed - move.feed) > 1e-3:
+        problems.append(f"location {location.place}: feed {location.feed}, in the output {move.feed}")
+    if move.arc is None:
+        return
+    path, places = move.samples(), [one.place for one in passed]
+    for p in places:
+        if to_polyline(p, path) > arc_tolerance:
+            problems.append(f"location {p} is {to_polyline(p, path):.6f} off the arc to {move.end}")
+    off = max(to_polyline(p, [at, *places]) for p in path)
+    if off > location.band + arc_tolerance:
+        problems.append(f"the arc to {move.end} leaves the cut vectors by {off:.6f}")
