@@ -44,14 +44,14 @@ class Time(ArelemCase):
     def test_missing_feed(self):
         self.write("p.apt", "CUTTER/1\nFROM/0,0,0\nGOTO/100,0,0\nFINI\n")
         self.assertExit(4, "time", "p.apt")
-        self.assertIn("E0366", self.err)
+        self.assertIn("E0396", self.err)
         self.assertEqual(self.out, "")
 
     def test_wrong_limits(self):
         for words in ("-1,100,100", "1,2", "0,1,1"):
             self.write("p.apt", f"CUTTER/1\nFROM/0,0,0\nMACHLM/{words}\nFEDRAT/10\nGOTO/1,0,0\nFINI\n")
             self.assertNotEqual(self.run_arelem("time", "p.apt", "--dialect", "cl"), 0)
-            self.assertIn("E0365", self.err)
+            self.assertIn("E0395", self.err)
         self.assertExit(2, "time", "p.apt", "--jerk", "-5")
 
     def test_path_of_one_point(self):

@@ -171,12 +171,12 @@ TEST(BothMethods, WrongSettingsAreRefused) {
   for (const double tolerance : {0.0, -1.0, std::nan("")}) {
     Options options;
     options.tolerance = tolerance;
-    EXPECT_EQ(smooth(curve, options).failure().row->code, "E0360");
+    EXPECT_EQ(smooth(curve, options).failure().row->code, "E0390");
   }
   Options options;
   options.tolerance = 1.0;
   options.precision = 0;
-  EXPECT_EQ(smooth(curve, options).failure().row->code, "E0361");
+  EXPECT_EQ(smooth(curve, options).failure().row->code, "E0391");
 }
 
 TEST(BandedSystem, SolvesAsADenseOne) {

@@ -176,13 +176,13 @@ TEST(CubicSpline, WrongInputIsRefused) {
   const auto code = [](const Result<CubicSpline>& r) {
     return r ? std::string("ok") : std::string(r.failure().row->code);
   };
-  EXPECT_EQ(code(CubicSpline::make({four.begin(), four.begin() + 3}, {0, 1}, false)), "E0350");
-  EXPECT_EQ(code(CubicSpline::make(four, {0, 1, 2}, false)), "E0351");
-  EXPECT_EQ(code(CubicSpline::make(four, {1, 1}, false)), "E0352");
-  EXPECT_EQ(code(CubicSpline::make(four, {0, std::nan("")}, false)), "E0352");
-  EXPECT_EQ(code(interpolate(four, false)), "E0353");
-  EXPECT_EQ(code(interpolate({}, false)), "E0350");
-  EXPECT_EQ(code(CubicSpline::of(std::vector<double>{0, 4, 0, 1})), "E0355");
+  EXPECT_EQ(code(CubicSpline::make({four.begin(), four.begin() + 3}, {0, 1}, false)), "E0380");
+  EXPECT_EQ(code(CubicSpline::make(four, {0, 1, 2}, false)), "E0381");
+  EXPECT_EQ(code(CubicSpline::make(four, {1, 1}, false)), "E0382");
+  EXPECT_EQ(code(CubicSpline::make(four, {0, std::nan("")}, false)), "E0382");
+  EXPECT_EQ(code(interpolate(four, false)), "E0383");
+  EXPECT_EQ(code(interpolate({}, false)), "E0380");
+  EXPECT_EQ(code(CubicSpline::of(std::vector<double>{0, 4, 0, 1})), "E0385");
 }
 
 }  // namespace
