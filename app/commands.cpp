@@ -1,6 +1,7 @@
 #include <array>
 
 #include "app/command.h"
+#include "app/time.h"
 
 namespace arelem::app {
 
@@ -14,6 +15,7 @@ std::span<const Command> commands() {
               runGeometry},
       Command{"dump", "the inside of a part program or CL file as text", runDump},
       Command{"verify", "reads an output again and compares it with its part program", runVerify},
+      Command{"time", "how long a machine takes for the path of a part program", runTime},
       Command{"explain", "what a diagnostic means, with a wrong and a right example", runExplain},
       Command{"language", "definition forms and statements: their syntax and meaning", runLanguage},
       Command{"targets", "the output formats", runTargets},

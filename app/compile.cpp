@@ -7,9 +7,12 @@
 #include "app/options.h"
 #include "app/output_plan.h"
 #include "app/output_set.h"
+#include "app/path_options.h"
 #include "app/pipeline.h"
 #include "app/report.h"
 #include "app/stopwatch.h"
+
+#include "runtime/path/arc_fit.h"
 
 namespace arelem::app {
 
@@ -21,6 +24,7 @@ struct CompileOptions {
   bool keepGoing = false;
   int decimals = -1;
   std::string machine;  ///< file of --machine
+  double fitShare = 0.0;
 };
 
 void addOptions(CLI::App& app, CompileOptions& options) {
@@ -49,6 +53,7 @@ void addOptions(CLI::App& app, CompileOptions& options) {
   app.add_flag("--keep-going", options.keepGoing,
                "after motion errors write what there is to FILE.partial");
   app.add_flag("--force", options.outputs.force, "binary formats may go to a terminal");
+  addFitOption(app, options.fitShare);
   addSourceOptions(app, options.settings);
   addMessageOptions(app, options.settings);
 }
@@ -113,7 +118,9 @@ void produce(Compilation& job,
   if (!outputs.open(plan.outputs, context)) {
     return;
   }
-  const bool whole = !needsMotion(plan) || execute(job, outputs, interrupted);
+  const auto fitter = path::makeArcFitter(outputs, options.fitShare);
+  const bool whole = !needsMotion(plan) || execute(job, *fitter, interrupted);
+  fitter->finish();
   if (whole || (options.keepGoing && !interrupted)) {
     const Stopwatch watch(job.seconds.write);
     static_cast<void>(outputs.close(!whole));

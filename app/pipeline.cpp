@@ -6,6 +6,7 @@
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "runtime/path/smoother.h"
 #include "runtime/path/transform.h"
 
 namespace arelem::app {
@@ -72,9 +73,10 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const Stopwatch watch(job.seconds.execute);
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
-  job.motion =
-      runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted, {}, false},
-                       *transformer, job.log);
+  const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
+  job.motion = runtime::execute(job.evaluation.actions,
+                                {job.settings.limits, &interrupted, {}, false}, *smoother, job.log);
+  smoother->finish();
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;
 }

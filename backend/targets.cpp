@@ -9,6 +9,7 @@
 #include "backend/ir/writer.h"
 #include "backend/json/writer.h"
 #include "backend/listing/writer.h"
+#include "backend/ngc/writer.h"
 #include "backend/svg/writer.h"
 #include "backend/vplus/writer.h"
 
@@ -45,6 +46,10 @@ const std::array table = {
            .suffixes = {".deck"},
            .needsMotion = false,
            .make = makeDeckWriter},
+    Target{.name = "ngc",
+           .summary = "RS-274 for machine controls",
+           .suffixes = {".ngc", ".nc", ".tap"},
+           .make = makeNgcWriter},
     Target{.name = "svg",
            .summary = "picture of the tool path and its geometry",
            .suffixes = {".svg"},

@@ -1,0 +1,13 @@
+#include "app/path_options.h"
+
+namespace arelem::app {
+
+void addFitOption(CLI::App& app, double& share) {
+  app.add_option("--fit", share,
+                 "puts arcs, helices and longer lines in the place of cut vectors, for this share "
+                 "of INTOL + OUTTOL (0 to 1)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("SHARE");
+}
+
+}  // namespace arelem::app

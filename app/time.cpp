@@ -1,0 +1,135 @@
+#include "app/time.h"
+
+#include <iostream>
+
+#include "app/options.h"
+#include "app/path_options.h"
+#include "app/pipeline.h"
+#include <nlohmann/json.hpp>
+
+#include "runtime/path/arc_fit.h"
+#include "runtime/timing/cut_timer.h"
+
+namespace arelem::app {
+
+namespace {
+struct TimeOptions {
+  Settings settings;
+  std::string input;
+  timing::Machine machine;
+  double fitShare = 0.0;
+  bool json = false;
+  bool statements = false;
+};
+
+void addOptions(CLI::App& app, TimeOptions& options) {
+  app.add_option("FILE", options.input, "part program; - is standard input")->required();
+  timing::Machine& machine = options.machine;
+  const auto number = [&](const char* name, double& value, const char* help) {
+    app.add_option(name, value, help)->check(CLI::PositiveNumber)->capture_default_str();
+  };
+  number("--velocity", machine.limits.velocity, "largest speed, also of rapid moves, mm/s");
+  number("--acceleration", machine.limits.acceleration, "largest acceleration, mm/s2");
+  number("--jerk", machine.limits.jerk, "largest jerk, mm/s3");
+  app.add_option("--deviation", machine.deviation,
+                 "mm by which corners may be rounded; 0: the tool stops in each")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--tool-change", machine.toolChange, "seconds of a tool change")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_flag("--statements", options.statements, "the time of each statement too");
+  app.add_flag("--json", options.json, "the result as JSON");
+  addFitOption(app, options.fitShare);
+  addSourceOptions(app, options.settings);
+  addMessageOptions(app, options.settings);
+}
+
+/// Line of the first record of a statement, by its number.
+class Lines : public cl::RecordSink {
+ public:
+  explicit Lines(timing::CutTimer& next) : next_(next) {}
+  void accept(const cl::Record& record) override {
+    places.emplace(record.isn, record.origin);
+    next_.accept(record);
+  }
+  std::map<int, Span> places;
+
+ private:
+  timing::CutTimer& next_;
+};
+
+void printTable(const Compilation& job,
+                const Lines& lines,
+                const timing::TimeTable& table,
+                bool statements) {
+  std::cout << fmt::format(
+      "total {:.3f} s\n"
+      "   cutting {:.3f} s, {:.3f} mm\n"
+      "   rapid {:.3f} s, {:.3f} mm\n"
+      "   dwell {:.3f} s\n"
+      "   {} tool changes {:.3f} s\n"
+      "   {} moves\n",
+      table.total(), table.cutting, table.cuttingLength, table.rapid, table.rapidLength,
+      table.dwell, table.changes, table.toolChanges, table.moves);
+  if (!statements) {
+    return;
+  }
+  for (const auto& [isn, seconds] : table.statements) {
+    const Span& at = lines.places.at(isn);
+    std::cout << fmt::format("   {:>10.3f} s  {}:{}\n", seconds, job.sources.name(at.buffer),
+                             job.sources.locate(at.buffer, at.begin).line);
+  }
+}
+
+void printJson(const Compilation& job, const Lines& lines, const timing::TimeTable& table) {
+  nlohmann::ordered_json all = {{"total", table.total()},
+                                {"cutting", table.cutting},
+                                {"rapid", table.rapid},
+                                {"dwell", table.dwell},
+                                {"toolChanges", table.toolChanges},
+                                {"changes", table.changes},
+                                {"moves", table.moves},
+                                {"cuttingLength", table.cuttingLength},
+                                {"rapidLength", table.rapidLength}};
+  for (const auto& [isn, seconds] : table.statements) {
+    const Span& at = lines.places.at(isn);
+    all["statements"].push_back({{"isn", isn},
+                                 {"line", job.sources.locate(at.buffer, at.begin).line},
+                                 {"seconds", seconds}});
+  }
+  std::cout << all.dump(1) << '\n';
+}
+}  // namespace
+
+int runTime(const Invocation& invocation) {
+  CLI::App app(
+      "Tells how long a machine takes for the path of a part program: speed limited by feed, "
+      "curvature and corners,\nacceleration and jerk by the machine (MACHLM in the program, or the "
+      "options), looking ahead over the whole path.",
+      "time");
+  TimeOptions options;
+  addOptions(app, options);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  const InterruptFlag& interrupted = invocation.interrupt.flag();
+  Compilation job(options.settings);
+  timing::CutTimer timer(options.machine, job.log);
+  Lines lines(timer);
+  const auto fitter = path::makeArcFitter(lines, options.fitShare);
+  const bool done = load(job, options.input, interrupted) && evaluate(job, interrupted) &&
+                    execute(job, *fitter, interrupted);
+  fitter->finish();
+  if (done) {
+    const timing::TimeTable table = timer.finish();
+    if (job.log.errors() == 0) {
+      options.json ? printJson(job, lines, table)
+                   : printTable(job, lines, table, options.statements);
+    }
+  }
+  job.log.print(job.sources, job.main, options.settings);
+  return static_cast<int>(job.log.exitCode());
+}
+
+}  // namespace arelem::app

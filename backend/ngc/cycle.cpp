@@ -1,0 +1,137 @@
+#include "backend/ngc/cycle.h"
+
+#include <cmath>
+
+#include "ir/diag/ngc.h"
+
+namespace arelem::backend::ngc {
+
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(const cl::Post& post) : values_(post.arguments) {}
+
+  Result<Cycle> read() {
+    const std::string type = spelling(0);
+    if (type == "DEEP" || type == "BRKCHP") {
+      cycle_.kind = Cycle::Kind::peck;
+    } else if (type != "DRILL" && type != "FACE" && type != "REAM" && type != "BORE") {
+      return fail(diag::NgcCycle, "/" + type +
+                                      " has no canned cycle here; there are DRILL, FACE, "
+                                      "REAM, BORE, DEEP and BRKCHP");
+    }
+    for (next_ = 1; next_ < values_.size();) {
+      if (!item()) {
+        return fail(diag::NgcCycle,
+                    fmt::format("has something else than a number after `{}`", spelling(next_)));
+      }
+    }
+    return checked();
+  }
+
+ private:
+  [[nodiscard]] std::string spelling(std::size_t i) const {
+    if (i >= values_.size()) {
+      return "";
+    }
+    if (const Word* word = std::get_if<Word>(&values_[i])) {
+      return std::string(spell(*word));
+    }
+    const std::string* text = std::get_if<std::string>(&values_[i]);
+    return text == nullptr ? "" : *text;
+  }
+  [[nodiscard]] const double* number(std::size_t i) const {
+    return i < values_.size() ? std::get_if<double>(&values_[i]) : nullptr;
+  }
+
+  /// A keyword with its number, or the next number of the positional form.
+  bool item() {
+    if (const double* value = number(next_)) {
+      ++next_;
+      positional(*value);
+      return true;
+    }
+    const std::string word = spelling(next_);
+    const bool isUnit = word == "IPM" || word == "MMPM" || word == "IPR" || word == "MMPR";
+    if (isUnit) {
+      cycle_.feedUnit = *findWord(word);
+      cycle_.feedHasUnit = true;
+      ++next_;
+      if (const double* feed = number(next_); feed != nullptr && !cycle_.feed) {
+        cycle_.feed = *feed;
+        ++next_;
+      }
+      return true;
+    }
+    const double* value = number(next_ + 1);
+    if (value == nullptr) {
+      return false;
+    }
+    keyed(word, *value);
+    next_ += 2;
+    return true;
+  }
+
+  void keyed(const std::string& word, double value) {
+    if (word == "DEPTH" || word == "FEDTO") {
+      cycle_.depth = value;
+      hasDepth_ = true;
+    } else if (word == "CLEAR") {
+      cycle_.clearance = value;
+      hasClearance_ = true;
+    } else if (word == "DWELL") {
+      cycle_.dwell = value;
+      cycle_.kind = cycle_.kind == Cycle::Kind::drill ? Cycle::Kind::dwell : cycle_.kind;
+    } else if (word == "STEP" || word == "INCR") {
+      cycle_.step = value;
+    } else if (unknown_.empty()) {
+      unknown_ = word;
+    }
+  }
+
+  void positional(double value) {
+    if (!hasDepth_) {
+      cycle_.depth = value;
+      hasDepth_ = true;
+    } else if (!cycle_.feed) {
+      cycle_.feed = value;
+    } else if (!hasClearance_) {
+      cycle_.clearance = value;
+      hasClearance_ = true;
+    } else {
+      unknown_ = "one number more than depth, feed and clearance";
+    }
+  }
+
+  Result<Cycle> checked() {
+    if (!unknown_.empty()) {
+      return fail(diag::NgcCycle, "has `" + unknown_ + "`, which no canned cycle takes");
+    }
+    cycle_.depth = std::abs(cycle_.depth);  // some systems write the way down, some its length
+    if (!(cycle_.depth > 0.0) || !(cycle_.clearance > 0.0)) {
+      return fail(diag::NgcCycle, fmt::format("has depth {} and clearance {}; both are above 0",
+                                              cycle_.depth, cycle_.clearance));
+    }
+    if (cycle_.kind == Cycle::Kind::peck && !(cycle_.step > 0.0)) {
+      return fail(diag::NgcCycle,
+                  fmt::format("has a step of {}; STEP above 0 is needed", cycle_.step));
+    }
+    return cycle_;
+  }
+
+  const std::vector<cl::Value>& values_;
+  std::size_t next_ = 1;
+  Cycle cycle_;
+  bool hasDepth_ = false;
+  bool hasClearance_ = false;
+  std::string unknown_;
+};
+
+}  // namespace
+
+Result<Cycle> readCycle(const cl::Post& post) {
+  return Reader(post).read();
+}
+
+}  // namespace arelem::backend::ngc

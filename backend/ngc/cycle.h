@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+
+#include "ir/cl/record.h"
+#include "ir/diag/result.h"
+
+namespace arelem::backend::ngc {
+
+/// A canned cycle of CYCLE/ type, depth, unit, feed, clearance, modifiers. Lengths in the part
+/// unit.
+struct Cycle {
+  enum class Kind { drill, dwell, peck };
+  Kind kind = Kind::drill;
+  double depth = 0.0;          ///< below the location; written with either sign
+  double clearance = 0.0;      ///< above it
+  double step = 0.0;           ///< of each peck
+  double dwell = 0.0;          ///< seconds
+  std::optional<double> feed;  ///< of the cycle; with its unit
+  Word feedUnit = Word::MMPM;
+  bool feedHasUnit = false;
+};
+
+/// Reads the positional and the keyworded forms: DRILL, FACE, REAM, BORE (G81, or G82 with DWELL)
+/// and DEEP, BRKCHP (G83 with STEP or INCR). Errors: other cycles, a number that is missing.
+[[nodiscard]] Result<Cycle> readCycle(const cl::Post& post);
+
+}  // namespace arelem::backend::ngc

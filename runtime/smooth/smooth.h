@@ -1,0 +1,47 @@
+#pragma once
+#include "ir/diag/result.h"
+#include "ir/limits.h"
+#include "runtime/spline/cubic.h"
+
+/// SMOOTH: paths of less curvature inside a tube round the given one.
+namespace arelem::smooth {
+
+enum class Method : std::uint8_t {
+  source,  ///< the algorithm of Naseath, chapter 3
+  tube     ///< convex minimisation of curvature inside the tube
+};
+
+struct Options {
+  double tolerance = 0.0;  ///< radius of the tube, part unit
+  Method method = Method::tube;
+  int precision = 5;  ///< source: samples of each knot interval in the search for the deviation
+  double accuracy =
+      0.01;  ///< source: ends when so little of the tolerance is left, as a share of it
+  /// source: ends where no point moves by more; both: bound on the work.
+  int mostIterations = 200;
+  bool fixedEnds = true;  ///< tube: the ends of an open curve stay. The source moves them.
+  const InterruptFlag* interrupted = nullptr;
+};
+
+struct Smoothed {
+  spline::CubicSpline curve;
+  double deviation = 0.0;  ///< from the given curve, an upper bound: at most the tolerance
+  int iterations = 0;
+};
+
+/// The control points move; the knots stay, and `tube` adds one in the middle of each interval
+/// first. Every point of the new curve is within the tolerance of the point of the given curve at
+/// the same parameter, certified by the Bezier points of the difference. Errors: a tolerance or
+/// accuracy that is not positive, precision below 1.
+[[nodiscard]] Result<Smoothed> smooth(const spline::CubicSpline& curve, const Options& options);
+
+/// Moves the control points back towards those of `original`, all by one factor, until the
+/// certified deviation is at most `tolerance`.
+[[nodiscard]] Smoothed guarded(const spline::CubicSpline& original,
+                               const spline::CubicSpline& moved,
+                               double tolerance);
+
+[[nodiscard]] Smoothed sourceMethod(const spline::CubicSpline& curve, const Options& options);
+[[nodiscard]] Smoothed tubeMethod(const spline::CubicSpline& curve, const Options& options);
+
+}  // namespace arelem::smooth

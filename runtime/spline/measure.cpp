@@ -1,0 +1,125 @@
+// Figures of a curve: chords, nearest points, deviation, curvature.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "runtime/spline/cubic.h"
+
+namespace arelem::spline {
+
+namespace {
+
+constexpr int deepestHalving = 40;
+/// A search for the nearest point stops at pieces this small, relative to the curve.
+constexpr double nearestShare = 1e-9;
+
+void addChords(const Bezier& piece, double tolerance, int depth, std::vector<Vec3>& points) {
+  if (depth == 0 || piece.chordBound() <= tolerance) {
+    points.push_back(piece.control[3]);
+    return;
+  }
+  const auto [left, right] = piece.halves();
+  addChords(left, tolerance, depth - 1, points);
+  addChords(right, tolerance, depth - 1, points);
+}
+
+/// A piece can come no nearer to p than this: the distance of p from the box of its control points.
+double distanceToBox(const Bezier& piece, const Vec3& p) {
+  Vec3 low = piece.control[0];
+  Vec3 high = low;
+  for (const Vec3& c : piece.control) {
+    low = low.cwiseMin(c);
+    high = high.cwiseMax(c);
+  }
+  return (low - p).cwiseMax(p - high).cwiseMax(0.0).norm();
+}
+
+struct Candidate {
+  double bound = 0.0;
+  Bezier piece;
+  bool operator<(const Candidate& other) const { return bound > other.bound; }
+};
+
+double hullOfHalves(const Bezier& piece, int halvings) {
+  if (halvings == 0) {
+    return piece.hullRadius();
+  }
+  const auto [left, right] = piece.halves();
+  return std::max(hullOfHalves(left, halvings - 1), hullOfHalves(right, halvings - 1));
+}
+
+}  // namespace
+
+std::vector<Vec3> chordPoints(const CubicSpline& curve, double tolerance) {
+  std::vector<Vec3> points{curve.at(curve.begin())};
+  for (std::size_t span = 0; span < curve.spans(); ++span) {
+    addChords(curve.piece(span), tolerance, deepestHalving, points);
+  }
+  return points;
+}
+
+CubicSpline::Nearest CubicSpline::nearest(const Vec3& p) const {
+  Nearest best{begin(), at(begin()), (at(begin()) - p).norm()};
+  std::priority_queue<Candidate> open;
+  double size = 0.0;
+  for (std::size_t span = 0; span < spans(); ++span) {
+    const Bezier one = piece(span);
+    size = std::max(size, (one.control[3] - control_[0]).norm());
+    open.push({distanceToBox(one, p), one});
+  }
+  const double enough = nearestShare * (size + best.distance);
+  while (!open.empty() && open.top().bound < best.distance - enough) {
+    const Bezier one = open.top().piece;
+    open.pop();
+    for (const Bezier& half : {one.halves().first, one.halves().second}) {
+      const double distance = (half.control[3] - p).norm();
+      if (distance < best.distance) {
+        best = {half.end, half.control[3], distance};
+      }
+      const double start = (half.control[0] - p).norm();
+      if (start < best.distance) {
+        best = {half.begin, half.control[0], start};
+      }
+      const double bound = distanceToBox(half, p);
+      if (bound < best.distance - enough) {
+        open.push({bound, half});
+      }
+    }
+  }
+  return best;
+}
+
+double deviationBound(const CubicSpline& a, const CubicSpline& b, int halvings) {
+  std::vector<Vec3> difference(a.control().size());
+  for (std::size_t i = 0; i < difference.size(); ++i) {
+    difference[i] = b.control()[i] - a.control()[i];
+  }
+  const CubicSpline gap = a.withControl(std::move(difference));
+  double most = 0.0;
+  for (std::size_t span = 0; span < gap.spans(); ++span) {
+    most = std::max(most, hullOfHalves(gap.piece(span), halvings));
+  }
+  return most;
+}
+
+CurvatureFigures curvatureFigures(const CubicSpline& curve, int perSpan) {
+  CurvatureFigures figures;
+  const auto knots = curve.knots();
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t span = 0; span < curve.spans(); ++span) {
+    const int first = span == 0 ? 0 : 1;
+    for (int i = first; i <= perSpan; ++i) {
+      const double share = static_cast<double>(i) / perSpan;
+      const double k = curve.curvature(knots[span] + share * (knots[span + 1] - knots[span]));
+      figures.most = std::max(figures.most, k);
+      sum += k;
+      ++count;
+    }
+  }
+  figures.mean = sum / static_cast<double>(count);
+  return figures;
+}
+
+}  // namespace arelem::spline

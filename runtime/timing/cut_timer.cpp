@@ -1,0 +1,298 @@
+#include "runtime/timing/cut_timer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ir/diag/spline.h"
+#include "ir/space/tolerance.h"
+#include "runtime/timing/spline_limits.h"
+
+namespace arelem::timing {
+
+namespace {
+
+constexpr double secondsOfAMinute = 60.0;
+constexpr double millimetersOfAnInch = 25.4;
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+double millimetersOf(Word unit) {
+  switch (unit) {
+    case Word::CM:
+      return 10.0;
+    case Word::INCHES:
+      return millimetersOfAnInch;
+    case Word::FEET:
+      return 12.0 * millimetersOfAnInch;
+    default:
+      return 1.0;
+  }
+}
+
+bool stopsTool(Word word) {
+  switch (word) {
+    case Word::STOP:
+    case Word::OPSTOP:
+    case Word::SPINDL:
+    case Word::LOADTL:
+    case Word::DELAY:
+    case Word::END:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::optional<double> firstNumber(const cl::Post& post) {
+  for (const cl::Value& value : post.arguments) {
+    if (const double* number = std::get_if<double>(&value)) {
+      return *number;
+    }
+  }
+  return std::nullopt;
+}
+
+bool has(const cl::Post& post, std::initializer_list<Word> words) {
+  return std::any_of(post.arguments.begin(), post.arguments.end(), [&](const cl::Value& value) {
+    const Word* word = std::get_if<Word>(&value);
+    return word != nullptr && std::find(words.begin(), words.end(), *word) != words.end();
+  });
+}
+
+}  // namespace
+
+/// The modal state of the records, and the pieces so far.
+class CutTimer::Path {
+ public:
+  Path(const Machine& machine, DiagnosticSink& sink) : machine_(machine), sink_(sink) {}
+
+  void accept(const cl::Record& record) {
+    record_ = &record;
+    if (const auto* motion = std::get_if<cl::Motion>(&record.body)) {
+      move(*motion);
+    } else if (const auto* surface = std::get_if<cl::Surface>(&record.body)) {
+      surface_ = surface->surface;
+    } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
+      unit_ = millimetersOf(units->unit);
+    } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
+      const bool known = post->foreign.empty();
+      if ((known ? spell(post->word) : std::string_view(post->foreign)) == "MACHLM") {
+        limits(*post);
+      } else if (known) {
+        word(*post);
+      }
+    }
+  }
+
+  TimeTable finish() {
+    plan();
+    return std::move(table_);
+  }
+
+ private:
+  void word(const cl::Post& post) {
+    const std::optional<double> value = firstNumber(post);
+    switch (post.word) {
+      case Word::RAPID:
+        rapid_ = true;
+        return;
+      case Word::FEDRAT:
+        feed(post, value);
+        return;
+      case Word::SPINDL:
+        turns_ = value.value_or(turns_);
+        break;
+      case Word::DELAY:
+        dwell(has(post, {Word::REV}) && turns_ > 0.0
+                  ? value.value_or(0.0) * secondsOfAMinute / turns_
+                  : value.value_or(0.0));
+        break;
+      case Word::LOADTL:
+        ++table_.changes;
+        table_.toolChanges += machine_.toolChange;
+        table_.statements[record_->isn] += machine_.toolChange;
+        break;
+      default:
+        break;
+    }
+    if (stopsTool(post.word)) {
+      stop();
+    }
+  }
+
+  void dwell(double seconds) {
+    table_.dwell += seconds;
+    table_.statements[record_->isn] += seconds;
+  }
+
+  void feed(const cl::Post& post, const std::optional<double>& value) {
+    if (!value) {
+      return;
+    }
+    perTurn_ = has(post, {Word::IPR, Word::MMPR});
+    const bool inches = has(post, {Word::IPM, Word::IPR});
+    const bool millimeters = has(post, {Word::MMPM, Word::MMPR});
+    feed_ = *value * (inches ? millimetersOfAnInch : millimeters ? 1.0 : unit_);
+  }
+
+  void limits(const cl::Post& post) {
+    std::array<double, 3> values{};
+    bool good = post.arguments.size() == values.size();
+    for (std::size_t i = 0; i < values.size() && good; ++i) {
+      const double* number = std::get_if<double>(&post.arguments[i]);
+      good = number != nullptr && *number > 0.0 && std::isfinite(*number);
+      values[i] = good ? *number : 0.0;
+    }
+    if (!good) {
+      sink_.accept(at(record_->origin, fail(diag::MachineLimits,
+                                            fmt::format("{} parameters, or one that is no number "
+                                                        "greater than 0",
+                                                        post.arguments.size()))));
+      return;
+    }
+    plan();
+    machine_.limits = {values[0], values[1], values[2]};
+  }
+
+  /// mm/s of a cutting move; 0 with a report when there is none.
+  double cuttingSpeed(const Vec3& to) {
+    const double perMinute = perTurn_ ? feed_ * turns_ : feed_;
+    if (!(perMinute > 0.0) && !feedReported_) {
+      sink_.accept(at(record_->origin,
+                      fail(diag::FeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_)));
+      feedReported_ = true;
+    }
+    return std::min(perMinute / secondsOfAMinute, machine_.limits.velocity);
+  }
+
+  void move(const cl::Motion& motion) {
+    const std::size_t stride = motion.stride();
+    if (motion.kind == cl::Motion::Kind::from || !at_) {
+      stop();
+      setPlace(motion);
+      return;
+    }
+    const bool continues = motion.kind == cl::Motion::Kind::continuation;
+    if (!continues) {
+      run_ = std::exchange(surface_, std::nullopt);
+    }
+    for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
+      line(unit_ * Vec3(&motion.coordinates[i]));
+    }
+    rapid_ = false;
+  }
+
+  void setPlace(const cl::Motion& motion) {
+    at_ = unit_ * Vec3(&motion.coordinates[motion.coordinates.size() - motion.stride()]);
+  }
+
+  void line(const Vec3& to) {
+    const Vec3 step = to - *at_;
+    const double length = step.norm();
+    ++table_.moves;
+    if (!(length > tolerance::sameSide)) {
+      return;
+    }
+    const double speed = rapid_ ? machine_.limits.velocity : cuttingSpeed(to);
+    if (!(speed > 0.0)) {
+      at_ = to;
+      return;
+    }
+    double limit = speed;
+    bool inArc = false;
+    if (run_ && !rapid_) {
+      const double radius = distanceFromAxis(to);
+      limit = std::min(limit, curveSpeed(1.0 / radius, machine_.limits.acceleration));
+      inArc = arcBefore_;
+      arcBefore_ = true;
+    } else {
+      arcBefore_ = false;
+    }
+    const Vec3 direction = step / length;
+    add(length, limit, inArc ? unlimited : corner(direction));
+    direction_ = direction;
+    at_ = to;
+  }
+
+  [[nodiscard]] double distanceFromAxis(const Vec3& p) const {
+    const std::vector<double>& c = run_->canon;
+    const Vec3 axis(&c[3]);
+    const Vec3 from = p - unit_ * Vec3(c.data());
+    return std::max((from - axis.dot(from) * axis).norm(), tolerance::coincidence);
+  }
+
+  double corner(const Vec3& next) {
+    return direction_ ? cornerSpeed(direction_->dot(next), machine_.deviation,
+                                    machine_.limits.acceleration)
+                      : 0.0;
+  }
+
+  void add(double length, double speed, double before) {
+    const bool changes = rapid_ != rapidBefore_;
+    path_.lengths.push_back(length);
+    path_.speeds.push_back(speed);
+    path_.corners.push_back(path_.lengths.size() == 1 || changes ? 0.0 : before);
+    kinds_.push_back({record_->isn, rapid_});
+    rapidBefore_ = rapid_;
+  }
+
+  void stop() {
+    direction_.reset();
+    arcBefore_ = false;
+  }
+
+  /// Times what there is so far; the tool stands at its end.
+  void plan() {
+    if (!path_.lengths.empty()) {
+      path_.corners.push_back(0.0);
+      std::vector<double> lengths = path_.lengths;
+      const Plan plan(std::move(path_), machine_.limits);
+      const std::vector<double> times = plan.pieceTimes();
+      for (std::size_t i = 0; i < times.size(); ++i) {
+        (kinds_[i].rapid ? table_.rapid : table_.cutting) += times[i];
+        (kinds_[i].rapid ? table_.rapidLength : table_.cuttingLength) += lengths[i];
+        table_.statements[kinds_[i].isn] += times[i];
+      }
+    }
+    path_ = {};
+    kinds_.clear();
+    stop();
+  }
+
+  struct Kind {
+    int isn;
+    bool rapid;
+  };
+  Machine machine_;
+  DiagnosticSink& sink_;
+  const cl::Record* record_ = nullptr;
+  SpeedLimits path_;
+  std::vector<Kind> kinds_;
+  TimeTable table_;
+  double unit_ = 1.0;  // mm
+  double feed_ = 0.0;  // mm a minute or a turn
+  bool perTurn_ = false;
+  double turns_ = 0.0;  // of the spindle, a minute
+  bool rapid_ = false;
+  bool rapidBefore_ = false;
+  bool feedReported_ = false;
+  bool arcBefore_ = false;
+  std::optional<Vec3> at_;
+  std::optional<Vec3> direction_;  // of the last move; none: the tool stands
+  std::optional<cl::SurfaceValue> surface_;
+  std::optional<cl::SurfaceValue> run_;
+};
+
+CutTimer::CutTimer(const Machine& machine, DiagnosticSink& sink)
+    : path_(std::make_unique<Path>(machine, sink)) {}
+CutTimer::~CutTimer() = default;
+CutTimer::CutTimer(CutTimer&&) noexcept = default;
+
+void CutTimer::accept(const cl::Record& record) {
+  path_->accept(record);
+}
+
+TimeTable CutTimer::finish() {
+  return path_->finish();
+}
+
+}  // namespace arelem::timing

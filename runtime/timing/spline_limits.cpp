@@ -1,0 +1,48 @@
+#include "runtime/timing/spline_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arelem::timing {
+
+double curveSpeed(double curvature, double acceleration) {
+  return curvature > 0.0 ? std::sqrt(acceleration / curvature)
+                         : std::numeric_limits<double>::infinity();
+}
+
+double cornerSpeed(double cosine, double deviation, double acceleration) {
+  // Half the turn: the circle has the radius r with r (1 / cos(half) - 1) = deviation.
+  const double cosHalf = std::sqrt(std::clamp(0.5 * (1.0 + cosine), 0.0, 1.0));
+  if (!(cosHalf < 1.0)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::sqrt(acceleration * deviation * cosHalf / (1.0 - cosHalf));
+}
+
+void appendCurve(SpeedLimits& path,
+                 const spline::CubicSpline& curve,
+                 int perSpan,
+                 double feed,
+                 double acceleration) {
+  const auto knots = curve.knots();
+  double before = curve.curvature(curve.begin());
+  Vec3 last = curve.at(curve.begin());
+  for (std::size_t span = 0; span < curve.spans(); ++span) {
+    const double step = (knots[span + 1] - knots[span]) / perSpan;
+    for (int i = 1; i <= perSpan; ++i) {
+      const double t = i == perSpan ? knots[span + 1] : knots[span] + i * step;
+      const double now = curve.curvature(t);
+      const double middle = curve.curvature(t - 0.5 * step);
+      const double most = std::max({before, middle, now});
+      const Vec3 at = curve.at(t);
+      const Vec3 half = curve.at(t - 0.5 * step);
+      path.lengths.push_back((half - last).norm() + (at - half).norm());
+      path.speeds.push_back(std::min(feed, curveSpeed(most, acceleration)));
+      path.corners.push_back(std::numeric_limits<double>::infinity());
+      before = now;
+      last = at;
+    }
+  }
+}
+
+}  // namespace arelem::timing

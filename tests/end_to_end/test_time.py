@@ -1,0 +1,99 @@
+"""`arelem time` and SMOOTH through the whole command; times by pencil."""
+import json
+import math
+import unittest
+
+from arelem_run import ArelemCase
+
+
+class Time(ArelemCase):
+    def seconds(self, text, *options):
+        self.write("p.apt", text)
+        self.assertExit(0, "time", "p.apt", "--json", *options)
+        return json.loads(self.out)
+
+    def test_one_move(self):
+        # 100 mm at 6000 mm/min = 100 mm/s: a change from rest takes 2 sqrt(100/20000) s over 50 mm/s times that.
+        table = self.seconds("CUTTER/1\nFROM/0,0,0\nFEDRAT/6000\nGOTO/100,0,0\nFINI\n")
+        change = 2 * math.sqrt(100 / 20000)
+        self.assertAlmostEqual(table["cutting"], 2 * change + (100 - 2 * 50 * change) / 100, places=9)
+        self.assertEqual(table["moves"], 1)
+        self.assertEqual(table["rapid"], 0)
+
+    def test_rapid_dwell_and_tools(self):
+        table = self.seconds("CUTTER/1\nLOADTL/1\nFROM/0,0,0\nRAPID\nGOTO/500,0,0\nDELAY/2\nLOADTL/2\nFINI\n",
+                             "--tool-change", "7")
+        self.assertAlmostEqual(table["toolChanges"], 14)
+        self.assertAlmostEqual(table["dwell"], 2)
+        change = 2 * math.sqrt(400 / 20000)
+        self.assertAlmostEqual(table["rapid"], 2 * change + (500 - 2 * 200 * change) / 400, places=9)
+        self.assertAlmostEqual(table["total"], table["rapid"] + 16)
+
+    def test_machine_limits_of_the_program(self):
+        slow = self.seconds("CUTTER/1\nFROM/0,0,0\nMACHLM/50,100,1000\nFEDRAT/6000\nGOTO/100,0,0\nFINI\n",
+                            "--dialect", "cl")
+        fast = self.seconds("CUTTER/1\nFROM/0,0,0\nFEDRAT/6000\nGOTO/100,0,0\nFINI\n")
+        self.assertGreater(slow["total"], fast["total"] + 1)
+
+    def test_corners_cost_time(self):
+        corner = "CUTTER/1\nFROM/0,0,0\nFEDRAT/6000\nGOTO/100,0,0\nGOTO/100,100,0\nFINI\n"
+        line = "CUTTER/1\nFROM/0,0,0\nFEDRAT/6000\nGOTO/100,0,0\nGOTO/200,0,0\nFINI\n"
+        self.assertGreater(self.seconds(corner)["total"], self.seconds(line)["total"])
+        self.assertGreater(self.seconds(corner, "--deviation", "0")["total"], self.seconds(corner)["total"])
+
+    def test_missing_feed(self):
+        self.write("p.apt", "CUTTER/1\nFROM/0,0,0\nGOTO/100,0,0\nFINI\n")
+        self.assertExit(4, "time", "p.apt")
+        self.assertIn("E0396", self.err)
+        self.assertEqual(self.out, "")
+
+    def test_wrong_limits(self):
+        for words in ("-1,100,100", "1,2", "0,1,1"):
+            self.write("p.apt", f"CUTTER/1\nFROM/0,0,0\nMACHLM/{words}\nFEDRAT/10\nGOTO/1,0,0\nFINI\n")
+            self.assertNotEqual(self.run_arelem("time", "p.apt", "--dialect", "cl"), 0)
+            self.assertIn("E0395", self.err)
+        self.assertExit(2, "time", "p.apt", "--jerk", "-5")
+
+    def test_path_of_one_point(self):
+        self.assertEqual(self.seconds("CUTTER/1\nFROM/1,2,3\nFINI\n")["total"], 0)
+
+
+WAVE = "CUTTER/1\nFROM/0,0,0\nFEDRAT/24000\n{}\n" + "".join(
+    f"GOTO/{x},{4 * (x // 10 % 2)},0\n" for x in range(10, 130, 10)) + "{}\nFINI\n"
+
+
+class Smooth(ArelemCase):
+    def points(self, text):
+        self.write("p.apt", text)
+        self.assertExit(0, "compile", "p.apt", "--to", "json", "-o", "-", "--dialect", "cl")
+        return [p for line in self.out.splitlines() for p in json.loads(line).get("points", [])]
+
+    def test_tolerance_and_time(self):
+        plain = WAVE.format("", "")
+        smooth = WAVE.format("SMOOTH/.2", "SMOOTH/NOMORE")
+        old, new = self.points(plain), self.points(smooth)
+        self.assertGreater(len(new), len(old))
+
+        def off(p, points):
+            best = 1e9
+            for a, b in zip(points, points[1:]):
+                d = [y - x for x, y in zip(a, b)]
+                square = sum(x * x for x in d)
+                s = 0 if not square else max(0, min(1, sum((q - x) * y for q, x, y in zip(p, a, d)) / square))
+                best = min(best, math.dist(p, [x + s * y for x, y in zip(a, d)]))
+            return best
+
+        self.assertLessEqual(max(off(p, old) for p in new), 0.2)
+        self.assertLessEqual(max(off(p, new) for p in old), 0.2)
+        self.assertEqual(new[0], old[0])
+        self.assertLess(math.dist(new[-1], old[-1]), 1e-9)
+        self.write("s.apt", smooth)
+        self.assertExit(0, "time", "s.apt", "--json", "--dialect", "cl", "--deviation", "0.001")
+        smoothed = json.loads(self.out)["total"]
+        self.write("w.apt", plain)
+        self.assertExit(0, "time", "w.apt", "--json", "--dialect", "cl", "--deviation", "0.001")
+        self.assertLess(smoothed, json.loads(self.out)["total"])
+
+
+if __name__ == "__main__":
+    unittest.main()
