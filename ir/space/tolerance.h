@@ -60,4 +60,13 @@ inline constexpr double farAway = 1e7;
 /// A DO loop runs once more when its counter passes the last value by at most this part of a step.
 inline constexpr double loopCount = 1e-9;
 
+/// Two overlaps of spray passes that differ by at most this are the same. Dimensionless.
+inline constexpr double overlap = 1e-9;
+/// A pass at most this far below the last useful height is not useful. mm.
+inline constexpr double passHeight = 1e-9;
+/// Pieces of a spray pass that are at most this apart are one: they share an edge. mm.
+inline constexpr double passGap = 1e-7;
+/// Process costs that differ by at most this, relative, are equal. Dimensionless.
+inline constexpr double equalCost = 1e-9;
+
 }  // namespace arelem::tolerance
