@@ -64,7 +64,8 @@ bool load(Compilation& job,
 bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) {
   const Stopwatch watch(job.seconds.evaluate);
   job.evaluation = runtime::evaluate(
-      job.program, {job.settings.limits, &interrupted, dataFiles(job), history}, job.log);
+      job.program,
+      {job.settings.limits, &interrupted, dataFiles(job), history, job.progress}, job.log);
   return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
 }
 
@@ -73,7 +74,7 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   job.motion =
-      runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted, {}, false},
+      runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted, {}, false, {}},
                        *transformer, job.log);
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;

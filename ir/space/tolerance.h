@@ -68,5 +68,12 @@ inline constexpr double passHeight = 1e-9;
 inline constexpr double passGap = 1e-7;
 /// Process costs that differ by at most this, relative, are equal. Dimensionless.
 inline constexpr double equalCost = 1e-9;
+/// Corners of a region lie this near to one plane, times the region's size (at least 1).
+/// Dimensionless.
+inline constexpr double regionPlane = 1e-6;
+/// Ends of curves of a drawing that are at most this apart are joined. Part unit.
+inline constexpr double drawingJoint = 1e-3;
+/// Chords of curved boundaries are this near to the curve where CHORD does not say. mm.
+inline constexpr double boundaryChord = 0.05;
 
 }  // namespace arelem::tolerance

@@ -24,4 +24,7 @@ void runControl(State& state, const ir::Command& command);
 /// Every word of the post-processor, and TRACUT, INDEX, COPY, MACHIN.
 void post(State& state, const ir::Command& command);
 
+/// SPRAY/ON and SPRAY/OFF as they stand; SPRAY of a region or surface: passes of a gun.
+void spray(State& state, const ir::Command& command);
+
 }  // namespace arelem::runtime::interpret

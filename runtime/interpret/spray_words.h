@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <variant>
+
+#include "runtime/interpret/item.h"
+#include "runtime/spray/region_job.h"
+
+namespace arelem::runtime::interpret {
+
+/// The parameters of SPRAY as they are written: lengths in the unit of the part program, process
+/// quantities in mm, s, $/h and $/l.
+struct SprayWords {
+  Items items;
+  EntityPtr work;
+  EntityPtr gun;
+  double film = 0.0;
+  std::variant<double, spray::Measure> overlap = spray::Measure::average;
+  std::variant<double, spray::InsetRule> inset = spray::InsetRule::mean;
+  double degrees = 0.0;
+  std::optional<double> speed;
+  bool otherSide = false;
+  std::optional<spray::Prices> prices;
+  std::optional<spray::Range> sizes;
+  std::optional<spray::Range> angles;
+};
+
+/// SPRAY/ region, GUN, gun, FILM, h [, OVRLAP, {beta | AVG | RMS | MAX}] [, INSET, {c | EDGE | MEAN
+/// | COMPAT}] [, ATANGL, deg] [, SPEED, v] [, REVERS] [, MINCST, k1, k2, k3, k4 [, HEIGHT, b1, b2,
+/// db] [, ANGLE, t1, t2, dt]]; the words in any order. Errors: E0372.
+[[nodiscard]] Result<SprayWords> readSprayWords(Items items);
+
+}  // namespace arelem::runtime::interpret
