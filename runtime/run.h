@@ -1,9 +1,6 @@
 #pragma once
-<<<<<<< HEAD
 #include <array>
-=======
 #include <functional>
->>>>>>> 4680d43 (WIP: GUN, REGION, REVOLV definitions, SPRAY on regions)
 #include <iosfwd>
 #include <map>
 #include <memory>
@@ -32,11 +29,8 @@ struct Options {
   Limits limits;
   const InterruptFlag* interrupted = nullptr;  ///< may be null
   files::Files files;                          ///< data files that definitions name
-<<<<<<< HEAD
   bool history = false;                        ///< keep every definition: Evaluation::history
-=======
   ProgressCall progress;                       ///< may be empty
->>>>>>> 4680d43 (WIP: GUN, REGION, REVOLV definitions, SPRAY on regions)
 };
 
 /// One item of what PRINT and TITLES ask for, in order of execution.
@@ -73,13 +67,10 @@ struct Evaluation {
   std::vector<Action> actions;
   std::vector<Printed> printed;
   std::vector<Defined> defined;
-<<<<<<< HEAD
   /// With Options::history each definition of an entity as it was executed, nested ones and those
   /// that replaced an earlier one too; scalars stand where they got their first value.
   std::vector<Defined> history;
-=======
   std::vector<std::shared_ptr<const spray::Sprayed>> sprayed;  ///< what each SPRAY statement amounts to
->>>>>>> 4680d43 (WIP: GUN, REGION, REVOLV definitions, SPRAY on regions)
   std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::vector<Ignored> ignored;
   /// How often each definition form was used, by FormId.

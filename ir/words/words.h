@@ -7,47 +7,9 @@ namespace arelem {
 
 /// What a vocabulary word may do in a statement; the processing classes of the old Section 1.
 enum class WordClass : std::uint8_t {
-<<<<<<< HEAD
 #define ARELEM_WORD_CLASS(name) name,
 #include "ir/words/classes.def"
 #undef ARELEM_WORD_CLASS
-=======
-  fixedField,
-  arelemValue,
-  arelemSwitch,
-  inputOutput,
-  obtain,
-  zsurf,
-  call,
-  refsys,
-  ifWord,
-  jumpto,
-  loopBracket,
-  pocket,
-  psis,
-  macroBracket,
-  debug,
-  reserv,
-  syn,
-  fini,
-  function,
-  tranto,
-  transformation,
-  postWithParameters,
-  postWithoutParameters,
-  geometry,
-  runControl,
-  motion,
-  toolPosition,
-  canon,
-  modifier,
-  phase,
-  unused,
-  tuneup,
-  libry,
-  units,
-  spray
->>>>>>> 4680d43 (WIP: GUN, REGION, REVOLV definitions, SPRAY on regions)
 };
 
 /// A vocabulary word. Enumerators are spelt as the word, with W_ before a leading digit.
