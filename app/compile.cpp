@@ -8,6 +8,7 @@
 #include "app/output_set.h"
 #include "app/pipeline.h"
 #include "app/report.h"
+#include "app/spray_progress.h"
 #include "app/stopwatch.h"
 
 namespace arelem::app {
@@ -108,6 +109,7 @@ ExitCode compileOne(const PlannedJob& plan,
                     const CompileOptions& options,
                     const InterruptFlag& interrupted) {
   Compilation job(options.settings);
+  job.progress = progressOnTerminal();
   OutputSet outputs(job.log);
   if (load(job, plan.input, interrupted) && evaluate(job, interrupted)) {
     produce(job, outputs, plan, options, interrupted);

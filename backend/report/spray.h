@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/report/report.h"
+#include "backend/report/place.h"
 
 namespace arelem::backend {
 
