@@ -103,6 +103,9 @@ backend::FilmPicture pictureOf(const spray::Sprayed& s, const film::Map& map) {
     return std::pair{(p - s.origin3).dot(s.x), (p - s.origin3).dot(s.y)};
   };
   for (const spray::Stroke& stroke : s.strokes) {
+    if (!s.planar) {
+      break;  // the picture is over the parameters of the surface
+    }
     const auto [x1, y1] = place(stroke.from);
     const auto [x2, y2] = place(stroke.to);
     picture.path.push_back({x1, y1, x2, y2, stroke.painting});

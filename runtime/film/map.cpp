@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/film/surface_map.h"
+
 namespace arelem::film {
 
 using spray::Sprayed;
@@ -134,6 +136,8 @@ void markWork(Map& map, const spray::Outline& outline) {
   }
 }
 
+}  // namespace
+
 void measure(Map& map, double wanted) {
   Statistics& s = map.statistics;
   s.wanted = wanted;
@@ -168,8 +172,6 @@ void measure(Map& map, double wanted) {
   s.area = n * cellArea;
   s.deposited = sum * cellArea;
 }
-}  // namespace
-
 double filmAt(const Sprayed& sprayed, const Vec2& place) {
   const Gunwork gun(sprayed);
   double film = 0.0;
@@ -180,6 +182,9 @@ double filmAt(const Sprayed& sprayed, const Vec2& place) {
 }
 
 Map mapOf(const Sprayed& sprayed, double cell) {
+  if (!sprayed.planar) {
+    return surfaceMapOf(sprayed, cell);
+  }
   const Gunwork gun(sprayed);
   spray::Extent extent = extentOf(sprayed.outline);
   for (const Line& line : gun.lines()) {

@@ -47,4 +47,7 @@ inline constexpr double usualCells = 400.0;
 inline constexpr std::size_t mostCells = 100'000'000;
 [[nodiscard]] Map mapOf(const spray::Sprayed& sprayed, double cell);
 
+/// Fills in the statistics over the cells on the work.
+void measure(Map& map, double wanted);
+
 }  // namespace arelem::film

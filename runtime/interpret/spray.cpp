@@ -73,6 +73,13 @@ class StrokeWriter {
     state_.emit(std::move(locate));
   }
 
+  /// On a bent surface the nozzle goes a longer or shorter way than its spray.
+  [[nodiscard]] double nozzleSpeed(const Stroke& s, double length) const {
+    const double d = sprayed_.gun.standOff;
+    const double way = (s.to + d * s.normalTo - s.from - d * s.normalFrom).norm();
+    return length > 0.0 ? s.speed * std::round(way / length * 1e6) / 1e6 : s.speed;
+  }
+
   void stroke(std::size_t i) {
     const Stroke& s = sprayed_.strokes[i];
     const Vec3 step = s.to - s.from;
@@ -90,7 +97,7 @@ class StrokeWriter {
     }
     if (s.painting) {
       on();
-      feed(s.speed);
+      feed(nozzleSpeed(s, length));
       const double closing = last ? std::min(s.speed * sprayed_.gun.leadOff, length) : 0.0;
       if (closing > 0.0) {
         go(s.to - closing * along, s.normalTo);
@@ -112,6 +119,21 @@ class StrokeWriter {
   bool spraying_ = false;
   double feed_ = 0.0;
 };
+
+void refuse(State& state, const SprayWords& words, Failure failure) {
+  Diagnostic d = at(state.statement->span, std::move(failure));
+  labelOperands(d, words.items);
+  state.report(std::move(d));
+}
+
+void finish(State& state, const SprayWords& words, Sprayed result) {
+  auto sprayed = std::make_shared<Sprayed>(std::move(result));
+  sprayed->origin = state.statement->span;
+  sprayed->isn = static_cast<int>(state.statement->isn);
+  sprayed->work = words.work->name;
+  StrokeWriter(state, *sprayed).write();
+  state.out.sprayed.push_back(std::move(sprayed));
+}
 
 void sprayRegion(State& state, const SprayWords& words) {
   spray::RegionJob job;
@@ -142,20 +164,58 @@ void sprayRegion(State& state, const SprayWords& words) {
   };
   Result<spray::RegionResult> result = spray::sprayRegion(job, state.options.interrupted, progress);
   if (!result) {
-    Diagnostic d = at(state.statement->span, result.takeFailure());
-    labelOperands(d, words.items);
-    state.report(std::move(d));
+    refuse(state, words, result.takeFailure());
     return;
   }
   for (Failure& warning : result->warnings) {
     state.reportFailure(state.statement->span, std::move(warning));
   }
-  auto sprayed = std::make_shared<Sprayed>(std::move(result->sprayed));
-  sprayed->origin = state.statement->span;
-  sprayed->isn = static_cast<int>(state.statement->isn);
-  sprayed->work = words.work->name;
-  StrokeWriter(state, *sprayed).write();
-  state.out.sprayed.push_back(std::move(sprayed));
+  finish(state, words, std::move(result->sprayed));
+}
+
+Vec3 vec(const Entity& entity) {
+  return {entity.canon[0], entity.canon[1], entity.canon[2]};
+}
+
+/// How the lines run, as the job wants it.
+void setLines(spray::SurfaceJob& job, const SprayWords& words, double unit) {
+  using Lines = SprayWords::Lines;
+  using Job = spray::SurfaceJob;
+  switch (words.lines) {
+    case Lines::sections:
+      job.lines = Job::Parallel{vec(*words.plane).normalized()};
+      return;
+    case Lines::radial:
+      job.lines = Job::Radial{vec(*words.axisPlace) * unit, vec(*words.axisVector).normalized()};
+      return;
+    default:
+      job.lines = words.lines == Lines::alongV ? Job::Way::alongV : Job::Way::alongU;
+  }
+}
+
+void spraySurface(State& state, const SprayWords& words) {
+  const double unit = state.context.millimeters;
+  Result<spray::Patch> patch = spray::patchOf(*words.work, words.limits, unit);
+  if (!patch) {
+    refuse(state, words, patch.takeFailure());
+    return;
+  }
+  spray::SurfaceJob job;
+  job.patch = *std::move(patch);
+  job.patch.flipped = words.otherSide;
+  job.gun = spray::Gun::of(words.gun->canon);
+  job.film = words.film;
+  job.step = words.step * unit;
+  job.chord = words.chord != 0.0 ? words.chord * unit : job.chord;
+  job.checkRadius = words.checkRadius;
+  job.speed = words.speed;
+  setLines(job, words, unit);
+  Result<Sprayed> sprayed = spray::spraySurface(job);
+  if (!sprayed) {
+    refuse(state, words, sprayed.takeFailure());
+    return;
+  }
+  finish(state, words, *std::move(sprayed));
 }
 
 }  // namespace
@@ -176,7 +236,7 @@ void spray(State& state, const ir::Command& command) {
     state.reportFailure(state.statement->span, words.takeFailure());
     return;
   }
-  sprayRegion(state, *words);
+  words->ofRegion() ? sprayRegion(state, *words) : spraySurface(state, *words);
 }
 
 }  // namespace arelem::runtime::interpret

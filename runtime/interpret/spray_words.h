@@ -4,6 +4,7 @@
 
 #include "runtime/interpret/item.h"
 #include "runtime/spray/region_job.h"
+#include "runtime/spray/surface/surface_job.h"
 
 namespace arelem::runtime::interpret {
 
@@ -22,11 +23,25 @@ struct SprayWords {
   std::optional<spray::Prices> prices;
   std::optional<spray::Range> sizes;
   std::optional<spray::Range> angles;
+  // Of a surface.
+  enum class Lines : std::uint8_t { none, alongU, alongV, sections, radial };
+  Lines lines = Lines::none;
+  EntityPtr plane;       ///< of sections
+  EntityPtr axisPlace;   ///< POINT of radial sections
+  EntityPtr axisVector;  ///< VECTOR of radial sections
+  std::optional<spray::Limits4> limits;
+  double step = 0.0;
+  double chord = 0.0;
+  bool checkRadius = true;
+  [[nodiscard]] bool ofRegion() const { return work->type == EntityType::region; }
 };
 
 /// SPRAY/ region, GUN, gun, FILM, h [, OVRLAP, {beta | AVG | RMS | MAX}] [, INSET, {c | EDGE | MEAN
 /// | COMPAT}] [, ATANGL, deg] [, SPEED, v] [, REVERS] [, MINCST, k1, k2, k3, k4 [, HEIGHT, b1, b2,
-/// db] [, ANGLE, t1, t2, dt]]; the words in any order. Errors: E0372.
+/// db] [, ANGLE, t1, t2, dt]]
+/// SPRAY/ surface, GUN, gun, FILM, h, {ULINES | VLINES | SECTN, plane | RADIAL, point, vector}
+/// [, LIMITS, u1, u2, v1, v2] [, STEP, r] [, CHORD, tol] [, SPEED, v] [, REVERS] [, MINRAD, OFF]
+/// The words in any order. Errors: E0372.
 [[nodiscard]] Result<SprayWords> readSprayWords(Items items);
 
 }  // namespace arelem::runtime::interpret

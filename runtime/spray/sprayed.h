@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "runtime/spray/search.h"
 
 namespace arelem::spray {
+
+struct Patch;
 
 /// Where the spray falls while the gun moves straight from one place to the next. Places lie on the
 /// work, mm; normals point to the gun.
@@ -53,6 +56,7 @@ struct Sprayed {
   std::string advice;  ///< which direction suits better, "" when the lines run that way
   std::size_t lines = 0;
   double step = 0.0;
+  std::shared_ptr<const Patch> patch;  ///< null of a region
 };
 
 }  // namespace arelem::spray
