@@ -1,8 +1,0 @@
-#pragma once
-#include "ir/diag/kind.h"
-
-namespace arelem::diag {
-#define ARELEM_DIAG ARELEM_DIAG_KIND
-#include "ir/diag/g97.def"
-#undef ARELEM_DIAG
-}  // namespace arelem::diag
