@@ -29,6 +29,7 @@ int runDump(const Invocation& invocation);
 int runExplain(const Invocation& invocation);
 int runGeometry(const Invocation& invocation);
 int runLanguage(const Invocation& invocation);
+int runSpray(const Invocation& invocation);
 int runTargets(const Invocation& invocation);
 int runVerify(const Invocation& invocation);
 

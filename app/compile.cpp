@@ -10,6 +10,7 @@
 #include "app/path_options.h"
 #include "app/pipeline.h"
 #include "app/report.h"
+#include "app/spray_progress.h"
 #include "app/stopwatch.h"
 
 #include "runtime/path/arc_fit.h"
@@ -131,6 +132,7 @@ ExitCode compileOne(const PlannedJob& plan,
                     const CompileOptions& options,
                     const InterruptFlag& interrupted) {
   Compilation job(options.settings);
+  job.progress = progressOnTerminal();
   OutputSet outputs(job.log);
   if (load(job, plan.input, interrupted) && evaluate(job, interrupted)) {
     produce(job, outputs, plan, options, interrupted);

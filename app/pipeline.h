@@ -16,6 +16,7 @@ struct Compilation {
   explicit Compilation(const Settings& given) : settings(given) {}
 
   const Settings& settings;
+  runtime::ProgressCall progress;  ///< of long searches; may be empty
   SourceMap sources;
   BufferId main;
   DiagnosticLog log;

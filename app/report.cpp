@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/output_file.h"
+#include "app/spray_report.h"
 #include "app/version.h"
 
 #include "backend/report/report.h"
@@ -122,6 +123,10 @@ backend::Report reportOf(const Compilation& job, bool timing) {
     report.sources.emplace_back(job.sources.name({i}));
   }
   report.motions = motionsOf(job);
+  for (const auto& sprayed : job.evaluation.sprayed) {
+    const film::Map map = film::mapOf(*sprayed, 0.0);
+    report.sprays.push_back(reported(job, *sprayed, &map));
+  }
   for (const ir::Block& block : job.program.blocks) {
     for (const ir::Statement& statement : block.statements) {
       ++report.statements[std::visit(KindName{}, statement.body)];

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "backend/report/spray_json.h"
+
 namespace arelem::backend {
 
 namespace {
@@ -67,6 +69,7 @@ void writeReport(std::ostream& out, const Report& report) {
                    {"statements", Json::object()},
                    {"features", Json::object()},
                    {"motions", Json::array()},
+                   {"sprays", Json::array()},
                    {"wordsWithoutEffect", Json::array()}};
   for (const auto& [kind, count] : report.statements) {
     document["statements"][kind] = count;
@@ -76,6 +79,9 @@ void writeReport(std::ostream& out, const Report& report) {
   }
   for (const ReportedMotion& m : report.motions) {
     document["motions"].push_back(motion(m));
+  }
+  for (const ReportedSpray& s : report.sprays) {
+    document["sprays"].push_back(sprayJson(s));
   }
   for (const WordWithoutEffect& w : report.wordsWithoutEffect) {
     document["wordsWithoutEffect"].push_back({{"file", w.place.file},

@@ -6,14 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "backend/report/place.h"
+#include "backend/report/spray.h"
+
 /// The machine-readable account of a run (`--report FILE.json`), see docs/manual/report.md.
 namespace arelem::backend {
-
-/// A statement of the source, as far as an editor needs it.
-struct SourcePlace {
-  std::string file;
-  std::uint32_t line = 0;  ///< from 1
-};
 
 /// What one motion statement did in all its executions. Lengths and deviations in the unit of the
 /// program; deviations are those of the cut vectors' end points, positive on the outside, and
@@ -52,6 +49,7 @@ struct Report {
   std::string toolVersion;
   std::vector<std::string> sources;
   std::vector<ReportedMotion> motions;
+  std::vector<ReportedSpray> sprays;  ///< one a SPRAY statement and execution
   std::map<std::string, std::uint64_t> statements;  ///< counts by kind
   std::map<std::string, std::uint64_t> features;    ///< counts by id of the language reference
   std::string dialect;                              ///< in which the program was read

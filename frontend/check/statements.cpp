@@ -150,6 +150,7 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::canon:
     case WordClass::tuneup:
     case WordClass::unused:
+    case WordClass::spray:
       return plain(p, {.owner = spell(p.word)});
     case WordClass::units:
       return units(p);
@@ -163,6 +164,10 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::modifier:
     case WordClass::phase:
       break;
+  }
+  if (p.word == Word::FAN && p.slash) {  // the width of the spray, a word that robots' posts read
+    postWord(p);
+    return;
   }
   context_.report(diagnose(p.span, diag::Misplaced, fmt::format("the word `{}`", spell(p.word)))
                       .note("it is not a word that begins a statement"));

@@ -41,6 +41,8 @@ constexpr std::array kinds = {
     Kind{"pattern", bits({T::pattern})},
     Kind{"surface", conics | bits({T::line, T::plane, T::circle, T::cylinder, T::cone, T::sphere,
                                    T::torus, T::tabulatedCylinder})},
+    Kind{"gun", bits({T::gun})},
+    Kind{"region", bits({T::region})},
     Kind{"any", ~std::uint64_t{0}},
 };
 

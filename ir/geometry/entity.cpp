@@ -29,6 +29,9 @@ constexpr std::array rows = {
     TypeRow{EntityType::pattern, Word::PATERN, 0},
     TypeRow{EntityType::torus, Word::TORUS, 8},
     TypeRow{EntityType::tabulatedCylinder, Word::TABCYL, 0},
+    TypeRow{EntityType::gun, Word::GUN, 0},
+    TypeRow{EntityType::region, Word::REGION, 0},
+    TypeRow{EntityType::revolved, Word::REVOLV, 0},
     TypeRow{EntityType::mesh, Word::MESH, 0},
     TypeRow{EntityType::ruledSurface, Word::RLDSRF, 0},
 };

@@ -31,6 +31,9 @@ enum class EntityType : std::uint8_t {
   polyconic = 15,
   pattern = 18,
   torus = 19,
+  gun = 20,
+  region = 21,
+  revolved = 22,
   tabulatedCylinder = 50,
   mesh = 51,
   ruledSurface = 53
@@ -55,7 +58,8 @@ struct PatternShape {
 ///   y z r ELLIPS HYPERB GCONIC LCONIC QADRIC a b c d f g h p q r
 ///     (ax²+by²+cz²+d+2fyz+2gxz+2hxy+2px+2qy+2rz=0) · PATERN 3n coordinates
 ///   TABCYL n k m1..m9, then per interval u v a b len max min, then final u v · TORUS x y z i j k R
-///   r RLDSRF sub-forms one after another, see runtime/define/ruled.cpp
+///   r GUN see runtime/spray/gun.h · REGION see runtime/region/region.h · REVOLV x y z i j k start
+///   stop (degrees), then a TABCYL · RLDSRF sub-forms one after another, see runtime/define/ruled.cpp
 struct Entity {
   EntityType type = EntityType::point;
   std::vector<double> canon;

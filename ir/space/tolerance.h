@@ -60,4 +60,20 @@ inline constexpr double farAway = 1e7;
 /// A DO loop runs once more when its counter passes the last value by at most this part of a step.
 inline constexpr double loopCount = 1e-9;
 
+/// Two overlaps of spray passes that differ by at most this are the same. Dimensionless.
+inline constexpr double overlap = 1e-9;
+/// A pass at most this far below the last useful height is not useful. mm.
+inline constexpr double passHeight = 1e-9;
+/// Pieces of a spray pass that are at most this apart are one: they share an edge. mm.
+inline constexpr double passGap = 1e-7;
+/// Process costs that differ by at most this, relative, are equal. Dimensionless.
+inline constexpr double equalCost = 1e-9;
+/// Corners of a region lie this near to one plane, times the region's size (at least 1).
+/// Dimensionless.
+inline constexpr double regionPlane = 1e-6;
+/// Ends of curves of a drawing that are at most this apart are joined. Part unit.
+inline constexpr double drawingJoint = 1e-3;
+/// Chords of curved boundaries are this near to the curve where CHORD does not say. mm.
+inline constexpr double boundaryChord = 0.05;
+
 }  // namespace arelem::tolerance

@@ -9,6 +9,7 @@
 #include "runtime/define/resolve.h"
 #include "runtime/geometry/ruled_surface.h"
 #include "runtime/geometry/tabulated_cylinder.h"
+#include "runtime/region/region.h"
 
 namespace arelem::define {
 
@@ -120,6 +121,31 @@ Result<bool> checkRuled(const Canon& canon) {
   return true;
 }
 
+Result<bool> checkGun(const Canon& canon) {
+  const bool sized = canon.size() >= 13 && canon.size() % 2 == 1;
+  const bool sane = sized && canon[0] >= 1.0 && canon[0] <= 5.0 && canon[1] >= 0.0 &&
+                    canon[2] > 0.0 && canon[5] > 0.0 && canon[5] <= 1.0 && canon[7] >= 1.0;
+  if (!sane || (canon[0] == 5.0) != (canon.size() >= 17)) {
+    return fail(diag::WrongCanonicalCount, "GUN", canon.size(), "the numbers of another gun");
+  }
+  return true;
+}
+
+Result<bool> checkRegion(const Canon& canon) {
+  if (!region::Region::readable(canon)) {
+    return fail(diag::WrongCanonicalCount, "REGION", canon.size(), "the numbers of another region");
+  }
+  return true;
+}
+
+Result<bool> checkRevolved(const Canon& canon) {
+  if (canon.size() < 8 + geometry::tabulatedCylinderCount(2)) {
+    return fail(diag::WrongCanonicalCount, "REVOLV", canon.size(),
+                fmt::format("at least {}", 8 + geometry::tabulatedCylinderCount(2)));
+  }
+  return checkTabulated({canon.begin() + 8, canon.end()});
+}
+
 Result<bool> check(EntityType type, const Canon& canon) {
   Result<bool> good = true;
   switch (type) {
@@ -142,6 +168,12 @@ Result<bool> check(EntityType type, const Canon& canon) {
       return checkTabulated(canon);
     case EntityType::ruledSurface:
       return checkRuled(canon);
+    case EntityType::gun:
+      return checkGun(canon);
+    case EntityType::region:
+      return checkRegion(canon);
+    case EntityType::revolved:
+      return checkRevolved(canon);
     default:  // any numbers: programs also use LINE/CANON to keep four numbers
       return good;
   }

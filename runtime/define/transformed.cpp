@@ -8,6 +8,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/define/define.h"
 #include "runtime/geometry/shapes.h"
+#include "runtime/region/region.h"
 
 namespace arelem::define {
 
@@ -134,6 +135,22 @@ Form movePoints(const Entity& entity, const Matrix& m) {
   return {entity.type, std::move(canon)};
 }
 
+/// The normal is turned as a plane's is, every corner moves.
+Result<Form> moveRegion(const Entity& entity, const Matrix& m) {
+  Result<Eigen::Matrix3d> inverse = inverseLinear(m);
+  if (!inverse) {
+    return inverse.takeFailure();
+  }
+  region::Region moved = region::Region::of(entity.canon);
+  moved.normal = (inverse->transpose() * moved.normal).normalized();
+  for (region::Corners& loop : moved.loops) {
+    for (Vec3& corner : loop) {
+      corner = m.apply(corner);
+    }
+  }
+  return Form{entity.type, moved.canon()};
+}
+
 Failure refuse(EntityType type) {
   return fail(diag::NotTransformable, spell(type),
               type == EntityType::tabulatedCylinder
@@ -168,10 +185,15 @@ Result<Form> move(const Entity& entity, const Matrix& m) {
     case EntityType::lconic:
     case EntityType::quadric:
       return moveQuadric(entity, m);
+    case EntityType::gun:
+      return Form{entity.type, entity.canon};  // a gun has a size and no place
+    case EntityType::region:
+      return moveRegion(entity, m);
     case EntityType::matrix:
     case EntityType::polyconic:
     case EntityType::tabulatedCylinder:
     case EntityType::mesh:
+    case EntityType::revolved:
     case EntityType::ruledSurface:
       break;
   }

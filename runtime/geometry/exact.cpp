@@ -38,4 +38,15 @@ int sideOfLine(double a, double b, double d, double x, double y) {
   return certain != 0 ? certain : signOf(Exact(a) * Exact(x) + Exact(b) * Exact(y) - Exact(d));
 }
 
+int turn(double ax, double ay, double bx, double by, double cx, double cy) {
+  const double left = (bx - ax) * (cy - ay);
+  const double right = (by - ay) * (cx - ax);
+  const int certain = certainSign(left - right, std::abs(left) + std::abs(right));
+  if (certain != 0) {
+    return certain;
+  }
+  return signOf((Exact(bx) - Exact(ax)) * (Exact(cy) - Exact(ay)) -
+                (Exact(by) - Exact(ay)) * (Exact(cx) - Exact(ax)));
+}
+
 }  // namespace arelem::geometry

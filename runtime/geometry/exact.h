@@ -9,5 +9,7 @@ namespace arelem::geometry {
 [[nodiscard]] int discriminantSign(double a, double b, double c);
 /// Sign of a x + b y - d: +1 on the side that the normal (a, b) of the line points to.
 [[nodiscard]] int sideOfLine(double a, double b, double d, double x, double y);
+/// Whether a, b, c turn to the left (+1), to the right (-1) or lie on one line (0).
+[[nodiscard]] int turn(double ax, double ay, double bx, double by, double cx, double cy);
 
 }  // namespace arelem::geometry

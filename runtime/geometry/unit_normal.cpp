@@ -86,6 +86,9 @@ auto visitSurface(const Entity& entity, Use use, Other otherwise) {
     case EntityType::polyconic:
     case EntityType::pattern:
     case EntityType::mesh:
+    case EntityType::gun:
+    case EntityType::region:
+    case EntityType::revolved:
     case EntityType::ruledSurface:
       break;
   }

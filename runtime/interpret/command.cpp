@@ -162,6 +162,12 @@ void execute(State& state, const ir::Command& command) {
     case WordClass::units:
       units(state, command);
       return;
+    case WordClass::spray:
+      spray(state, command);
+      return;
+    case WordClass::modifier:
+      command.word == Word::FAN ? post(state, command) : other(state, command);
+      return;
     case WordClass::transformation:
     case WordClass::postWithParameters:
     case WordClass::postWithoutParameters:

@@ -26,5 +26,7 @@ void post(State& state, const ir::Command& command);
 
 /// STENCL: letters painted on the ground.
 void stencil(State& state, const ir::Command& command);
+/// SPRAY/ON and SPRAY/OFF as they stand; SPRAY of a region or surface: passes of a gun.
+void spray(State& state, const ir::Command& command);
 
 }  // namespace arelem::runtime::interpret

@@ -155,6 +155,7 @@ void motionParameter(State& state, const ir::Command& command) {
 
 void toggle(State& state, const ir::Command& command) {
   if (const std::optional<bool> on = switched(state, command)) {
+    state.multax = command.word == Word::MULTAX ? *on : state.multax;
     state.emit(Toggle{command.word == Word::GOUGE ? Word::GOUGCK : command.word, *on});
   }
 }

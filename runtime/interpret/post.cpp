@@ -166,6 +166,10 @@ void post(State& state, const ir::Command& command) {
     state.report(diagnose(state.statement->span, diag::PostParameters, name, items->size()));
   }
   if (auto arguments = values(state, name, word, *items)) {
+    if (word == Word::FAN) {  // a modifier by its class, so it has no number on a tape
+      state.emit(Pass{cl::Post{Word::END, "FAN", *std::move(arguments)}});
+      return;
+    }
     state.emit(Pass{cl::Post{word, "", *std::move(arguments)}});
   }
 }

@@ -27,6 +27,7 @@ class State {
   define::Context context;   ///< ZSURF, unit and data files, as definitions see them
   bool redefinable = false;  ///< CANON/ON
   bool listing = false;      ///< PRINT/ON
+  bool multax = false;       ///< MULTAX
 
   const ir::Statement* statement = nullptr;  ///< the one being executed
   std::shared_ptr<const CallChain> calls;

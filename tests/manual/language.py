@@ -40,6 +40,11 @@ CANON = {
     "RLDSRF": "sub-forms one after another, each with its type code and count",
     "PATERN": "x y z of each point",
     "TORUS": "x y z of the center, unit axis i j k, radius of the center circle, radius of the tube",
+    "GUN": "kind (1 ELLIPS, 2 CONE, 3 FAN, 4 CALIB, 5 TABLE), half axes along and across, stand-off (mm), flow (l/min), "
+           "efficiency, speed (mm/s), output, lead on and off (s), half angle (degrees), c0, c1; of a table place and density "
+           "of each point",
+    "REGION": "unit normal i j k, number of boundaries, then of each the number of corners and their x y z; holes run clockwise",
+    "REVOLV": "x y z and unit direction i j k of the axis, first and last angle (degrees), then the numbers of the TABCYL",
     "TYPE": "those of the type",
 }
 ABOUT = {
@@ -47,6 +52,11 @@ ABOUT = {
     "CIRCLE": "A CIRCLE is a vertical cylinder; z of its points is ignored. XLARGE and its kin speak of the new center.",
     "PLANE": "A LINE may stand wherever the syntax says plane.",
     "MATRIX": "In a product the right factor acts first. Only a rotation beside TRANSL reads in time order.",
+    "GUN": "A spray gun at its distance from the work. Lengths are in the unit of the program, process quantities as written "
+           "here. [Spray painting](../spray.md) tells what it is for.",
+    "REGION": "What is painted, in one plane. Boundaries close by themselves, must not cross or touch, and lie in each other: "
+              "a HOLE in an outline, an ISLAND in a hole or outside. [Spray painting](../spray.md).",
+    "REVOLV": "A surface of revolution, for SPRAY. Angles count from the curve's own place.",
     "TYPE": "Canonical input for every type, and copies with some numbers replaced.",
 }
 CLASSES = {

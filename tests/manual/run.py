@@ -32,13 +32,14 @@ REASONS = {
     "curves built in memory; tests/unit/runtime/spline shows them": "E0380 E0381 E0382 E0383 E0384 E0385",
     "the command `time`; tests/end_to_end/test_time.py shows them": "E0395 E0396",
     "a file, a folder or a device that cannot be read or written": "E0610 E0611 E0612 E0613 E0701 E0702 E0730 E0731 E0732 E0895",
+    "a data file beside the program; tests/unit/runtime/define and region show them": "E0355 E0367 E0368 E0369 E0370 E0371",
     "a CL tape; tests/unit/backend and tests/end_to_end show them": "E0602 E0603 E0720 E0721 E0722 E0891 W0604 W0723 W0724 W0725 W0726",
     "two files to compare; tests/end_to_end/test_verify.py shows them": "E0901 E0902 E0903 E0920",
     "a path that breaks its program's tolerance; tests/end_to_end/test_certify.py and tests/unit/runtime/certify show them":
         "E0727 E0904 E0905 E0906 E0907 E0908 E0909 E0910 E0911 E0912 E0913 E0914 E0915 W0916",
     "a machine file or a V+ program; tests/unit/backend/robot, tests/unit/backend/vplus and tests/end_to_end/test_robots.py show them":
         "W0620 E0621 E0622 E0630 W0631 W0632 E0633 E0650 E0651 E0652 E0660 E0661 E0662 E0663 E0664 E0665 E0666",
-    "a signal; tests/end_to_end/test_faults.py sends it": "E0810 E0890",
+    "a signal; tests/end_to_end/test_faults.py sends it": "E0810 E0811 E0890",
     "a program built in memory: the front end refuses the text first; tests/unit/runtime shows them":
         "E0407 E0408 E0410 E0411 E0412 E0414 E0416 E0417 E0419 E0420 E0421 E0422 E0423 E0424 E0425 E0426 E0429 "
         "E0430 E0432 E0433 E0435 E0441 E0451 E0465 E0467 W0468 E0475 E0501 E0802 E0804 E0805",

@@ -1,0 +1,130 @@
+#include <filesystem>
+#include <iostream>
+
+#include "app/command.h"
+#include "app/options.h"
+#include "app/output_file.h"
+#include "app/spray_progress.h"
+#include "app/spray_report.h"
+#include <unistd.h>
+
+#include "ir/diag/output.h"
+
+namespace arelem::app {
+
+namespace {
+struct SprayOptions {
+  Settings settings;
+  std::string file;
+  std::vector<std::string> films;
+  double cell = 0.0;
+  bool json = false;
+  bool table = false;
+};
+
+/// `name.png`, or `name_2.png` for the second of several statements.
+std::string numbered(const std::string& path, std::size_t index, std::size_t count) {
+  if (count == 1) {
+    return path;
+  }
+  std::filesystem::path numbered(path);
+  numbered.replace_filename(
+      fmt::format("{}_{}{}", numbered.stem().string(), index + 1, numbered.extension().string()));
+  return numbered.string();
+}
+
+bool writeFilm(std::ostream& out, const std::string& path, const backend::FilmPicture& picture) {
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  if (suffix == ".png") {
+    return writeFilmPng(out, picture);
+  }
+  suffix == ".svg" ? writeFilmSvg(out, picture) : writeFilmCsv(out, picture);
+  return true;
+}
+
+/// One picture or table of one statement.
+void putFilm(Compilation& job, const std::string& path, const backend::FilmPicture& picture) {
+  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
+  if (!file) {
+    job.log.accept(file.takeFailure());
+    return;
+  }
+  if (!writeFilm((*file)->stream(), path, picture)) {
+    job.log.accept(fail(diag::OutputWrite, path, std::uint64_t{0}, "the picture cannot be made"));
+    return;
+  }
+  Result<std::string> name = (*file)->commit(false);
+  if (!name) {
+    job.log.accept(name.takeFailure());
+  }
+}
+
+void show(Compilation& job, const SprayOptions& options) {
+  const auto& all = job.evaluation.sprayed;
+  std::vector<backend::ReportedSpray> reports;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const film::Map map = film::mapOf(*all[i], options.cell);
+    reports.push_back(reported(job, *all[i], &map));
+    const backend::FilmPicture picture = pictureOf(*all[i], map);
+    for (const std::string& path : options.films) {
+      putFilm(job, numbered(path, i, all.size()), picture);
+    }
+  }
+  if (options.json) {
+    writeSprayJson(std::cout, reports);
+    return;
+  }
+  for (const backend::ReportedSpray& one : reports) {
+    options.table ? writeSprayTable(std::cout, one) : writeSprayText(std::cout, one);
+  }
+  if (reports.empty()) {
+    std::cerr << "arelem: the program has no SPRAY statement\n";
+  }
+}
+
+std::string objectionToFilms(const std::vector<std::string>& films) {
+  for (const std::string& path : films) {
+    const std::string suffix = std::filesystem::path(path).extension().string();
+    if (suffix != ".png" && suffix != ".svg" && suffix != ".csv") {
+      return "a film is written as .png, .svg or .csv, not as `" + path + "`";
+    }
+  }
+  return "";
+}
+}  // namespace
+
+int runSpray(const Invocation& invocation) {
+  CLI::App app(
+      "What the SPRAY statements of a part program amount to: passes, times, paint, cost, film.",
+      "spray");
+  SprayOptions options;
+  app.add_option("FILE", options.file, "a part program; - is standard input")->required();
+  app.add_flag("--json", options.json, "an array, one object a statement, with all trials");
+  app.add_flag("--table", options.table, "the trials of MINCST as a table");
+  app.add_option("--film", options.films,
+                 "picture or table of the simulated film: .png, .svg, .csv; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_option("--cell", options.cell, "cells of the film, mm; default: 400 in the longer way")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MM");
+  addSourceOptions(app, options.settings);
+  addMessageOptions(app, options.settings);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  if (const std::string objection = objectionToFilms(options.films); !objection.empty()) {
+    printUsageError("spray", objection);
+    return static_cast<int>(ExitCode::wrongUse);
+  }
+  const InterruptFlag& interrupted = invocation.interrupt.flag();
+  Compilation job(options.settings);
+  job.progress = progressOnTerminal();
+  if (load(job, options.file, interrupted) && evaluate(job, interrupted)) {
+    show(job, options);
+  }
+  job.log.print(job.sources, job.main, options.settings);
+  return static_cast<int>(job.log.exitCode());
+}
+
+}  // namespace arelem::app

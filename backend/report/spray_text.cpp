@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "backend/report/spray.h"
+
+namespace arelem::backend {
+
+namespace {
+constexpr double micrometers = 1e3;
+
+std::string head(const ReportedSpray& s) {
+  const std::string what =
+      s.planar ? fmt::format("region of {} {}{}", s.boundaries,
+                             s.boundaries == 1 ? "boundary" : "boundaries",
+                             s.holes == 0 ? "" : fmt::format(", {} of them holes", s.holes))
+               : "surface";
+  return fmt::format("{}:{}: SPRAY/ {} ({})", s.place.file, s.place.line,
+                     s.work.empty() ? "..." : s.work, what);
+}
+
+void row(std::ostream& out, std::string_view name, const std::string& text) {
+  out << fmt::format("  {:<12}{}\n", name, text);
+}
+
+void costRow(std::ostream& out, const ReportedSpray& s) {
+  if (s.cost) {
+    const auto& p = s.cost->parts;
+    row(out, "cost",
+        fmt::format("${:.4f}: painting time {:.4f}, other time {:.4f}, overspray {:.4f}, "
+                    "spray-by {:.4f}, film {:.4f}",
+                    s.cost->total, p[0], p[1], p[2], p[3], p[4]));
+  }
+}
+
+void filmRow(std::ostream& out, const ReportedSpray& s) {
+  if (s.simulated) {
+    const ReportedSpray::Simulated& f = *s.simulated;
+    row(out, "simulated",
+        fmt::format("film {:.4g} um on average, {:.4g} to {:.4g}; {:.1f} % of the area within "
+                    "10 % of {:.4g}; R1 {:.4f}, R2 {:.4f}, R3 {:.4f}",
+                    micrometers * f.mean, micrometers * f.smallest, micrometers * f.largest,
+                    100.0 * f.within10, micrometers * s.film, f.uniformity[0], f.uniformity[1],
+                    f.uniformity[2]));
+  }
+}
+}  // namespace
+
+void writeSprayText(std::ostream& out, const ReportedSpray& s) {
+  out << head(s) << '\n';
+  row(out, "work", fmt::format("{:.8g} mm2, film {:.4g} um", s.area, micrometers * s.film));
+  row(out, "gun",
+      fmt::format("footprint {:.5g} along, {:.5g} across (half axes), {:.5g} from the work (mm); "
+                  "{:.5g} mm/s, {:.4g} l/min",
+                  s.along, s.across, s.standOff, s.speed, s.flow));
+  row(out, "passes",
+      fmt::format("{}, {:.5g} mm apart, at {:.5g} degrees; overlap {:.5g}, inset {:.5g} mm",
+                  s.passes, s.interval, s.degrees, s.overlap, s.inset));
+  row(out, "path",
+      fmt::format("{:.7g} mm painted in {:.5g} s, {:.6g} mm besides in {:.4g} s; painting takes "
+                  "{:.4g} s at least",
+                  s.painted, s.paintingTime, s.unpainted, s.travelTime, s.shortestTime));
+  row(out, "paint",
+      fmt::format("{:.4g} l used: {:.4g} on the work, {:.4g} overspray, {:.4g} beside the work",
+                  s.used, s.deposited, s.overspray, s.sprayBy));
+  row(out, "uniformity",
+      fmt::format("between passes R1 {:.5f}, R2 {:.5f}, R3 {:.5f}; the edge gets {:.3f} of the "
+                  "film, the strip inside it {:.3f}",
+                  s.uniformity[0], s.uniformity[1], s.uniformity[2], s.edgeFilm, s.edgeMean));
+  costRow(out, s);
+  filmRow(out, s);
+  if (s.radiusAlong || s.radiusAcross) {
+    const auto radius = [](const std::optional<double>& r) {
+      return r ? fmt::format("{:.5g} mm", *r) : std::string("flat");
+    };
+    row(out, "curvature",
+        fmt::format("smallest radius {} along the lines, {} across{}", radius(s.radiusAlong),
+                    radius(s.radiusAcross), s.advice.empty() ? "" : "; " + s.advice));
+  }
+}
+
+void writeSprayTable(std::ostream& out, const ReportedSpray& s) {
+  if (s.trials.empty()) {
+    return;
+  }
+  out << head(s) << '\n'
+      << "       b   angle passes       Xi       Xo      Ti      To       v       q      cost    "
+         "time   other  oversp sprayby    film\n";
+  for (const ReportedSpray::Trial& t : s.trials) {
+    const bool best = t.across == s.across && t.degrees == s.degrees;
+    const auto& p = t.cost.parts;
+    out << fmt::format(
+        "{}{:8.3f} {:7.2f} {:6} {:8.1f} {:8.1f} {:7.2f} {:7.2f} {:7.1f} {:7.4f} {:9.4f} {:7.4f} "
+        "{:7.4f} {:7.4f} {:7.4f} {:7.4f}{}\n",
+        best          ? '*'
+        : t.preferred ? '+'
+                      : ' ',
+        t.across, t.degrees, t.passes, t.painted, t.unpainted, t.paintingTime, t.travelTime,
+        t.speed, t.flow, t.cost.total, p[0], p[1], p[2], p[3], p[4], best ? "  least" : "");
+  }
+}
+
+}  // namespace arelem::backend

@@ -1,0 +1,213 @@
+#include "runtime/film/map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/film/surface_map.h"
+
+namespace arelem::film {
+
+using spray::Sprayed;
+using spray::Vec2;
+
+namespace {
+/// A painting stroke in the plane of the region.
+struct Line {
+  Vec2 from, along;
+  double length = 0.0;
+  double rate = 0.0;  ///< q eta / (v b), mm
+};
+
+class Gunwork {
+ public:
+  explicit Gunwork(const Sprayed& sprayed)
+      : profile_(sprayed.gun.profile()),
+        along_(sprayed.gun.footprint.along),
+        across_(sprayed.gun.footprint.across) {
+    const double angle = sprayed.chosen.degrees * std::numbers::pi / 180.0;
+    // The gun is not turned from pass to pass: its left side stays where it is.
+    left_ = Vec2(-std::sin(angle), std::cos(angle));
+    const double flow = sprayed.chosen.operation.flow * sprayed.gun.efficiency;
+    for (const spray::Stroke& stroke : sprayed.strokes) {
+      const Vec2 from = inPlane(sprayed, stroke.from);
+      const Vec2 step = inPlane(sprayed, stroke.to) - from;
+      const double length = step.norm();
+      if (stroke.painting && length > 0.0) {
+        lines_.push_back({from, step / length, length, flow / (stroke.speed * across_)});
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
+  [[nodiscard]] double reach() const { return std::max(along_, across_); }
+
+  [[nodiscard]] double filmOf(const Line& line, const Vec2& place) const {
+    const Vec2 arm = place - line.from;
+    const double u = arm.dot(left_) / across_;
+    if (!(std::abs(u) <= 1.0)) {
+      return 0.0;
+    }
+    const double t = arm.dot(line.along);
+    const double half = along_ * std::sqrt(1.0 - u * u);
+    double share = t >= 0.0 && t <= line.length ? 1.0 : 0.0;
+    if (half > 0.0) {
+      const double passed = std::min(line.length, t + half) - std::max(0.0, t - half);
+      share = std::max(0.0, passed) / (2.0 * half);
+    }
+    return share > 0.0 ? line.rate * profile_.density(u) * share : 0.0;
+  }
+
+ private:
+  static Vec2 inPlane(const Sprayed& s, const Vec3& place) {
+    return {(place - s.origin3).dot(s.x), (place - s.origin3).dot(s.y)};
+  }
+
+  spray::Profile profile_;
+  double along_, across_;
+  Vec2 left_ = Vec2::UnitY();
+  std::vector<Line> lines_;
+};
+
+/// The columns of a row whose middles may lie under a line's spray.
+std::pair<long, long> columnsUnder(const Map& map, const Line& line, double reach, double y) {
+  // Where |distance from the line| <= reach, and not beyond its ends by more than the reach.
+  const Vec2 left(-line.along.y(), line.along.x());
+  double low = map.low.x();
+  double high = map.low.x() + map.cell * static_cast<double>(map.columns);
+  const auto clip = [&](const Vec2& direction, double from, double to) {
+    const double offset = direction.y() * (y - line.from.y()) - direction.x() * line.from.x();
+    if (std::abs(direction.x()) < 1e-12) {
+      if (offset < from || offset > to) {
+        high = low - 1.0;
+      }
+      return;
+    }
+    const double a = (from - offset) / direction.x();
+    const double b = (to - offset) / direction.x();
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  };
+  clip(left, -reach, reach);
+  clip(line.along, -reach, line.length + reach);
+  const auto column = [&map](double x) {
+    return static_cast<long>(std::floor((x - map.low.x()) / map.cell));
+  };
+  return high < low ? std::pair{1L, 0L}
+                    : std::pair{std::max(0L, column(low) - 1),
+                                std::min(static_cast<long>(map.columns) - 1, column(high) + 1)};
+}
+
+void addLine(Map& map, const Gunwork& gun, const Line& line) {
+  const double reach = gun.reach();
+  const double yFrom = std::min(line.from.y(), line.from.y() + line.length * line.along.y());
+  const double yTo = std::max(line.from.y(), line.from.y() + line.length * line.along.y());
+  const auto row = [&map](double y) {
+    return static_cast<long>(std::floor((y - map.low.y()) / map.cell));
+  };
+  const long last = std::min(static_cast<long>(map.rows) - 1, row(yTo + reach) + 1);
+  for (long r = std::max(0L, row(yFrom - reach) - 1); r <= last; ++r) {
+    const double y = map.low.y() + map.cell * (static_cast<double>(r) + 0.5);
+    const auto [from, to] = columnsUnder(map, line, reach, y);
+    for (long c = from; c <= to; ++c) {
+      const auto column = static_cast<std::size_t>(c);
+      map.film[static_cast<std::size_t>(r) * map.columns + column] +=
+          gun.filmOf(line, map.middle(column, static_cast<std::size_t>(r)));
+    }
+  }
+}
+
+void markWork(Map& map, const spray::Outline& outline) {
+  for (std::size_t r = 0; r < map.rows; ++r) {
+    const double y = map.middle(0, r).y();
+    std::vector<double> crossings;
+    for (const spray::Loop& loop : outline.loops) {
+      const std::vector<double> own = spray::hits(loop, y);
+      crossings.insert(crossings.end(), own.begin(), own.end());
+    }
+    std::sort(crossings.begin(), crossings.end());
+    std::size_t next = 0;
+    for (std::size_t c = 0; c < map.columns; ++c) {
+      while (next < crossings.size() && crossings[next] < map.middle(c, r).x()) {
+        ++next;
+      }
+      map.onWork[r * map.columns + c] = next % 2 == 1;
+    }
+  }
+}
+
+}  // namespace
+
+void measure(Map& map, double wanted) {
+  Statistics& s = map.statistics;
+  s.wanted = wanted;
+  const double cellArea = map.cell * map.cell;
+  std::size_t count = 0;
+  std::size_t near = 0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < map.film.size(); ++i) {
+    const double film = map.film[i];
+    if (!map.onWork[i]) {
+      s.outside += film * cellArea;
+      continue;
+    }
+    const double off = std::abs(film / wanted - 1.0);
+    s.smallest = count == 0 ? film : std::min(s.smallest, film);
+    s.largest = std::max(s.largest, film);
+    sum += film;
+    s.spread.average += off;
+    s.spread.rms += off * off;
+    s.spread.largest = std::max(s.spread.largest, off);
+    near += off <= 0.1 ? 1 : 0;
+    ++count;
+  }
+  if (count == 0) {
+    return;
+  }
+  const auto n = static_cast<double>(count);
+  s.mean = sum / n;
+  s.spread.average /= n;
+  s.spread.rms = std::sqrt(s.spread.rms / n);
+  s.within10 = static_cast<double>(near) / n;
+  s.area = n * cellArea;
+  s.deposited = sum * cellArea;
+}
+double filmAt(const Sprayed& sprayed, const Vec2& place) {
+  const Gunwork gun(sprayed);
+  double film = 0.0;
+  for (const Line& line : gun.lines()) {
+    film += gun.filmOf(line, place);
+  }
+  return film;
+}
+
+Map mapOf(const Sprayed& sprayed, double cell) {
+  if (!sprayed.planar) {
+    return surfaceMapOf(sprayed, cell);
+  }
+  const Gunwork gun(sprayed);
+  spray::Extent extent = extentOf(sprayed.outline);
+  for (const Line& line : gun.lines()) {
+    for (const Vec2& end : {line.from, Vec2(line.from + line.length * line.along)}) {
+      extent.low = extent.low.cwiseMin(end - Vec2::Constant(gun.reach())).eval();
+      extent.high = extent.high.cwiseMax(end + Vec2::Constant(gun.reach())).eval();
+    }
+  }
+  const Vec2 size = extent.high - extent.low;
+  Map map;
+  map.low = extent.low;
+  map.cell = cell > 0.0 ? cell : size.maxCoeff() / usualCells;
+  map.cell = std::max(map.cell, std::sqrt(size.x() * size.y() / static_cast<double>(mostCells)));
+  map.columns = static_cast<std::size_t>(std::max(1.0, std::ceil(size.x() / map.cell)));
+  map.rows = static_cast<std::size_t>(std::max(1.0, std::ceil(size.y() / map.cell)));
+  map.film.assign(map.columns * map.rows, 0.0);
+  map.onWork.assign(map.columns * map.rows, false);
+  for (const Line& line : gun.lines()) {
+    addLine(map, gun, line);
+  }
+  markWork(map, sprayed.outline);
+  measure(map, sprayed.film);
+  return map;
+}
+
+}  // namespace arelem::film

@@ -1,0 +1,242 @@
+// SPRAY: words to a job, its strokes to actions.
+#include "ir/diag/spray.h"
+
+#include <cmath>
+
+#include "ir/diag/interpret.h"
+#include "runtime/interpret/command.h"
+#include "runtime/interpret/spray_words.h"
+#include "runtime/spray/region_job.h"
+#include "runtime/spray/units.h"
+
+namespace arelem::runtime::interpret {
+
+namespace {
+
+using spray::Sprayed;
+using spray::Stroke;
+
+/// Puts the strokes of a job into the stream: poses of the gun, its switching, feeds.
+class StrokeWriter {
+ public:
+  StrokeWriter(State& state, const Sprayed& sprayed)
+      : state_(state), sprayed_(sprayed), unit_(state.context.millimeters) {}
+
+  void write() {
+    const bool multax = state_.multax;
+    if (!multax) {
+      state_.emit(Toggle{Word::MULTAX, true});
+    }
+    if (sprayed_.chosen.operation.flow > 0.0) {
+      post(Word::FLOW, {sprayed_.chosen.operation.flow / spray::literPerMinute});
+    }
+    if (!sprayed_.gun.spreads() && !sprayed_.trials.empty()) {
+      state_.emit(Pass{cl::Post{Word::END, "FAN", {sprayed_.chosen.across / unit_}}});
+    }
+    for (std::size_t i = 0; i < sprayed_.strokes.size(); ++i) {
+      stroke(i);
+    }
+    off();
+    if (!multax) {
+      state_.emit(Toggle{Word::MULTAX, false});
+    }
+  }
+
+ private:
+  void post(Word word, std::vector<cl::Value> values) {
+    state_.emit(Pass{cl::Post{word, "", std::move(values)}});
+  }
+  void on() {
+    if (!spraying_) {
+      post(Word::SPRAY, {Word::ON, static_cast<double>(sprayed_.gun.output)});
+    }
+    spraying_ = true;
+  }
+  void off() {
+    if (spraying_) {
+      post(Word::SPRAY, {Word::OFF, static_cast<double>(sprayed_.gun.output)});
+    }
+    spraying_ = false;
+  }
+  void feed(double speed) {
+    if (speed != feed_) {
+      post(Word::FEDRAT, {speed, Word::MMPS});
+      feed_ = speed;
+    }
+  }
+  /// The nozzle stands off along the normal.
+  void go(const Vec3& place, const Vec3& normal) {
+    Locate locate;
+    locate.word = Word::GOTO;
+    locate.point = (place + sprayed_.gun.standOff * normal) / unit_;
+    locate.axis = normal;
+    state_.emit(std::move(locate));
+  }
+
+  /// On a bent surface the nozzle goes a longer or shorter way than its spray.
+  [[nodiscard]] double nozzleSpeed(const Stroke& s, double length) const {
+    const double d = sprayed_.gun.standOff;
+    const double way = (s.to + d * s.normalTo - s.from - d * s.normalFrom).norm();
+    return length > 0.0 ? s.speed * std::round(way / length * 1e6) / 1e6 : s.speed;
+  }
+
+  void stroke(std::size_t i) {
+    const Stroke& s = sprayed_.strokes[i];
+    const Vec3 step = s.to - s.from;
+    const double length = step.norm();
+    const Vec3 along = length > 0.0 ? Vec3(step / length) : Vec3(Vec3::Zero());
+    const bool first = i == 0 || !sprayed_.strokes[i - 1].painting || s.newPass;
+    const bool last = i + 1 == sprayed_.strokes.size() || !sprayed_.strokes[i + 1].painting ||
+                      sprayed_.strokes[i + 1].newPass;
+    const double early = s.painting && first ? s.speed * sprayed_.gun.leadOn : 0.0;
+    if (s.newPass) {
+      off();
+      post(Word::RAPID, {});
+      feed_ = 0.0;
+      go(s.from - early * along, s.normalFrom);
+    }
+    if (s.painting) {
+      on();
+      feed(nozzleSpeed(s, length));
+      const double closing = last ? std::min(s.speed * sprayed_.gun.leadOff, length) : 0.0;
+      if (closing > 0.0) {
+        go(s.to - closing * along, s.normalTo);
+        off();
+      }
+      go(s.to, s.normalTo);
+      return;
+    }
+    off();
+    feed(s.speed);
+    // The next piece is switched on early: the gap ends before its place.
+    const double before = sprayed_.chosen.operation.speed * sprayed_.gun.leadOn;
+    go(s.to - std::min(before, length) * along, s.normalTo);
+  }
+
+  State& state_;
+  const Sprayed& sprayed_;
+  double unit_;
+  bool spraying_ = false;
+  double feed_ = 0.0;
+};
+
+void refuse(State& state, const SprayWords& words, Failure failure) {
+  Diagnostic d = at(state.statement->span, std::move(failure));
+  labelOperands(d, words.items);
+  state.report(std::move(d));
+}
+
+void finish(State& state, const SprayWords& words, Sprayed result) {
+  auto sprayed = std::make_shared<Sprayed>(std::move(result));
+  sprayed->origin = state.statement->span;
+  sprayed->isn = static_cast<int>(state.statement->isn);
+  sprayed->work = words.work->name;
+  StrokeWriter(state, *sprayed).write();
+  state.out.sprayed.push_back(std::move(sprayed));
+}
+
+void sprayRegion(State& state, const SprayWords& words) {
+  spray::RegionJob job;
+  job.region = region::Region::of(words.work->canon);
+  job.unit = state.context.millimeters;
+  job.gun = spray::Gun::of(words.gun->canon);
+  job.film = words.film;
+  job.overlap = words.overlap;
+  job.inset = words.inset;
+  if (const double* length = std::get_if<double>(&words.inset)) {
+    job.inset = *length * job.unit;
+  }
+  job.degrees = words.degrees;
+  job.speed = words.speed;
+  job.otherSide = words.otherSide;
+  job.prices = words.prices;
+  job.angles = words.angles;
+  job.sizes = words.sizes;
+  if (job.sizes) {
+    for (double* value : {&job.sizes->from, &job.sizes->to, &job.sizes->step}) {
+      *value *= job.unit;
+    }
+  }
+  const spray::Progress progress = [&state](std::size_t done, std::size_t all) {
+    if (state.options.progress) {
+      state.options.progress("MINCST", done, all);
+    }
+  };
+  Result<spray::RegionResult> result = spray::sprayRegion(job, state.options.interrupted, progress);
+  if (!result) {
+    refuse(state, words, result.takeFailure());
+    return;
+  }
+  for (Failure& warning : result->warnings) {
+    state.reportFailure(state.statement->span, std::move(warning));
+  }
+  finish(state, words, std::move(result->sprayed));
+}
+
+Vec3 vec(const Entity& entity) {
+  return {entity.canon[0], entity.canon[1], entity.canon[2]};
+}
+
+/// How the lines run, as the job wants it.
+void setLines(spray::SurfaceJob& job, const SprayWords& words, double unit) {
+  using Lines = SprayWords::Lines;
+  using Job = spray::SurfaceJob;
+  switch (words.lines) {
+    case Lines::sections:
+      job.lines = Job::Parallel{vec(*words.plane).normalized()};
+      return;
+    case Lines::radial:
+      job.lines = Job::Radial{vec(*words.axisPlace) * unit, vec(*words.axisVector).normalized()};
+      return;
+    default:
+      job.lines = words.lines == Lines::alongV ? Job::Way::alongV : Job::Way::alongU;
+  }
+}
+
+void spraySurface(State& state, const SprayWords& words) {
+  const double unit = state.context.millimeters;
+  Result<spray::Patch> patch = spray::patchOf(*words.work, words.limits, unit);
+  if (!patch) {
+    refuse(state, words, patch.takeFailure());
+    return;
+  }
+  spray::SurfaceJob job;
+  job.patch = *std::move(patch);
+  job.patch.flipped = words.otherSide;
+  job.gun = spray::Gun::of(words.gun->canon);
+  job.film = words.film;
+  job.step = words.step * unit;
+  job.chord = words.chord != 0.0 ? words.chord * unit : job.chord;
+  job.checkRadius = words.checkRadius;
+  job.speed = words.speed;
+  setLines(job, words, unit);
+  Result<Sprayed> sprayed = spray::spraySurface(job);
+  if (!sprayed) {
+    refuse(state, words, sprayed.takeFailure());
+    return;
+  }
+  finish(state, words, *std::move(sprayed));
+}
+
+}  // namespace
+
+void spray(State& state, const ir::Command& command) {
+  const Word* first =
+      command.arguments.empty() ? nullptr : std::get_if<Word>(&command.arguments.front().value);
+  if (first != nullptr && (*first == Word::ON || *first == Word::OFF)) {
+    post(state, command);
+    return;
+  }
+  auto items = evaluate(state, command.arguments, Use::motion);
+  if (!items) {
+    return;
+  }
+  Result<SprayWords> words = readSprayWords(*std::move(items));
+  if (!words) {
+    state.reportFailure(state.statement->span, words.takeFailure());
+    return;
+  }
+  words->ofRegion() ? sprayRegion(state, *words) : spraySurface(state, *words);
+}
+
+}  // namespace arelem::runtime::interpret

@@ -1,0 +1,259 @@
+#include "runtime/interpret/spray_words.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "ir/diag/spray.h"
+
+namespace arelem::runtime::interpret {
+
+namespace {
+constexpr std::string_view regionForm =
+    "SPRAY/ region, GUN, gun, FILM, h [, OVRLAP, {beta|AVG|RMS|MAX}] [, INSET, "
+    "{c|EDGE|MEAN|COMPAT}] "
+    "[, ATANGL, deg] [, SPEED, v] [, REVERS] [, MINCST, k1, k2, k3, k4] [, HEIGHT, b1, b2, db] "
+    "[, ANGLE, t1, t2, dt]";
+constexpr std::string_view surfaceForm =
+    "SPRAY/ surface, GUN, gun, FILM, h, {ULINES|VLINES|SECTN, plane|RADIAL, point, vector} "
+    "[, LIMITS, u1, u2, v1, v2] [, STEP, r] [, CHORD, tol] [, SPEED, v] [, REVERS] [, MINRAD, OFF]";
+
+class Reader {
+ public:
+  explicit Reader(Items items) { words_.items = std::move(items); }
+
+  Result<SprayWords> run() {
+    const Items& items = words_.items;
+    const EntityPtr* work = items.empty() ? nullptr : items[0].entity();
+    if (work == nullptr) {
+      return wrong(items.empty() ? "no parameters" : describe(items[0]) + " in front",
+                   "the first parameter is a region or a surface");
+    }
+    words_.work = *work;
+    next_ = 1;
+    while (next_ < items.size()) {
+      if (auto failure = one()) {
+        return *std::move(failure);
+      }
+    }
+    if (!words_.gun) {
+      return wrong("no gun", "GUN, gun is needed");
+    }
+    if (seen_.count(Word::FILM) == 0) {
+      return wrong("no film", "FILM, h is needed");
+    }
+    if ((words_.sizes || words_.angles) && !words_.prices) {
+      return wrong("HEIGHT or ANGLE without MINCST", "a range is searched for the least cost");
+    }
+    if (!words_.ofRegion() && words_.lines == SprayWords::Lines::none) {
+      return wrong("no lines", "a surface needs ULINES, VLINES, SECTN or RADIAL");
+    }
+    return std::move(words_);
+  }
+
+ private:
+  [[nodiscard]] bool ofRegion() const { return words_.work && words_.ofRegion(); }
+  [[nodiscard]] Failure wrong(std::string what, std::string rule) const {
+    return fail(diag::SprayForm, std::move(what), std::move(rule))
+        .withHelp("the form is " +
+                  std::string(words_.work && !ofRegion() ? surfaceForm : regionForm));
+  }
+
+  std::optional<Failure> one() {
+    const Item& item = words_.items[next_];
+    const Word* word = std::get_if<Word>(&item.value);
+    if (word == nullptr) {
+      return wrong(describe(item) + fmt::format(" as parameter {}", next_ + 1),
+                   "a word belongs there");
+    }
+    if (!seen_.insert(*word).second) {
+      return wrong(fmt::format("{} twice", spell(*word)), "each word stands once");
+    }
+    ++next_;
+    return ofRegion() ? regionValue(*word) : surfaceValue(*word);
+  }
+
+  /// What both kinds of work take; none where the word is not one of them.
+  std::optional<std::optional<Failure>> commonValue(Word word) {
+    switch (word) {
+      case Word::GUN:
+        return gun();
+      case Word::FILM:
+        return numbers(word, {&words_.film});
+      case Word::SPEED:
+        return numbers(word, {&words_.speed.emplace()});
+      case Word::REVERS:
+        words_.otherSide = true;
+        return std::optional<Failure>();
+      default:
+        return std::nullopt;
+    }
+  }
+
+  std::optional<Failure> regionValue(Word word) {
+    switch (word) {
+      case Word::OVRLAP:
+        return overlap();
+      case Word::INSET:
+        return inset();
+      case Word::ATANGL:
+        return numbers(word, {&words_.degrees});
+      case Word::MINCST: {
+        spray::Prices& p = words_.prices.emplace();
+        return numbers(word, {&p.time, &p.material, &p.overspray, &p.sprayBy});
+      }
+      case Word::HEIGHT:
+        return range(word, words_.sizes);
+      case Word::ANGLE:
+        return range(word, words_.angles);
+      default:
+        return otherValue(word);
+    }
+  }
+
+  std::optional<Failure> surfaceValue(Word word) {
+    using Lines = SprayWords::Lines;
+    switch (word) {
+      case Word::ULINES:
+        return lines(Lines::alongU);
+      case Word::VLINES:
+        return lines(Lines::alongV);
+      case Word::SECTN: {
+        auto failure = lines(Lines::sections);
+        return failure ? failure
+                       : entity(word, {EntityType::plane, EntityType::line}, words_.plane);
+      }
+      case Word::RADIAL: {
+        auto failure = lines(Lines::radial);
+        failure = failure ? failure : entity(word, {EntityType::point}, words_.axisPlace);
+        return failure ? failure : entity(word, {EntityType::vector}, words_.axisVector);
+      }
+      case Word::LIMITS: {
+        spray::Limits4& l = words_.limits.emplace();
+        return numbers(word, {&l.u0, &l.u1, &l.v0, &l.v1});
+      }
+      case Word::STEP:
+        return numbers(word, {&words_.step});
+      case Word::CHORD:
+        return numbers(word, {&words_.chord});
+      case Word::MINRAD:
+        return radiusOff();
+      default:
+        return otherValue(word);
+    }
+  }
+
+  std::optional<Failure> otherValue(Word word) {
+    if (auto common = commonValue(word)) {
+      return *std::move(common);
+    }
+    return wrong(fmt::format("the word {}", spell(word)), "it has no meaning there");
+  }
+
+  std::optional<Failure> lines(SprayWords::Lines kind) {
+    if (words_.lines != SprayWords::Lines::none) {
+      return wrong("lines twice", "one of ULINES, VLINES, SECTN and RADIAL stands once");
+    }
+    words_.lines = kind;
+    return std::nullopt;
+  }
+
+  std::optional<Failure> entity(Word word,
+                                std::initializer_list<EntityType> types,
+                                EntityPtr& into) {
+    const EntityPtr* found = next_ < words_.items.size() ? words_.items[next_].entity() : nullptr;
+    if (found == nullptr || std::find(types.begin(), types.end(), (*found)->type) == types.end()) {
+      return wrong(fmt::format("no {} behind {}", spell(*types.begin()), spell(word)),
+                   "it says how the surface is cut");
+    }
+    into = *found;
+    ++next_;
+    return std::nullopt;
+  }
+
+  std::optional<Failure> radiusOff() {
+    if (next_ >= words_.items.size() || !words_.items[next_].is(Word::OFF)) {
+      return wrong("MINRAD without OFF", "MINRAD, OFF leaves out the check of curvature");
+    }
+    words_.checkRadius = false;
+    ++next_;
+    return std::nullopt;
+  }
+
+  std::optional<Failure> gun() {
+    const EntityPtr* entity =
+        next_ < words_.items.size() ? words_.items[next_].entity(EntityType::gun) : nullptr;
+    if (entity == nullptr) {
+      return wrong(next_ < words_.items.size() ? describe(words_.items[next_]) + " behind GUN"
+                                               : "nothing behind GUN",
+                   "a GUN belongs there");
+    }
+    words_.gun = *entity;
+    ++next_;
+    return std::nullopt;
+  }
+
+  std::optional<Failure> numbers(Word word, std::initializer_list<double*> into) {
+    for (double* place : into) {
+      const double* value = next_ < words_.items.size() ? words_.items[next_].number() : nullptr;
+      if (value == nullptr) {
+        return wrong(fmt::format("{} with too few numbers", spell(word)),
+                     fmt::format("it needs {}", into.size()));
+      }
+      *place = *value;
+      ++next_;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Failure> range(Word word, std::optional<spray::Range>& into) {
+    spray::Range& r = into.emplace();
+    return numbers(word, {&r.from, &r.to, &r.step});
+  }
+
+  /// A word of a list or a number.
+  template <class Choice, std::size_t n>
+  std::optional<Failure> choice(Word word,
+                                const std::array<std::pair<Word, Choice>, n>& choices,
+                                std::variant<double, Choice>& into) {
+    for (const auto& [name, meaning] : choices) {
+      if (next_ < words_.items.size() && words_.items[next_].is(name)) {
+        into = meaning;
+        ++next_;
+        return std::nullopt;
+      }
+    }
+    double value = 0.0;
+    auto failure = numbers(word, {&value});
+    into = value;
+    return failure;
+  }
+
+  std::optional<Failure> overlap() {
+    using spray::Measure;
+    return choice(
+        Word::OVRLAP,
+        std::array{std::pair{Word::AVG, Measure::average}, std::pair{Word::RMS, Measure::rms},
+                   std::pair{Word::MAX, Measure::largest}},
+        words_.overlap);
+  }
+  std::optional<Failure> inset() {
+    using spray::InsetRule;
+    return choice(
+        Word::INSET,
+        std::array{std::pair{Word::EDGE, InsetRule::edge}, std::pair{Word::MEAN, InsetRule::mean},
+                   std::pair{Word::COMPAT, InsetRule::program}},
+        words_.inset);
+  }
+
+  SprayWords words_;
+  std::size_t next_ = 0;
+  std::set<Word> seen_;
+};
+}  // namespace
+
+Result<SprayWords> readSprayWords(Items items) {
+  return Reader(std::move(items)).run();
+}
+
+}  // namespace arelem::runtime::interpret

@@ -1,0 +1,52 @@
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/diag/result.h"
+#include "ir/limits.h"
+#include "runtime/spray/outline.h"
+
+/// Drawings in DXF (ASCII, R12 and later): only what bounds a region.
+namespace arelem::region {
+
+using spray::Vec2;
+
+/// A curve of a drawing as points, chorded; a closed one does not repeat its first point.
+struct Curve {
+  std::vector<Vec2> points;
+  bool closed = false;
+};
+
+struct DrawingRules {
+  std::string layer;   ///< "" for all
+  double chord = 0.0;  ///< largest distance of a chord from its curve, units of the part program
+  double unit = 1.0;   ///< millimeters in a unit of the part program
+  std::size_t mostPoints = 10'000'000;
+};
+
+struct Drawing {
+  std::vector<Curve> curves;                    ///< of the layer, in units of the part program
+  std::map<std::string, std::size_t> unusable;  ///< entities of the layer that bound nothing
+  std::vector<std::string> layers;              ///< of all entities, sorted
+};
+
+/// Reads LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE (with bulges), ELLIPSE, SPLINE. Lengths are
+/// converted where the drawing states its units ($INSUNITS). `name` is used in messages. Errors:
+/// E0367.
+[[nodiscard]] Result<Drawing> readDrawing(std::string_view text,
+                                          std::string_view name,
+                                          const DrawingRules& rules);
+
+/// Chains curves to closed loops by their ends. Errors: E0369 open, E0371 more than two ends meet.
+[[nodiscard]] Result<std::vector<spray::Loop>> chained(std::vector<Curve> curves,
+                                                       std::string_view name,
+                                                       double joint);
+
+/// Points of a circular arc from its start angle, counterclockwise for a positive sweep (radians),
+/// both ends included.
+[[nodiscard]] std::vector<Vec2> arcPoints(
+    const Vec2& center, double radius, double start, double sweep, double chord);
+
+}  // namespace arelem::region

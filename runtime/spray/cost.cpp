@@ -1,0 +1,42 @@
+#include "runtime/spray/cost.h"
+
+namespace arelem::spray {
+
+Operation operationFor(double film, double interval, const GunLimits& limits) {
+  const double wanted = film * limits.speed * interval / limits.efficiency;
+  if (limits.flow > 0.0 && wanted > limits.flow) {
+    return {limits.flow * limits.efficiency / (film * interval), limits.flow, true};
+  }
+  return {limits.speed, wanted, false};
+}
+
+Cost costOf(const PathLengths& path,
+            double area,
+            double film,
+            const Operation& operation,
+            const GunLimits& limits,
+            const Prices& prices) {
+  Cost cost;
+  cost.paintingTime = path.painted / operation.speed;
+  cost.travelingTime = path.unpainted / limits.speed;
+  cost.used = operation.flow * cost.paintingTime;
+  cost.overspray = (1.0 - limits.efficiency) * cost.used;
+  cost.deposited = area * film;
+  cost.sprayBy = limits.efficiency * cost.used - cost.deposited;
+  const double hour = prices.time / secondsPerHour;
+  const double liter = 1.0 / cubicMillimetersPerLiter;
+  cost.parts = {hour * cost.paintingTime, hour * cost.travelingTime,
+                (prices.material + prices.overspray) * liter * cost.overspray,
+                (prices.material + prices.sprayBy) * liter * cost.sprayBy,
+                prices.material * liter * cost.deposited};
+  for (const double part : cost.parts) {
+    cost.total += part;
+  }
+  return cost;
+}
+
+double shortestTime(double area, double film, const GunLimits& limits) {
+  return limits.flow > 0.0 ? area * film / (limits.efficiency * limits.flow) : 0.0;
+}
+
+}  // namespace arelem::spray

@@ -1,0 +1,164 @@
+#include "runtime/spray/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <thread>
+
+#include "ir/space/tolerance.h"
+
+namespace arelem::spray {
+
+namespace {
+constexpr unsigned mostThreads = 16;
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180.0;
+}
+
+Trial evaluateTurned(const Task& task, const Outline& outline, double area, double across) {
+  const PassPlan plan = planPasses(outline, rulesFor(task, across));
+  Trial trial;
+  trial.across = across;
+  trial.passes = plan.passes.size();
+  trial.lengths = plan.lengths;
+  trial.operation = operationFor(task.film, plan.interval, task.limits);
+  trial.cost = costOf(plan.lengths, area, task.film, trial.operation, task.limits, task.prices);
+  return trial;
+}
+
+/// All sizes at one angle.
+std::vector<Trial> trialsAt(const Task& task,
+                            double degrees,
+                            const std::vector<double>& sizes,
+                            bool preferredToo,
+                            double area) {
+  const Outline outline = turned(task.outline, -radians(degrees));
+  std::vector<std::pair<double, bool>> all;
+  for (const double size : sizes) {
+    all.emplace_back(size, false);
+  }
+  if (preferredToo) {
+    const Extent extent = extentOf(outline);
+    for (const double size : preferredSizes(extent.high.y() - extent.low.y(), task.overlap,
+                                            task.insetRatio, sizes.front(), sizes.back())) {
+      all.emplace_back(size, true);
+    }
+    std::sort(all.begin(), all.end());
+  }
+  std::vector<Trial> trials;
+  for (const auto& [size, preferred] : all) {
+    Trial& trial = trials.emplace_back(evaluateTurned(task, outline, area, size));
+    trial.degrees = degrees;
+    trial.preferred = preferred;
+  }
+  return trials;
+}
+
+std::size_t cheapest(const std::vector<Trial>& trials) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < trials.size(); ++i) {
+    const double least = trials[best].cost.total;
+    if (trials[i].cost.total < least - tolerance::equalCost * std::abs(least)) {
+      best = i;
+    }
+  }
+  return best;
+}
+}  // namespace
+
+PassRules rulesFor(const Task& task, double across) {
+  PassRules rules;
+  rules.footprint = {task.aspect * across, across};
+  rules.overlap = task.overlap;
+  rules.inset = task.insetRatio * across;
+  rules.stop = task.stop;
+  rules.sharpest = task.sharpest;
+  rules.shortestGap = task.shortestGap;
+  return rules;
+}
+
+Trial evaluate(const Task& task, double across, double degrees) {
+  Trial trial =
+      evaluateTurned(task, turned(task.outline, -radians(degrees)), areaOf(task.outline), across);
+  trial.degrees = degrees;
+  return trial;
+}
+
+std::vector<double> Range::values() const {
+  std::vector<double> list;
+  const double count = step > 0.0 ? std::floor((to - from) / step + tolerance::wholeNumber) : 0.0;
+  for (double i = 0.0; i <= count; ++i) {
+    list.push_back(from + i * step);
+  }
+  return list;
+}
+
+double preferredSize(double height, double overlap, double insetRatio, int passes) {
+  return height / (2.0 * ((passes - 1) * (1.0 - overlap) + insetRatio));
+}
+
+double passesFor(double height, double overlap, double insetRatio, double across) {
+  return (height - 2.0 * insetRatio * across) / (2.0 * across * (1.0 - overlap)) + 1.0;
+}
+
+std::vector<double> preferredSizes(
+    double height, double overlap, double insetRatio, double smallest, double largest) {
+  std::vector<double> sizes;
+  const double most = std::floor(passesFor(height, overlap, insetRatio, smallest));
+  const double least = std::ceil(passesFor(height, overlap, insetRatio, largest));
+  for (double n = std::min(most, static_cast<double>(mostPasses)); n >= std::max(least, 1.0); --n) {
+    if (n > 1.0 || insetRatio > 0.0) {
+      sizes.push_back(preferredSize(height, overlap, insetRatio, static_cast<int>(n)));
+    }
+  }
+  return sizes;
+}
+
+SearchResult search(const Task& task,
+                    const Range& sizes,
+                    const Range& angles,
+                    bool preferredToo,
+                    const InterruptFlag* interrupted,
+                    const Progress& progress) {
+  const std::vector<double> degrees = angles.values();
+  const std::vector<double> widths = sizes.values();
+  const double area = areaOf(task.outline);
+  std::vector<std::vector<Trial>> byAngle(degrees.size());
+  std::atomic<std::size_t> next = 0;
+  std::size_t done = 0;
+  std::mutex mutex;
+  const auto stopped = [&] {
+    return interrupted != nullptr && interrupted->load(std::memory_order_relaxed);
+  };
+  const auto work = [&] {
+    for (std::size_t i = next++; i < degrees.size() && !stopped(); i = next++) {
+      byAngle[i] = trialsAt(task, degrees[i], widths, preferredToo, area);
+      const std::lock_guard lock(mutex);
+      ++done;
+      if (progress) {
+        progress(done, degrees.size());
+      }
+    }
+  };
+  const unsigned threads = static_cast<unsigned>(std::min<std::size_t>(
+      std::clamp(std::thread::hardware_concurrency(), 1U, mostThreads), degrees.size()));
+  std::vector<std::thread> crew;
+  for (unsigned i = 1; i < threads; ++i) {
+    crew.emplace_back(work);
+  }
+  work();
+  for (std::thread& one : crew) {
+    one.join();
+  }
+  SearchResult result;
+  result.complete = !stopped();
+  for (std::vector<Trial>& trials : byAngle) {
+    std::move(trials.begin(), trials.end(), std::back_inserter(result.trials));
+  }
+  result.best = cheapest(result.trials);
+  return result;
+}
+
+}  // namespace arelem::spray

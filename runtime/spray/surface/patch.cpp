@@ -1,0 +1,315 @@
+#include "runtime/spray/surface/patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "ir/diag/spray.h"
+#include "ir/space/tolerance.h"
+#include "runtime/geometry/ruled_surface.h"
+#include "runtime/geometry/tabulated_cylinder.h"
+#include "runtime/region/region.h"
+
+namespace arelem::spray {
+
+namespace {
+constexpr double degree = std::numbers::pi / 180.0;
+/// Steps of the differences, relative to the range of a parameter: the third and fourth root of the
+/// rounding, where the errors of the difference and of the rounding are alike.
+constexpr double firstStep = 6e-6;
+constexpr double secondStep = 2e-4;
+
+/// A place turned about an axis.
+struct Turning {
+  Vec3 place, axis, x, y;
+  explicit Turning(const Vec3& at, const Vec3& direction)
+      : place(at), axis(direction.normalized()) {
+    const region::Frame frame = region::frameOf(axis, Vec3::Zero());
+    x = frame.x;
+    y = frame.y;
+  }
+  [[nodiscard]] Vec3 at(double degrees, double radius, double height) const {
+    const double t = degrees * degree;
+    return place + radius * (std::cos(t) * x + std::sin(t) * y) + height * axis;
+  }
+};
+
+/// A TABCYL's curve by its length, the straight intervals at its ends left out.
+class Curve {
+ public:
+  explicit Curve(std::span<const double> canon) : surface_(geometry::TabulatedCylinder::of(canon)) {
+    for (const auto& interval : surface_.intervals) {
+      if (!interval.extension) {
+        walk(interval);
+      }
+    }
+  }
+  [[nodiscard]] double length() const { return lengths_.empty() ? 0.0 : lengths_.back(); }
+  [[nodiscard]] const geometry::TabulatedCylinder& surface() const { return surface_; }
+  /// The place in the plane of the curve; beyond its ends straight on.
+  [[nodiscard]] geometry::Vec2 at(double length) const {
+    const auto above = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length);
+    const auto i = static_cast<std::size_t>(above - lengths_.begin());
+    const double share = (length - lengths_[i - 1]) / (lengths_[i] - lengths_[i - 1]);
+    const Knot& from = knots_[i - 1];
+    const Knot& to = knots_[i];
+    const double t = from.t + share * (to.t - from.t);
+    return to.interval->at(t).place;
+  }
+
+ private:
+  struct Knot {
+    const geometry::TabulatedCylinder::Interval* interval = nullptr;
+    double t = 0.0;
+  };
+  static constexpr int pieces = 400;  // of an interval
+
+  void walk(const geometry::TabulatedCylinder::Interval& interval) {
+    if (knots_.empty()) {
+      lengths_.push_back(0.0);
+      knots_.push_back({&interval, 0.0});
+    } else {
+      knots_.back() = {&interval, 0.0};  // the end of the last one is the begin of this one
+    }
+    geometry::Vec2 before = interval.at(0.0).place;
+    for (int k = 1; k <= pieces; ++k) {
+      const double t = interval.length * k / pieces;
+      const geometry::Vec2 now = interval.at(t).place;
+      lengths_.push_back(lengths_.back() + (now - before).norm());
+      knots_.push_back({&interval, t});
+      before = now;
+    }
+  }
+
+  geometry::TabulatedCylinder surface_;
+  std::vector<double> lengths_;
+  std::vector<Knot> knots_;
+};
+
+class Builder {
+ public:
+  Builder(const Entity& entity, const std::optional<Limits4>& limits, double unit)
+      : entity_(entity), limits_(limits), unit_(unit) {}
+
+  Result<Patch> run() {
+    if (auto failure = build()) {
+      return *std::move(failure);
+    }
+    if (limits_) {
+      patch_.u0 = limits_->u0 * uUnit_;
+      patch_.u1 = limits_->u1 * uUnit_;
+      patch_.v0 = limits_->v0 * vUnit_;
+      patch_.v1 = limits_->v1 * vUnit_;
+    } else if (unbounded_) {
+      return fail(diag::SurfaceLimits, spell(entity_.type), "no ends of its own",
+                  "LIMITS, u1, u2, v1, v2 is needed");
+    }
+    return checked();
+  }
+
+ private:
+  Result<Patch> checked() {
+    const Patch& p = patch_;
+    if (!(p.u1 > p.u0) || !(p.v1 > p.v0)) {
+      return fail(diag::SurfaceLimits, spell(entity_.type), "limits that do not rise",
+                  "u2 is above u1 and v2 above v1");
+    }
+    if (turns_ && p.u1 - p.u0 > 360.0) {
+      return fail(diag::SurfaceLimits, spell(entity_.type), "more than a whole turn",
+                  "u1 to u2 is at most 360 degrees");
+    }
+    if (p.v0 < lowest_ || p.v1 > highest_ || p.u0 < lowestU_ || p.u1 > highestU_) {
+      return fail(
+          diag::SurfaceLimits, spell(entity_.type), "limits beyond its ends",
+          fmt::format("v lies between {:.9g} and {:.9g}", lowest_ / vUnit_, highest_ / vUnit_));
+    }
+    return patch_;
+  }
+
+  [[nodiscard]] Vec3 vec(std::size_t first) const {
+    return {entity_.canon[first], entity_.canon[first + 1], entity_.canon[first + 2]};
+  }
+
+  void around(double v0, double v1, bool unbounded) {
+    patch_.u0 = 0.0;
+    patch_.u1 = 360.0;
+    patch_.v0 = v0;
+    patch_.v1 = v1;
+    turns_ = true;
+    unbounded_ = unbounded;
+  }
+
+  std::optional<Failure> build() {
+    switch (entity_.type) {
+      case EntityType::line:
+      case EntityType::plane:
+        plane();
+        break;
+      case EntityType::circle:
+      case EntityType::cylinder:
+        cylinder();
+        break;
+      case EntityType::cone:
+        cone();
+        break;
+      case EntityType::sphere:
+        sphere();
+        break;
+      case EntityType::torus:
+        torus();
+        break;
+      case EntityType::revolved:
+        revolved();
+        break;
+      case EntityType::tabulatedCylinder:
+        tabulated();
+        break;
+      case EntityType::ruledSurface:
+        return ruled();
+      default:
+        return fail(diag::SurfaceUnsprayable, spell(entity_.type));
+    }
+    return std::nullopt;
+  }
+
+  void plane() {
+    const geometry::Plane plane = geometry::Plane::of(entity_.canon);
+    const region::Frame frame =
+        region::frameOf(plane.normal, plane.distance * unit_ * plane.normal);
+    patch_.at = [frame](double u, double v) { return frame.inSpace({u, v}); };
+    uUnit_ = vUnit_ = unit_;
+    unbounded_ = true;
+  }
+  void cylinder() {
+    const geometry::Cylinder c = geometry::Cylinder::of(entity_.canon);
+    const Turning turning(c.point * unit_, c.axis);
+    const double radius = c.radius * unit_;
+    patch_.at = [turning, radius](double u, double v) { return turning.at(u, radius, v); };
+    around(0.0, 0.0, true);
+    vUnit_ = unit_;
+  }
+  void cone() {
+    const geometry::Cone c = geometry::Cone::of(entity_.canon);
+    const Turning turning(c.vertex * unit_, c.axis);
+    const double cosine = c.cosine;
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    patch_.at = [turning, cosine, sine](double u, double v) {
+      return turning.at(u, v * sine, v * cosine);
+    };
+    around(0.0, 0.0, true);
+    vUnit_ = unit_;
+    lowest_ = tolerance::coincidence;  // at the vertex there is no normal
+  }
+  void sphere() {
+    const geometry::Sphere s = geometry::Sphere::of(entity_.canon);
+    const Turning turning(s.center * unit_, Vec3::UnitZ());
+    const double radius = s.radius * unit_;
+    patch_.at = [turning, radius](double u, double v) {
+      return turning.at(u, radius * std::cos(v * degree), radius * std::sin(v * degree));
+    };
+    around(-90.0, 90.0, false);
+    lowest_ = -90.0;
+    highest_ = 90.0;
+  }
+  void torus() {
+    const geometry::Torus t = geometry::Torus::of(entity_.canon);
+    const Turning turning(t.center * unit_, t.axis);
+    const double major = t.major * unit_;
+    const double minor = t.minor * unit_;
+    patch_.at = [turning, major, minor](double u, double v) {
+      return turning.at(u, major + minor * std::cos(v * degree), minor * std::sin(v * degree));
+    };
+    around(0.0, 360.0, false);
+  }
+  void revolved() {
+    const auto curve = std::make_shared<const Curve>(std::span(entity_.canon).subspan(8));
+    const double unit = unit_;
+    const Vec3 place = vec(0);
+    const Vec3 axis = vec(3).normalized();
+    patch_.at = [curve, unit, place, axis](double u, double v) -> Vec3 {
+      const Vec3 p = curve->surface().inSpace(curve->at(v / unit)) - place;
+      const double height = p.dot(axis);
+      const Vec3 arm = p - height * axis;
+      const double t = u * degree;
+      return unit * (place + height * axis + std::cos(t) * arm + std::sin(t) * axis.cross(arm));
+    };
+    around(0.0, curve->length() * unit_, false);
+    patch_.u0 = entity_.canon[6];
+    patch_.u1 = entity_.canon[7];
+    vUnit_ = unit_;
+    lowest_ = 0.0;
+    highest_ = patch_.v1 * (1.0 + tolerance::similarity);
+  }
+  void tabulated() {
+    const auto curve = std::make_shared<const Curve>(entity_.canon);
+    const double unit = unit_;
+    patch_.at = [curve, unit](double u, double v) -> Vec3 {
+      return unit * curve->surface().inSpace(curve->at(u / unit), v / unit);
+    };
+    patch_.u1 = curve->length() * unit_;
+    unbounded_ = true;
+    uUnit_ = vUnit_ = unit_;
+    lowestU_ = 0.0;
+    highestU_ = patch_.u1 * (1.0 + tolerance::similarity);
+  }
+  std::optional<Failure> ruled() {
+    const auto surface =
+        std::make_shared<const geometry::RuledSurface>(geometry::RuledSurface::of(entity_.canon));
+    const double unit = unit_;
+    for (int i = 0; i <= 64; ++i) {
+      if (!surface->at(i / 64.0, 0.0) || !surface->at(i / 64.0, 1.0)) {
+        return fail(diag::SurfaceLimits, spell(entity_.type),
+                    fmt::format("no place at u = {:.4g}", i / 64.0),
+                    "its curves reach from 0 to 1");
+      }
+    }
+    patch_.at = [surface, unit](double u, double v) -> Vec3 {
+      const auto place = surface->at(u, v);
+      return place ? Vec3(unit * place->place) : Vec3(Vec3::Zero());
+    };
+    lowest_ = lowestU_ = 0.0;
+    highest_ = highestU_ = 1.0;
+    return std::nullopt;
+  }
+
+  const Entity& entity_;
+  const std::optional<Limits4>& limits_;
+  double unit_;
+  Patch patch_;
+  double uUnit_ = 1.0, vUnit_ = 1.0;
+  double lowest_ = -HUGE_VAL, highest_ = HUGE_VAL;
+  double lowestU_ = -HUGE_VAL, highestU_ = HUGE_VAL;
+  bool turns_ = false;
+  bool unbounded_ = false;
+};
+}  // namespace
+
+Vec3 Patch::normal(double u, double v) const {
+  // Inside by a step, so that poles and ends have the normal of what lies beside them.
+  const double hu = firstStep * (u1 - u0);
+  const double hv = firstStep * (v1 - v0);
+  const double uc = std::clamp(u, u0 + hu, u1 - hu);
+  const double vc = std::clamp(v, v0 + hv, v1 - hv);
+  const Vec3 ru = at(uc + hu, vc) - at(uc - hu, vc);
+  const Vec3 rv = at(uc, vc + hv) - at(uc, vc - hv);
+  const Vec3 n = ru.cross(rv).normalized();
+  return flipped ? Vec3(-n) : n;
+}
+
+double Patch::curvature(double u, double v, bool alongU) const {
+  const double h = secondStep * (alongU ? u1 - u0 : v1 - v0);
+  const double uc = alongU ? std::clamp(u, u0 + h, u1 - h) : u;
+  const double vc = alongU ? v : std::clamp(v, v0 + h, v1 - h);
+  const auto place = [&](double step) { return alongU ? at(uc + step, vc) : at(uc, vc + step); };
+  const Vec3 first = (place(h) - place(-h)) / (2.0 * h);
+  const Vec3 second = (place(h) - 2.0 * place(0.0) + place(-h)) / (h * h);
+  const double square = first.squaredNorm();
+  return square > 0.0 ? -second.dot(normal(uc, vc)) / square : 0.0;
+}
+
+Result<Patch> patchOf(const Entity& entity, const std::optional<Limits4>& limits, double unit) {
+  return Builder(entity, limits, unit).run();
+}
+
+}  // namespace arelem::spray

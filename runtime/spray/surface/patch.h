@@ -1,0 +1,42 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "ir/diag/result.h"
+#include "ir/geometry/entity.h"
+#include "ir/space/vector.h"
+
+namespace arelem::spray {
+
+/// A piece of a surface by two parameters, in mm. What u and v are: of a plane its own x and y; of
+/// a cylinder, cone, sphere, torus and surface of revolution u is the angle about the axis in
+/// degrees; v is the length along the axis (cylinder), from the vertex (cone), the latitude
+/// (sphere), the angle about the tube (torus), the length along the curve (surface of revolution).
+/// Of a tabulated cylinder u is the length along the curve and v that along the generatrix; of a
+/// ruled surface u runs along the curves and v from the first to the second, both 0 to 1.
+struct Patch {
+  std::function<Vec3(double u, double v)> at;
+  double u0 = 0.0, u1 = 1.0, v0 = 0.0, v1 = 1.0;
+  bool flipped = false;  ///< the gun stands on the other side
+
+  /// Unit normal r_u x r_v, turned round where flipped.
+  [[nodiscard]] Vec3 normal(double u, double v) const;
+  /// The normal curvature (1/mm) of the surface along u (or v), positive where it bends away from
+  /// the normal.
+  [[nodiscard]] double curvature(double u, double v, bool alongU) const;
+};
+
+/// Bounds of the parameters in the units of the part program (lengths) and degrees.
+struct Limits4 {
+  double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+};
+
+/// The patch of a surface. A plane, a cylinder, a cone and a tabulated cylinder have no ends of
+/// their own and need limits. `unit` is the length of the part program's unit, mm. Errors: E0377
+/// limits missing or impossible, E0378 no surface to spray.
+[[nodiscard]] Result<Patch> patchOf(const Entity& entity,
+                                    const std::optional<Limits4>& limits,
+                                    double unit);
+
+}  // namespace arelem::spray

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <variant>
+
+#include "runtime/spray/sprayed.h"
+#include "runtime/spray/surface/surface_lines.h"
+
+namespace arelem::spray {
+
+/// SPRAY on a surface, with every value known. Lengths mm.
+struct SurfaceJob {
+  Patch patch;
+  Gun gun;
+  double film = 0.0;
+  /// Lines along u or v; sections parallel to a plane (its unit normal); or radial about an axis
+  /// (a place and a unit direction).
+  struct Parallel {
+    Vec3 normal = Vec3::UnitX();
+  };
+  struct Radial {
+    Vec3 place = Vec3::Zero();
+    Vec3 axis = Vec3::UnitZ();
+  };
+  enum class Way : std::uint8_t { alongU, alongV };
+  std::variant<Way, Parallel, Radial> lines = Way::alongU;
+  double step = 0.0;  ///< largest distance of lines; 0: the half width of the footprint
+  double chord = 0.5;
+  bool checkRadius = true;
+  std::optional<double> speed;
+};
+
+/// Lines, speed from the flow, curvature check. Errors: E0373, E0374, E0376, E0379.
+[[nodiscard]] Result<Sprayed> spraySurface(const SurfaceJob& job);
+
+}  // namespace arelem::spray

@@ -1,0 +1,173 @@
+#include "runtime/spray/surface/surface_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ir/space/tolerance.h"
+
+namespace arelem::spray {
+
+namespace {
+constexpr int samples = 64;        // of a parameter, for lengths, areas and radii
+constexpr int deepest = 14;        // halvings of a line
+constexpr double flattest = 1e-7;  // curvature below it is none, 1/mm
+
+double between(double from, double to, double share) {
+  return from + share * (to - from);
+}
+
+/// The line of parameter t = 0 ... 1 at a fixed other parameter.
+class Tracer {
+ public:
+  Tracer(const Patch& patch, bool alongU, double other, double chord)
+      : patch_(patch), alongU_(alongU), other_(other), chord_(chord) {}
+
+  SurfaceLine trace() {
+    constexpr int begin = 4;  // pieces to begin with, so that a whole turn does not look straight
+    add(0.0);
+    for (int i = 0; i < begin; ++i) {
+      refine(static_cast<double>(i) / begin, static_cast<double>(i + 1) / begin, deepest);
+    }
+    return std::move(line_);
+  }
+
+ private:
+  [[nodiscard]] Vec3 at(double t) const {
+    return alongU_ ? patch_.at(between(patch_.u0, patch_.u1, t), other_)
+                   : patch_.at(other_, between(patch_.v0, patch_.v1, t));
+  }
+  void add(double t) {
+    const double s = between(alongU_ ? patch_.u0 : patch_.v0, alongU_ ? patch_.u1 : patch_.v1, t);
+    line_.push_back({at(t), alongU_ ? patch_.normal(s, other_) : patch_.normal(other_, s)});
+  }
+  void refine(double from, double to, int depth) {
+    const Vec3 a = at(from);
+    const Vec3 step = at(to) - a;
+    double off = 0.0;
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const Vec3 p = at(between(from, to, share)) - a;
+      const double length = step.norm();
+      off = std::max(off, length > 0.0 ? p.cross(step).norm() / length : p.norm());
+    }
+    if (off <= chord_ || depth == 0) {
+      add(to);
+      return;
+    }
+    const double middle = (from + to) / 2.0;
+    refine(from, middle, depth - 1);
+    refine(middle, to, depth - 1);
+  }
+
+  const Patch& patch_;
+  bool alongU_;
+  double other_;
+  double chord_;
+  SurfaceLine line_;
+};
+
+/// Points inside a straight stretch add nothing.
+SurfaceLine withoutStraight(const SurfaceLine& line) {
+  SurfaceLine result;
+  for (const LinePoint& p : line) {
+    while (result.size() >= 2) {
+      const LinePoint& a = result[result.size() - 2];
+      const LinePoint& b = result.back();
+      const Vec3 whole = p.place - a.place;
+      const bool straight =
+          whole.cross(b.place - a.place).norm() <= tolerance::coincidence * whole.norm() &&
+          (p.normal - a.normal).norm() <= tolerance::similarity;
+      if (!straight) {
+        break;
+      }
+      result.pop_back();
+    }
+    result.push_back(p);
+  }
+  return result;
+}
+
+bool closed(const Patch& patch, bool alongU) {
+  const Vec3 a = alongU ? patch.at(patch.u0, between(patch.v0, patch.v1, 0.37))
+                        : patch.at(between(patch.u0, patch.u1, 0.37), patch.v0);
+  const Vec3 b = alongU ? patch.at(patch.u1, between(patch.v0, patch.v1, 0.37))
+                        : patch.at(between(patch.u0, patch.u1, 0.37), patch.v1);
+  return (a - b).norm() <= tolerance::coincidence;
+}
+}  // namespace
+
+double longestWay(const Patch& patch, bool alongU) {
+  double longest = 0.0;
+  for (int i = 0; i <= samples; ++i) {
+    const double other = alongU ? between(patch.v0, patch.v1, i / double{samples})
+                                : between(patch.u0, patch.u1, i / double{samples});
+    // Chords are short of their arcs by the square of the step: two step sizes cancel that.
+    const auto length = [&](int n) {
+      double sum = 0.0;
+      Vec3 before = alongU ? patch.at(patch.u0, other) : patch.at(other, patch.v0);
+      for (int k = 1; k <= n; ++k) {
+        const Vec3 now = alongU ? patch.at(between(patch.u0, patch.u1, k / double(n)), other)
+                                : patch.at(other, between(patch.v0, patch.v1, k / double(n)));
+        sum += (now - before).norm();
+        before = now;
+      }
+      return sum;
+    };
+    const double coarse = length(2 * samples);
+    const double fine = length(4 * samples);
+    longest = std::max(longest, fine + (fine - coarse) / 3.0);
+  }
+  return longest;
+}
+
+double areaOf(const Patch& patch) {
+  double area = 0.0;
+  constexpr int n = 2 * samples;
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const double ua = between(patch.u0, patch.u1, i / double{n});
+      const double ub = between(patch.u0, patch.u1, (i + 1) / double{n});
+      const double va = between(patch.v0, patch.v1, k / double{n});
+      const double vb = between(patch.v0, patch.v1, (k + 1) / double{n});
+      const Vec3 diagonal = patch.at(ub, vb) - patch.at(ua, va);
+      const Vec3 other = patch.at(ua, vb) - patch.at(ub, va);
+      area += diagonal.cross(other).norm() / 2.0;
+    }
+  }
+  return area;
+}
+
+Radii smallestRadii(const Patch& patch) {
+  double alongU = 0.0;
+  double alongV = 0.0;
+  for (int i = 1; i < samples; ++i) {
+    for (int k = 1; k < samples; ++k) {
+      const double u = between(patch.u0, patch.u1, i / double{samples});
+      const double v = between(patch.v0, patch.v1, k / double{samples});
+      alongU = std::max(alongU, std::abs(patch.curvature(u, v, true)));
+      alongV = std::max(alongV, std::abs(patch.curvature(u, v, false)));
+    }
+  }
+  const auto radius = [](double curvature) {
+    return curvature > flattest ? std::optional(1.0 / curvature) : std::nullopt;
+  };
+  return {radius(alongU), radius(alongV)};
+}
+
+LineSet linesOn(const Patch& patch, const Layout& layout) {
+  LineSet set;
+  set.count = lineCount(longestWay(patch, !layout.alongU), layout.widest);
+  const int last = set.count.intervals - (closed(patch, !layout.alongU) ? 1 : 0);
+  for (int i = 0; i <= last; ++i) {
+    const double share = i / static_cast<double>(set.count.intervals);
+    const double other =
+        layout.alongU ? between(patch.v0, patch.v1, share) : between(patch.u0, patch.u1, share);
+    SurfaceLine line = withoutStraight(Tracer(patch, layout.alongU, other, layout.chord).trace());
+    if (i % 2 == 1) {
+      std::reverse(line.begin(), line.end());
+    }
+    set.lines.push_back(std::move(line));
+  }
+  return set;
+}
+
+}  // namespace arelem::spray

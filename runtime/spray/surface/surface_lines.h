@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include "runtime/spray/lines.h"
+#include "runtime/spray/surface/patch.h"
+
+namespace arelem::spray {
+
+/// A place of a line on a surface, with the normal there.
+struct LinePoint {
+  Vec3 place = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+};
+using SurfaceLine = std::vector<LinePoint>;
+
+/// How lines lie on a patch.
+struct Layout {
+  bool alongU = true;   ///< lines of constant v
+  double widest = 0.0;  ///< largest distance of neighboring lines, mm
+  double chord = 0.5;   ///< largest distance of a chord from its line, mm
+};
+
+struct LineSet {
+  std::vector<SurfaceLine> lines;
+  LineCount count;  ///< intervals and their length where the lines are farthest apart
+};
+
+/// Lines at equal parameter steps, so many that they are nowhere farther apart than asked for:
+/// intervals = ceil(L / r), L the longest way across. The last line of a closed turn is left out.
+/// Points follow each other by the chord tolerance. Lines run to and fro. Source: Sen 3.1, 5.2.
+[[nodiscard]] LineSet linesOn(const Patch& patch, const Layout& layout);
+
+/// Sections by planes: parallel to one plane, or turned about an axis (radial). `field` is the
+/// signed height over the first plane in mm, or the angle about the axis in degrees; a line lies at
+/// each of the levels.
+[[nodiscard]] std::vector<SurfaceLine> sectionsOf(const Patch& patch,
+                                                  const std::function<double(const Vec3&)>& field,
+                                                  const std::vector<double>& levels,
+                                                  double chord);
+
+/// Smallest radius of curvature along u and along v; none where flat. Sampled over the patch.
+struct Radii {
+  std::optional<double> alongU, alongV;
+};
+[[nodiscard]] Radii smallestRadii(const Patch& patch);
+
+/// Area of the patch, mm2.
+[[nodiscard]] double areaOf(const Patch& patch);
+/// Longest way along u (or v), mm.
+[[nodiscard]] double longestWay(const Patch& patch, bool alongU);
+
+}  // namespace arelem::spray

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""REGION/DXF reads drawings that another program (ezdxf) writes, in all versions, with curves of all kinds."""
+import json
+import math
+import subprocess
+import sys
+import unittest
+
+from arelem_run import ArelemCase
+
+
+def drawings():
+    """ezdxf of the system's own python; another python may be first in the path."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import ezdxf"], capture_output=True).returncode == 0:
+            return python
+    return None
+
+
+WRITER = r'''
+import math, sys
+import ezdxf
+version, kind, name = sys.argv[1:4]
+doc = ezdxf.new(version)
+doc.header["$INSUNITS"] = 4
+msp = doc.modelspace()
+at = {"layer": "paint"}
+if kind == "polyline":
+    points = [(0, 0), (400, 0), (400, 300), (0, 300)]
+    (msp.add_polyline2d(points, close=True, dxfattribs=at) if version == "R12"
+     else msp.add_lwpolyline(points, close=True, dxfattribs=at))
+    msp.add_circle((200, 150), 50, dxfattribs=at)
+    msp.add_text("not paint", dxfattribs={"layer": "notes"})
+elif kind == "slot":
+    msp.add_line((0, 0), (100, 0), dxfattribs=at)
+    msp.add_arc((100, 20), 20, -90, 90, dxfattribs=at)
+    msp.add_line((0, 40), (100, 40), dxfattribs=at)
+    msp.add_arc((0, 20), 20, 90, 270, dxfattribs=at)
+elif kind == "bulge":
+    msp.add_lwpolyline([(0, 0, 0, 0, 1), (10, 0, 0, 0, 1)], close=True, dxfattribs=at)
+elif kind == "ellipse":
+    msp.add_ellipse((5, 6), (30, 0), 0.5, 0, 2 * math.pi, dxfattribs=at)
+elif kind == "spline":
+    s = msp.add_closed_rational_spline([(10, 0), (10, 10), (-10, 10), (-10, -10), (10, -10)], [1, .7, .7, .7, .7], 3, dxfattribs=at)
+doc.saveas(name)
+'''
+
+
+@unittest.skipUnless(drawings(), "python3-ezdxf is not installed")
+class Drawings(ArelemCase):
+    def spray(self, version, kind):
+        made = subprocess.run([drawings(), "-c", WRITER, version, kind, str(self.folder / "a.dxf")], capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.write("part.apt", "UNITS/MM\nG1=GUN/CONE,10,STNDOF,50,SPEED,100\n"
+                               "R1=REGION/DXF,'a.dxf',LAYER,'paint',CHORD,.001\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+        self.assertExit(0, "spray", "part.apt", "--json")
+        return json.loads(self.out)[0]
+
+    def test_versions(self):
+        for version in ("R12", "R2000", "R2010", "R2018"):
+            with self.subTest(version):
+                spray = self.spray(version, "polyline")
+                self.assertAlmostEqual(spray["area"], 120000 - math.pi * 2500, delta=1)
+                self.assertEqual((spray["boundaries"], spray["holes"]), (2, 1))
+
+    def test_curves(self):
+        for kind, area in (("slot", 4000 + math.pi * 400), ("bulge", math.pi * 25), ("ellipse", math.pi * 450)):
+            with self.subTest(kind):
+                self.assertAlmostEqual(self.spray("R2010", kind)["area"], area, delta=area * 1e-3)
+
+    def test_spline(self):
+        self.assertGreater(self.spray("R2010", "spline")["area"], 100)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""SPRAY by the whole command: the source's tables, the report, pictures of the film, nothing written after an error."""
+import csv
+import json
+import struct
+import unittest
+
+from arelem_run import ArelemCase
+
+GUN = "UNITS/MM\nG1=GUN/ELLIPS,.7,1,SPEED,1000,FLOW,1,EFFIC,.65\n"
+PLATE = "R1=REGION/(0,0),(1000,0),(1000,800),(0,800)\n"
+TABLE_43 = [(71.4, .9126), (62.2, .9157), (55.1, .9219), (49.5, .9312), (44.9, .9411), (41.1, .9526), (37.9, .9651),
+            (35.1, .9767), (32.8, .9919), (30.7, 1.005), (28.9, 1.02), (27.2, 1.032), (25.8, 1.048), (24.5, 1.063),
+            (23.3, 1.078), (22.2, 1.092), (21.3, 1.11), (20.4, 1.125)]
+
+
+class Spray(ArelemCase):
+    def spray(self, text, *words):
+        self.write("part.apt", text + "FINI\n")
+        self.assertExit(0, "spray", "part.apt", "--json", *words)
+        return json.loads(self.out)
+
+    def test_table_4_2(self):
+        one = self.spray(GUN + PLATE + "SPRAY/R1,GUN,G1,FILM,.051,OVRLAP,.175,INSET,COMPAT,MINCST,60,10,2,2,"
+                                       "HEIGHT,20,75,2,ANGLE,0,90,90\n")[0]
+        self.assertAlmostEqual(one["cost"]["total"], .9127, delta=6e-5)
+        self.assertEqual((one["b"], one["angle"], one["passes"], one["v"]), (62, 0, 8, 1000))
+        self.assertAlmostEqual(one["q"], .481, delta=1e-3)
+        self.assertEqual(len(one["trials"]), 56)
+        self.assertAlmostEqual(sum(v for k, v in one["cost"].items() if k != "total"), one["cost"]["total"], places=12)
+
+    def test_table_4_3(self):
+        for b, cost in TABLE_43:
+            with self.subTest(b=b):
+                one = self.spray(GUN + PLATE + "SPRAY/R1,GUN,G1,FILM,.051,OVRLAP,.175,INSET,COMPAT,MINCST,60,10,2,2,"
+                                               f"HEIGHT,{b},{b},1\n")[0]
+                self.assertAlmostEqual(one["cost"]["total"], cost, delta=6e-4)
+
+    def test_right_preferred_sizes_are_better(self):
+        one = self.spray(GUN + PLATE + "SPRAY/R1,GUN,G1,FILM,.051,OVRLAP,.175,MINCST,60,10,2,2,HEIGHT,20,75,2\n")[0]
+        self.assertLess(one["cost"]["total"], .9126)
+        self.assertTrue(any(t["preferred"] and t["b"] == one["b"] for t in one["trials"]))
+
+    def test_cl_has_poses_switches_and_feeds(self):
+        self.write("part.apt", "UNITS/MM\nG1=GUN/CONE,45,STNDOF,50,SPEED,200,OUTPUT,3\n"
+                               "R1=REGION/(0,0),(300,0),(300,30),(0,30)\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+        self.assertExit(0, "compile", "part.apt")
+        lines = [" ".join(line.split()) for line in self.out.splitlines()]
+        self.assertEqual([l for l in lines if l.startswith("SPRAY")], ["SPRAY / ON, 3", "SPRAY / OFF, 3"])
+        self.assertIn("FEDRAT / 200, MMPS", [l.replace("200.0,", "200,") for l in lines])
+        self.assertEqual(len([l for l in lines if l.startswith("GOTO")]), 2)
+        self.write("again.cls", self.out)
+        self.assertExit(0, "compile", "again.cls", "--dialect", "cl")
+
+    def test_report_holds_it(self):
+        self.write("part.apt", GUN.replace(".7,1", "43.4,62") + PLATE + "SPRAY/R1,GUN,G1,FILM,.051\nFINI\n")
+        self.assertExit(0, "compile", "part.apt", "-o", "part.cls", "--report", "r.json")
+        entry = json.loads((self.folder / "r.json").read_text())["sprays"][0]
+        self.assertEqual((entry["line"], entry["work"]), (4, "R1"))
+        self.assertAlmostEqual(entry["overlap"], .17527, delta=1e-5)
+        self.assertGreater(entry["simulated"]["within10percent"], .3)
+
+    def test_pictures_of_the_film(self):
+        self.spray(GUN.replace(".7,1", "43.4,62") + PLATE + "SPRAY/R1,GUN,G1,FILM,.051\n",
+                   "--film", "a.png", "--film", "a.svg", "--film", "a.csv", "--cell", "20")
+        png = (self.folder / "a.png").read_bytes()
+        self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+        width, height = struct.unpack(">II", png[16:24])
+        self.assertGreater(width, 50)
+        self.assertGreater(height, 40)
+        self.assertIn("<svg", (self.folder / "a.svg").read_text())
+        with open(self.folder / "a.csv") as file:
+            rows = [r for r in csv.DictReader(file) if r["work"] == "1"]
+        mean = sum(float(r["film_mm"]) for r in rows) / len(rows)
+        self.assertAlmostEqual(mean, .051, delta=.003)
+
+    def test_nothing_is_written_after_an_error(self):
+        self.write("part.apt", GUN + "R1=REGION/(0,0),(9,9),(9,0),(0,9)\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+        self.assertExit(4, "compile", "part.apt", "-o", "part.cls")
+        self.assertExit(4, "spray", "part.apt", "--film", "a.png")
+        self.assertEqual(self.files(), ["part.apt"])
+
+    def test_units_do_not_change_the_work(self):
+        mm = self.spray("UNITS/MM\nG1=GUN/CONE,15,STNDOF,254,SPEED,500\nR1=REGION/(0,0),(1016,0),(1016,508),(0,508)\n"
+                        "SPRAY/R1,GUN,G1,FILM,.05\n")[0]
+        inch = self.spray("UNITS/INCHES\nG1=GUN/CONE,15,STNDOF,10,SPEED,500\nR1=REGION/(0,0),(40,0),(40,20),(0,20)\n"
+                          "SPRAY/R1,GUN,G1,FILM,.05\n")[0]
+        for key in ("area", "b", "Xi", "Ti", "q"):
+            self.assertAlmostEqual(mm[key], inch[key], delta=1e-9 * mm[key])
+
+    def test_samples_of_surfaces(self):
+        gun = "UNITS/MM\nB=GUN/CALIB,'binks',PRESS,117,VALVE,6,STNDOF,160,EFFIC,.45\n"
+        one = self.spray(gun + "P=PLANE/0,0,1,0\nSPRAY/P,GUN,B,FILM,.12,ULINES,LIMITS,200,600,200,600\n")[0]
+        self.assertEqual(one["passes"], 18)
+        self.assertAlmostEqual(one["interval"], 23.5294, delta=6e-5)
+        gun = gun.replace("117,VALVE,6,STNDOF,160", "110,VALVE,0,STNDOF,150")
+        one = self.spray(gun + "C=CYLNDR/0,0,0,0,1,0,100\nSPRAY/C,GUN,B,FILM,.12,VLINES,LIMITS,0,180,0,400\n")[0]
+        self.assertEqual(one["passes"], 17)
+        self.assertAlmostEqual(one["interval"], 19.634954, delta=1e-3)
+        self.assertAlmostEqual(one["curvature"]["across"], 100, delta=.01)
+        self.assertIsNone(one["curvature"]["along"])
+
+
+if __name__ == "__main__":
+    unittest.main()

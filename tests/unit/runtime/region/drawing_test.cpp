@@ -1,0 +1,160 @@
+// Drawings: those of another program (tests/end_to_end/test_drawings.py) are read by the whole
+// command; here are hostile ones.
+#include "runtime/region/drawing.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace arelem::region {
+namespace {
+
+std::string file(const std::string& entities, const std::string& header = "") {
+  return header + "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+}
+DrawingRules rules(double chord = 0.01) {
+  DrawingRules r;
+  r.chord = chord;
+  return r;
+}
+std::string errorOf(const std::string& text) {
+  const Result<Drawing> drawing = readDrawing(text, "a.dxf", rules());
+  return drawing ? "" : std::string(drawing.failure().row->code) + " " + drawing.failure().message;
+}
+double areaOfOne(const std::string& entities, double chord = 0.001) {
+  Result<Drawing> drawing = readDrawing(file(entities), "a.dxf", rules(chord));
+  if (!drawing) {
+    ADD_FAILURE() << drawing.failure().message;
+    return 0.0;
+  }
+  const auto loops = chained(std::move(drawing->curves), "a.dxf", 1e-3);
+  if (!loops) {
+    ADD_FAILURE() << loops.failure().message;
+    return 0.0;
+  }
+  return std::abs(spray::areaOf({*loops}));
+}
+
+TEST(Drawing, Circle) {
+  EXPECT_NEAR(areaOfOne("0\nCIRCLE\n8\n0\n10\n5\n20\n6\n40\n10\n"), 100.0 * M_PI, 0.1);
+}
+TEST(Drawing, BulgesAreArcs) {
+  // Two vertices joined by half circles of radius 5.
+  EXPECT_NEAR(areaOfOne("0\nLWPOLYLINE\n90\n2\n70\n1\n10\n0\n20\n0\n42\n1\n10\n10\n20\n0\n42\n1\n"),
+              25.0 * M_PI, 0.05);
+  // A quarter arc that bends inwards (negative bulge) takes away a quarter circle's segment.
+  const double bulge = -std::tan(M_PI / 8.0);
+  const double taken = 50.0 * (M_PI / 4.0 * 2.0 - 1.0) / 1.0;
+  EXPECT_NEAR(areaOfOne("0\nLWPOLYLINE\n90\n4\n70\n1\n10\n0\n20\n0\n42\n" + std::to_string(bulge) +
+                        "\n10\n10\n20\n0\n10\n10\n20\n10\n10\n0\n20\n10\n"),
+              100.0 - taken / 2.0, 0.05);
+}
+TEST(Drawing, OldPolylinesWithVertices) {
+  EXPECT_NEAR(
+      areaOfOne(
+          "0\nPOLYLINE\n8\n0\n66\n1\n70\n1\n0\nVERTEX\n10\n0\n20\n0\n0\nVERTEX\n10\n4\n20\n0\n"
+          "0\nVERTEX\n10\n4\n20\n3\n0\nSEQEND\n"),
+      6.0, 1e-9);
+}
+TEST(Drawing, EllipseAndItsBack) {
+  const std::string ellipse =
+      "0\nELLIPSE\n10\n1\n20\n2\n11\n8\n21\n0\n40\n0.5\n41\n0\n42\n6.283185307179586\n";
+  EXPECT_NEAR(areaOfOne(ellipse), M_PI * 8 * 4, 0.05);
+  EXPECT_NEAR(areaOfOne(ellipse + "230\n-1\n"), M_PI * 8 * 4, 0.05);
+}
+TEST(Drawing, RationalSplineIsACircle) {
+  // A full circle of radius 3 as four rational quadratics.
+  std::string s = "0\nSPLINE\n70\n8\n71\n2\n72\n12\n73\n9\n";
+  for (const double k : {0., 0., 0., 1., 1., 2., 2., 3., 3., 4., 4., 4.}) {
+    s += "40\n" + std::to_string(k) + "\n";
+  }
+  const double w = std::sqrt(0.5);
+  const double x[] = {3, 3, 0, -3, -3, -3, 0, 3, 3};
+  const double y[] = {0, 3, 3, 3, 0, -3, -3, -3, 0};
+  for (int i = 0; i < 9; ++i) {
+    s += "10\n" + std::to_string(x[i]) + "\n20\n" + std::to_string(y[i]) + "\n41\n" +
+         fmt::format("{:.17g}", i % 2 == 1 ? w : 1.0) + "\n";
+  }
+  EXPECT_NEAR(areaOfOne(s), 9.0 * M_PI, 0.02);
+}
+TEST(Drawing, LinesAndArcsJoinInAnyOrderAndDirection) {
+  EXPECT_NEAR(
+      areaOfOne(
+          "0\nARC\n10\n0\n20\n0\n40\n5\n50\n0\n51\n180\n0\nLINE\n10\n5\n20\n0\n11\n-5\n21\n0\n"),
+      12.5 * M_PI, 0.02);
+}
+TEST(Drawing, UnitsAreConverted) {
+  const std::string header = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n";
+  DrawingRules r = rules();
+  r.unit = 1.0;
+  const Result<Drawing> drawing =
+      readDrawing(file("0\nLINE\n10\n0\n20\n0\n11\n1\n21\n0\n", header), "a.dxf", r);
+  EXPECT_DOUBLE_EQ(drawing->curves[0].points[1].x(), 25.4);
+}
+TEST(Drawing, LayersAndUnusableEntitiesAreListed) {
+  DrawingRules r = rules();
+  const std::string text =
+      file("0\nTEXT\n8\nnotes\n0\nTEXT\n8\nnotes\n0\nLINE\n8\ncut\n10\n0\n20\n0\n11\n1\n21\n0\n");
+  const Result<Drawing> all = readDrawing(text, "a.dxf", r);
+  EXPECT_EQ(all->unusable.at("TEXT"), 2U);
+  EXPECT_EQ(all->layers, (std::vector<std::string>{"cut", "notes"}));
+  r.layer = "cut";
+  EXPECT_TRUE(readDrawing(text, "a.dxf", r)->unusable.empty());
+}
+
+TEST(Drawing, HostileFilesAreRefusedWithTheLine) {
+  EXPECT_NE(errorOf("").find("EOF"), std::string::npos);
+  EXPECT_NE(errorOf("AutoCAD Binary DXF\r\n\x1a").find("binary"), std::string::npos);
+  EXPECT_NE(errorOf("hello\nworld\n").find("line 1"), std::string::npos);
+  EXPECT_NE(errorOf("0\nSECTION\n2\n").find("E0367"), std::string::npos);
+  EXPECT_NE(errorOf("0\nSECTION\n2\nENTITIES\n0\nLINE\n").find("cut off"), std::string::npos);
+  EXPECT_NE(errorOf(file("0\nLINE\n10\n0\n20\n0\n11\nten\n21\n0\n")).find("`ten`"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file("0\nLINE\n10\n0\n20\n0\n11\n1e999\n21\n0\n")).find("E0367"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file("0\nLINE\n10\n0\n20\n0\n11\nnan\n21\n0\n")).find("E0367"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file("0\nLINE\n10\n0\n20\n0\n")).find("without group 11"), std::string::npos);
+  EXPECT_NE(errorOf(file("0\nCIRCLE\n10\n0\n20\n0\n40\n-1\n")).find("radius"), std::string::npos);
+  EXPECT_NE(errorOf(file("0\nCIRCLE\n10\n0\n20\n0\n40\n1\n230\n0.5\n")).find("extrusion"),
+            std::string::npos);
+  EXPECT_NE(
+      errorOf(file("0\nLWPOLYLINE\n90\n3\n10\n0\n20\n0\n10\n1\n20\n0\n")).find("says 3 vertices"),
+      std::string::npos);
+  EXPECT_NE(errorOf(file("0\nLWPOLYLINE\n90\n1\n20\n0\n10\n0\n")).find("before its first vertex"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file("0\nSPLINE\n71\n3\n72\n4\n40\n0\n")).find("says 4 knots"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file("0\nSPLINE\n71\n900\n40\n0\n10\n0\n20\n0\n")).find("degree"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file("0\nELLIPSE\n10\n0\n20\n0\n11\n0\n21\n0\n40\n1\n")).find("no length"),
+            std::string::npos);
+}
+
+TEST(Drawing, ManyPointsHaveALimit) {
+  DrawingRules r = rules(1e-9);
+  r.mostPoints = 1000;
+  const Result<Drawing> drawing =
+      readDrawing(file("0\nCIRCLE\n10\n0\n20\n0\n40\n1000\n"), "a.dxf", r);
+  ASSERT_FALSE(drawing.ok());
+}
+
+std::string chainError(std::vector<Curve> curves) {
+  const auto loops = chained(std::move(curves), "a.dxf", 1e-3);
+  return loops ? "" : std::string(loops.failure().row->code);
+}
+
+TEST(Chains, OpenAndBranchingBoundariesAreRefused) {
+  const Curve a{{{0, 0}, {10, 0}}, false};
+  const Curve b{{{10, 0}, {10, 10}}, false};
+  const Curve c{{{10, 10}, {0, 0}}, false};
+  EXPECT_EQ(chainError({a, b, c}), "");
+  EXPECT_EQ(chainError({a, b}), "E0369");
+  EXPECT_EQ(chainError({a, b, c, a}), "E0371");
+  EXPECT_EQ(chainError({a, b, c, {{{10, 0}, {20, 0}}, false}}), "E0371");
+  EXPECT_EQ(chainError({a, b, {{{10, 10}, {0, 0.002}}, false}}), "E0369");
+  EXPECT_EQ(chainError({a, b, {{{10, 10}, {0, 0.0005}}, false}}), "");
+}
+
+}  // namespace
+}  // namespace arelem::region

@@ -1,0 +1,147 @@
+// Lines on surfaces: numbers of lines, chords, normals, curvature, against closed forms.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "runtime/spray/surface/surface_job.h"
+
+namespace arelem::spray {
+namespace {
+
+Entity entity(EntityType type, std::vector<double> canon) {
+  Entity e;
+  e.type = type;
+  e.canon = std::move(canon);
+  return e;
+}
+Patch patch(const Entity& e, std::optional<Limits4> limits = std::nullopt) {
+  Result<Patch> made = patchOf(e, limits, 1.0);
+  if (!made) {
+    ADD_FAILURE() << made.failure().message;
+    return {};
+  }
+  return *made;
+}
+
+const Entity cylinder = entity(EntityType::cylinder, {0, 0, 0, 0, 1, 0, 100});
+const Entity sphere = entity(EntityType::sphere, {1, 2, 3, 75});
+const Entity torus = entity(EntityType::torus, {0, 0, 0, 0, 0, 1, 200, 50});
+const Entity cone = entity(EntityType::cone, {0, 0, 0, 0, 0, 1, std::cos(0.5)});
+
+TEST(Patches, NormalsPointOutAndTurnWithRevers) {
+  Patch p = patch(sphere);
+  for (const auto& [u, v] : {std::pair{10.0, 20.0}, {200.0, -70.0}, {0.0, 90.0}, {360.0, -90.0}}) {
+    const Vec3 out = (p.at(u, v) - Vec3(1, 2, 3)).normalized();
+    EXPECT_NEAR((p.normal(u, v) - out).norm(), 0.0, 2e-4) << u << ' ' << v;
+  }
+  p.flipped = true;
+  EXPECT_LT(p.normal(10, 20).dot(p.at(10, 20) - Vec3(1, 2, 3)), 0.0);
+}
+
+TEST(Patches, AreasAndRadii) {
+  const Patch half = patch(cylinder, Limits4{0, 180, 0, 400});
+  EXPECT_NEAR(areaOf(half), M_PI * 100 * 400, 20.0);
+  Radii radii = smallestRadii(half);
+  EXPECT_NEAR(*radii.alongU, 100.0, 1e-3);
+  EXPECT_FALSE(radii.alongV.has_value());
+  radii = smallestRadii(patch(torus));
+  EXPECT_NEAR(*radii.alongV, 50.0, 1e-3);
+  EXPECT_NEAR(*radii.alongU, 250.0, 2.0);  // at the outer circle; inside it is 150 the other way
+  EXPECT_NEAR(*smallestRadii(patch(sphere)).alongV, 75.0, 1e-3);
+  const Patch frustum = patch(cone, Limits4{0, 360, 100, 300});
+  EXPECT_NEAR(areaOf(frustum), M_PI * std::sin(0.5) * (90000.0 - 10000.0), 150.0);
+}
+
+TEST(Patches, LimitsAreChecked) {
+  const auto code = [](const Entity& e, std::optional<Limits4> limits) {
+    const Result<Patch> made = patchOf(e, limits, 1.0);
+    return made ? std::string() : std::string(made.failure().row->code);
+  };
+  EXPECT_EQ(code(cylinder, std::nullopt), "E0377");
+  EXPECT_EQ(code(cylinder, Limits4{0, 180, 10, 0}), "E0377");
+  EXPECT_EQ(code(cylinder, Limits4{0, 361, 0, 10}), "E0377");
+  EXPECT_EQ(code(sphere, Limits4{0, 90, -91, 0}), "E0377");
+  EXPECT_EQ(code(cone, Limits4{0, 90, -10, 10}), "E0377");
+  EXPECT_EQ(code(entity(EntityType::point, {0, 0, 0}), std::nullopt), "E0378");
+}
+
+TEST(SurfaceLines, HalfACylinderAsTheSource) {
+  const Patch half = patch(cylinder, Limits4{0, 180, 0, 400});
+  const LineSet along = linesOn(half, {false, 20.23, 0.5});
+  EXPECT_EQ(along.count.intervals, 16);
+  EXPECT_EQ(along.lines.size(), 17U);
+  EXPECT_NEAR(along.count.step, 19.634954084936208, 1e-6);
+  for (std::size_t i = 0; i < along.lines.size(); ++i) {
+    ASSERT_EQ(along.lines[i].size(), 2U);  // straight lines need no points between
+    EXPECT_EQ(along.lines[i].front().place.y() < along.lines[i].back().place.y(), i % 2 == 0);
+  }
+  const LineSet round = linesOn(half, {true, 20.23, 0.5});
+  EXPECT_EQ(round.lines.size(), 21U);  // 400 / 20.23 = 19.8
+  for (const SurfaceLine& line : round.lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Vec3 middle = (line[i].place + line[i - 1].place) / 2.0;
+      EXPECT_GT(std::hypot(middle.x(), middle.z()), 100.0 - 0.5);
+      EXPECT_NEAR(std::hypot(line[i].place.x(), line[i].place.z()), 100.0, 1e-9);
+    }
+  }
+}
+
+TEST(SurfaceLines, AWholeTurnHasNoDoubleLine) {
+  const LineSet set = linesOn(patch(cylinder, Limits4{0, 360, 0, 400}), {false, 50.0, 0.5});
+  EXPECT_EQ(set.lines.size(), static_cast<std::size_t>(set.count.intervals));
+}
+
+TEST(SurfaceLines, SectionsLieInTheirPlanes) {
+  const Patch p = patch(sphere, Limits4{0, 180, -80, 80});
+  const std::vector<double> levels = {-40, 0, 33};
+  const auto sections = sectionsOf(
+      p, [](const Vec3& x) { return x.x() - 1.0; }, levels, 0.05);
+  ASSERT_EQ(sections.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const LinePoint& q : sections[i]) {
+      EXPECT_NEAR(q.place.x() - 1.0, levels[i], 1e-6);
+      EXPECT_NEAR((q.place - Vec3(1, 2, 3)).norm(), 75.0, 1e-9);
+    }
+  }
+}
+
+SurfaceJob job(Patch p) {
+  SurfaceJob j;
+  j.patch = std::move(p);
+  j.gun.kind = Gun::Kind::cone;
+  j.gun.footprint = {20.0, 20.0};
+  j.gun.standOff = 150.0;
+  j.gun.angle = std::atan(20.0 / 150.0);
+  j.gun.flow = 20.3 * milliliterPerMinute;
+  j.gun.efficiency = 0.45;
+  j.film = 0.12;
+  return j;
+}
+
+TEST(SurfaceJobs, SpeedFollowsFromTheFlow) {
+  const Result<Sprayed> s = spraySurface(job(patch(cylinder, Limits4{0, 180, 0, 400})));
+  ASSERT_TRUE(s.ok()) << s.failure().message;
+  EXPECT_NEAR(s->chosen.operation.speed, speedFor(20.3 * milliliterPerMinute, 0.45, 0.12, s->step),
+              1e-9);
+}
+
+TEST(SurfaceJobs, ASurfaceThatBendsTooMuchIsRefused) {
+  const Entity thin = entity(EntityType::cylinder, {0, 0, 0, 0, 1, 0, 15});
+  SurfaceJob j = job(patch(thin, Limits4{0, 180, 0, 400}));
+  const Result<Sprayed> refused = spraySurface(j);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.failure().row->code, "E0379");
+  j.checkRadius = false;
+  EXPECT_TRUE(spraySurface(j).ok());
+}
+
+TEST(SurfaceJobs, TheBetterDirectionIsTold) {
+  SurfaceJob j = job(patch(cylinder, Limits4{0, 180, 0, 400}));
+  j.lines = SurfaceJob::Way::alongU;
+  EXPECT_NE(spraySurface(j)->advice.find("VLINES"), std::string::npos);
+  j.lines = SurfaceJob::Way::alongV;
+  EXPECT_EQ(spraySurface(j)->advice, "");
+}
+
+}  // namespace
+}  // namespace arelem::spray
