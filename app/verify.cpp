@@ -227,6 +227,7 @@ int runVerify(const Invocation& invocation) {
   Allowed allowed;
   CertifyRequest request;
   std::string with;
+  std::string machine;
   app.add_option("FILE", request.program, "a part program; with --with, an output")->required();
   app.add_option("CL", request.path, "the CL file of the program; without it, arelem's own path");
   app.add_option("--with", with, "the part program that the output FILE was made from")
@@ -256,7 +257,7 @@ int runVerify(const Invocation& invocation) {
                         ", which is not read back; verify reads CL text, CL tapes and V+ programs");
     return static_cast<int>(ExitCode::wrongUse);
   }
-  return static_cast<int>(verify(output, with, settings, allowed, interrupted));
+  return static_cast<int>(verify(output, with, settings, allowed, machine, interrupted));
 }
 
 }  // namespace arelem::app
