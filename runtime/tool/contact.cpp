@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "ir/space/tolerance.h"
 #include "runtime/tool/contact_search.h"
 
 namespace arelem::tool {
@@ -25,16 +26,12 @@ Contact wallContact(
   return {side * foot.distance - radius, normal, te - radius * normal};
 }
 
-/// True where side * distance is a convex function: the solid on the other side is convex.
+/// True where side * distance is a convex function: it bends towards the cutter nowhere.
 template <surface::Surface S>
-bool isConvex(const S&, double) {
-  return false;
-}
-bool isConvex(const surface::Cylinder&, double side) {
-  return side > 0.0;
-}
-bool isConvex(const surface::Cone&, double side) {
-  return side > 0.0;
+bool isConvex(const S& s, double side, const Vec3& at) {
+  typename S::Hint hint{};
+  const surface::Bends b = s.bends(at, s.foot(at, hint), tolerance::farAway);
+  return side > 0.0 ? b.low >= 0.0 : b.high <= 0.0;
 }
 
 /// Closed forms; the general search does the rest.
@@ -45,9 +42,13 @@ Contact contactOf(const S& s,
                   const Vec3& te,
                   const Vec3& axis,
                   Search<S>& search) {
-  return isWall(surface::generatrix(s), axis)
-             ? wallContact(s, side, cutter, te, search)
-             : ContactSearch<S>(s, side, cutter, te, axis, search).run(isConvex(s, side));
+  if (isWall(surface::generatrix(s), axis)) {
+    return wallContact(s, side, cutter, te, search);
+  }
+  if (!search.valid) {
+    search.convex = isConvex(s, side, te);
+  }
+  return ContactSearch<S>(s, side, cutter, te, axis, search).run();
 }
 
 Contact contactOf(const surface::Plane& s,

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 
 #include "runtime/geometry/kinds.h"
 #include "runtime/tool/profile.h"
@@ -21,22 +20,14 @@ struct Contact {
 /// Where the last contact was: starts the next search.
 template <surface::Surface S>
 struct Search {
-  /// A place where the distance is least among the cutter's points around it.
-  struct Minimum {
-    Vec3 toward;
-    typename S::Hint hint{};
-    double gap = 0.0;
-    Vec3 point;
-    Vec3 toolEnd, axis;  ///< when it was found
-    int piece = 0;       ///< of the cutter, and where along it a descent starts
-    double along = 0.0;
-  };
   typename S::Hint hint{};
   bool valid = false;
-  Vec3 toward = Vec3::UnitX();  ///< direction of the contact about the axis
-  std::array<Minimum, 4> minima;
-  std::size_t others = 0;  ///< minima beside the contact
-  Vec3 surveyedAt = Vec3::Zero(), surveyedAxis = Vec3::Zero();
+  bool convex = false;                     ///< side * distance is a convex function of the place
+  Vec3 toward = Vec3::UnitX();             ///< direction of the contact about the axis
+  double bound = 0.0, boundRadius = -1.0;  ///< of the bend towards the cutter, around:
+  Vec3 boundAt = Vec3::Zero();
+  double clearance = -1.0;  ///< of the upper shank beyond the gap, when the tool was there:
+  Vec3 clearAt = Vec3::Zero(), clearAxis = Vec3::Zero();
 };
 
 /// The tool end alone: relation ON.

@@ -7,10 +7,8 @@
 
 /// The general contact: the least side * distance over the whole cutter. Private to runtime/tool.
 ///
-/// A descent from the last contact finds a local minimum. Where the distance is a convex function
-/// on this side, it is the least of all if the cutter lies wholly before the plane through the
-/// contact square to its normal. Elsewhere the search follows every minimum that it knows and
-/// surveys the whole cutter after each stretch of path.
+/// A descent from the last contact finds a local minimum. Bounds of how far the distance bends
+/// towards the cutter prove that it is the least of all, or the whole cutter is surveyed.
 namespace arelem::tool {
 
 template <surface::Surface S>
@@ -22,33 +20,32 @@ class ContactSearch {
                 const Vec3& te,
                 const Vec3& axis,
                 Search<S>& search)
-      : cutter_(cutter),
+      : surface_(s),
+        side_(sign),
+        cutter_(cutter),
         te_(te),
         axis_(axis),
         search_(search),
-        known_(search.valid),
         descent_(s, sign, cutter, te, axis, search) {}
 
-  /// `convex`: side * distance is a convex function of the place.
-  Contact run(bool convex) {
+  Contact run() {
     const Contact local = descent_.nearestPiece();
-    if (convex) {
-      return supports(local) ? local : survey(local);
-    }
-    return known_ && !surveyIsDue() ? bestOfKnown(local) : survey(local);
+    const bool proven =
+        search_.convex ? supports(local) : bottomIsProven(local) && shankIsClear(local.gap);
+    return proven ? local : survey(local);
   }
 
  private:
-  using Minimum = typename Search<S>::Minimum;
-
   static constexpr double supportSlack = 1e-9;
-  /// Share of the cutter's radius that the tool may move from one survey to the next.
-  static constexpr double surveyShare = 0.5;
-  /// The same for tools without a radius, as a share of the height.
-  static constexpr double heightShare = 0.05;
+  /// Length of shank that is proven together with the bottom, in radii of the corner.
+  static constexpr double lowShare = 1.5;
+  /// Growth of the pieces in which the shank above is proven.
+  static constexpr double growth = 1.6;
+  /// A bound of the bend is asked for this much more than is needed, to serve the next contacts.
+  static constexpr double reserve = 1.5;
   static constexpr int angles = 16;
-  /// Minima whose contacts are nearer than this share of the height are one.
-  static constexpr double sameShare = 1e-6;
+
+  // ---- proofs -----------------------------------------------------------------------------------
 
   /// True where the cutter lies before the plane through the contact square to its normal; a convex
   /// distance lies above the distance from that plane.
@@ -57,22 +54,81 @@ class ContactSearch {
     return c.normal.dot(te_ - c.point) >= far - supportSlack * (1.0 + far);
   }
 
-  [[nodiscard]] double moved(const Vec3& te, const Vec3& axis) const {
-    return (te_ - te).norm() + cutter_.h * (axis_ - axis).norm();
-  }
-  /// What the tool may move from one survey to the next.
-  [[nodiscard]] double stretch() const {
-    return std::max(surveyShare * cutter_.maxRadius(), heightShare * cutter_.h);
-  }
-  [[nodiscard]] bool surveyIsDue() const {
-    return moved(search_.surveyedAt, search_.surveyedAxis) > stretch();
+  /// Height above the corner's center up to which bottomIsProven speaks.
+  [[nodiscard]] double lowHeight() const {
+    return cutter_.ring ? 0.0 : std::min(lowShare * (cutter_.e + cutter_.r), cutter_.h - cutter_.f);
   }
 
-  // ---- the minima that are known --------------------------------------------------------------
+  /// The cutter up to lowHeight lies within r of the disc of radius e and what is above it. With K
+  /// the bound of the bend towards the cutter, the distance at a point x of the disc is at least
+  /// that at the contact's q plus n.(x - q) - K/2 |x - q|^2, which is positive all over the disc if
+  /// the slope of n towards q is at least K e; and from x upwards it rises.
+  [[nodiscard]] bool bottomIsProven(const Contact& c) {
+    if (cutter_.alpha > 0.0) {
+      return false;
+    }
+    const double high = lowHeight();
+    const Vec3 q = te_ + cutter_.e * search_.toward + cutter_.f * axis_;
+    if ((c.point + cutter_.r * c.normal - q).norm() > supportSlack * (1.0 + cutter_.e)) {
+      return false;
+    }
+    const double radius = 2.0 * cutter_.e + high;
+    const auto proves = [&](double towards) {
+      const double slope = -c.normal.dot(search_.toward);
+      const double widening = cutter_.sinBeta / cutter_.cosBeta;
+      const double bent = towards * (2.0 * cutter_.e + 0.5 * high * (1.0 + widening * widening));
+      return towards * cutter_.e <= slope &&
+             (high <= 0.0 || bent + widening <= c.normal.dot(axis_));
+    };
+    if (radius <= 0.0) {
+      return true;
+    }
+    if ((q - search_.boundAt).norm() + radius <= search_.boundRadius && proves(search_.bound)) {
+      return true;
+    }
+    return proves(boundAround(q, c, reserve * radius)) || proves(boundAround(q, c, radius));
+  }
+
+  /// How much the distance bends towards the cutter within `radius` of q; kept in the search.
+  double boundAround(const Vec3& q, const Contact& c, double radius) {
+    const surface::Bends bends =
+        surface_.bends(q, {side_ * (c.gap + cutter_.r), side_ * c.normal}, radius);
+    search_.bound = std::max(0.0, side_ > 0.0 ? -bends.low : bends.high);
+    search_.boundAt = q;
+    search_.boundRadius = radius;
+    return search_.bound;
+  }
+
+  /// True where no point of the shank above lowHeight comes nearer than `gap`: the distance changes
+  /// by no more than the way, so the places on the axis tell about the shank around them. What is
+  /// found holds until the tool has moved half as far.
+  bool shankIsClear(double gap) {
+    const double moved =
+        (te_ - search_.clearAt).norm() + cutter_.h * (axis_ - search_.clearAxis).norm();
+    if (2.0 * moved < search_.clearance) {
+      return true;
+    }
+    double clearance = std::numeric_limits<double>::infinity();
+    double from = cutter_.f + lowHeight();
+    while (!cutter_.ring && from < cutter_.h) {
+      const double to = std::min(cutter_.f + growth * (from - cutter_.f) + supportSlack, cutter_.h);
+      const double outmost =
+          cutter_.sideStart.rho + cutter_.sinBeta / cutter_.cosBeta * (to - cutter_.sideStart.z);
+      const double onAxis = descent_.valueAt({0.0, 0.5 * (from + to)}, search_.toward);
+      clearance = std::min(clearance, onAxis - std::hypot(outmost, 0.5 * (to - from)) - gap);
+      from = to;
+    }
+    search_.clearance = clearance;
+    search_.clearAt = te_;
+    search_.clearAxis = axis_;
+    return clearance >= 0.0;
+  }
+
+  // ---- survey -----------------------------------------------------------------------------------
 
   enum Piece { corner, bottom, side };
 
-  Contact descend(int piece, double along) {
+  Contact descend(Piece piece, double along) {
     switch (piece) {
       case bottom:
         return descent_.onBottom();
@@ -82,40 +138,6 @@ class ContactSearch {
         return descent_.nearestPiece();
     }
   }
-
-  Minimum minimum(const Contact& c, int piece, double along) const {
-    return {search_.toward, search_.hint, c.gap, c.point, te_, axis_, piece, along};
-  }
-  void resume(const Minimum& m) {
-    search_.hint = m.hint;
-    descent_.turnTo(m.toward);
-  }
-
-  /// A minimum that was m deep when the tool was d away is at most m + d deep now.
-  Contact bestOfKnown(const Contact& local) {
-    Contact best = local;
-    Minimum first = minimum(local, corner, 0.0);
-    for (std::size_t i = 0; i < search_.others; ++i) {
-      Minimum& other = search_.minima[i];
-      if (other.gap - moved(other.toolEnd, other.axis) >= best.gap) {
-        continue;
-      }
-      resume(other);
-      const Contact c = descend(other.piece, other.along);
-      other = minimum(c, other.piece, other.along);
-      if (c.gap < best.gap) {
-        best = c;
-        // The next descent from the corner goes on from the better one.
-        if (other.piece == corner) {
-          std::swap(first, other);
-        }
-      }
-    }
-    resume(first);
-    return best;
-  }
-
-  // ---- survey -----------------------------------------------------------------------------------
 
   struct Row {
     ProfilePoint q;
@@ -181,26 +203,28 @@ class ContactSearch {
       directions[static_cast<std::size_t>(k)] = descent_.direction(step * k);
     }
     Contact best = local;
-    Minimum first = minimum(local, corner, 0.0);
+    Vec3 toward = search_.toward;
+    auto hint = search_.hint;
     Grid grid;
     for (std::size_t r = 0; r < all.count; ++r) {
-      fill(grid[r], all.list[r], directions, best.gap + 2.0 * stretch());
+      fill(grid[r], all.list[r], directions, best.gap);
     }
-    search_.others = 0;
     for (std::size_t r = 0; r < all.count; ++r) {
       for (int k = 0; k < angles; ++k) {
-        if (isLow(grid, all.count, r, k)) {
-          const Row& row = all.list[r];
-          descent_.turnTo(directions[static_cast<std::size_t>(k)]);
-          const Contact c = descend(row.piece, row.along);
-          keep(minimum(c, row.piece, row.along), first);
-          best = c.gap < best.gap ? c : best;
+        if (!isLow(grid, all.count, r, k)) {
+          continue;
+        }
+        descent_.turnTo(directions[static_cast<std::size_t>(k)]);
+        const Contact c = descend(all.list[r].piece, all.list[r].along);
+        if (c.gap < best.gap) {
+          best = c;
+          toward = search_.toward;
+          hint = search_.hint;
         }
       }
     }
-    resume(first);
-    search_.surveyedAt = te_;
-    search_.surveyedAxis = axis_;
+    search_.toward = toward;
+    search_.hint = hint;
     return best;
   }
 
@@ -221,34 +245,12 @@ class ContactSearch {
     }
   }
 
-  /// The best to which a descent from the corner leads stands in `first`, the others in the list.
-  void keep(Minimum m, Minimum& first) {
-    const double same = sameShare * (1.0 + cutter_.h);
-    bool known = (first.point - m.point).norm() <= same;
-    for (std::size_t i = 0; i < search_.others; ++i) {
-      known = known || (search_.minima[i].point - m.point).norm() <= same;
-    }
-    if (known) {
-      return;
-    }
-    if (m.piece == corner && m.gap < first.gap) {
-      std::swap(first, m);
-    }
-    if (search_.others < search_.minima.size()) {
-      search_.minima[search_.others++] = m;
-    } else {
-      const auto highest =
-          std::max_element(search_.minima.begin(), search_.minima.end(),
-                           [](const auto& a, const auto& c) { return a.gap < c.gap; });
-      *highest = highest->gap > m.gap ? m : *highest;
-    }
-  }
-
+  const S& surface_;
+  double side_;
   const Profile& cutter_;
   const Vec3& te_;
   const Vec3& axis_;
   Search<S>& search_;
-  bool known_;
   ContactDescent<S> descent_;
 };
 

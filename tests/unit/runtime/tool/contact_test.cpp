@@ -202,6 +202,25 @@ TEST(Contact, AroundToriContactsJump) {
       1.0);
 }
 
+TEST(Contact, ThroughAHollowTheContactGoesFromBackToFront) {
+  // A flat bottom along a hyperboloid's waist: it touches behind on the way down, before on the way
+  // up, and nowhere does the gap change faster than the tool moves over a slope of 0.02.
+  const surface::Quadric waist(Vec3(-0.008, 0.035, 0.25).asDiagonal(), Vec3::Zero(), -1.0);
+  const Profile cutter = *makeProfile(std::vector<double>{0.75, 0.125, 0.266342, 0.125, 0, 8, 3});
+  Search<surface::Quadric> search;
+  const Vec3 step(0.01, 0, 0);
+  Vec3 te(-1, 0, 2);
+  double last = contact(waist, 1.0, cutter, te, Vec3::UnitZ(), search).gap;
+  for (int k = 1; k <= 200; ++k) {
+    te += step;
+    const Contact c = contact(waist, 1.0, cutter, te, Vec3::UnitZ(), search);
+    EXPECT_LE(std::abs(c.gap - last), step.norm()) << te.x();
+    EXPECT_LE(std::abs(c.gap - last), 3e-4) << te.x();
+    EXPECT_GT((c.point.x() - te.x()) * te.x(), -1e-9) << te.x();
+    last = c.gap;
+  }
+}
+
 TEST(Contact, SharpCornerOfTheLongForm) {
   // CUTTER/2,0,0,0,0,0,3 is a flat end mill, CUTTER/2,0,0,0,45,0,3 a pointed one.
   const Profile flat = *makeProfile(std::vector<double>{2, 0, 0, 0, 0, 0, 3});
