@@ -8,6 +8,7 @@ from arelem_run import ARELEM, PROJECT, ArelemCase
 
 sys.path.insert(0, str(PROJECT / "tests" / "ngc"))
 import path as paths  # noqa: E402
+from examples import REFUSED  # noqa: E402
 import rs274  # noqa: E402
 
 RESOLUTION = 1.5e-4  # half of the last digit in each axis, of the output and of the interpreter's print
@@ -60,6 +61,12 @@ class EveryExample(NgcCase):
         for file in files:
             with self.subTest(file.name):
                 text = with_feed(file.read_text())
+                code, why = REFUSED.get(file.name, (None, None))
+                if code == "E0672":
+                    self.assertExit(6, "compile", file, "--to", "ngc", "-o", "refused.ngc")
+                    self.assertIn(f"error[{code}]", self.err, why)
+                    self.assertFalse((self.folder / "refused.ngc").exists())
+                    continue
                 moves = paths.canonical_moves(self.interpret(text))
                 arcs += sum(m.arc is not None for m in moves)
                 self.assertEqual(paths.compare(moves, self.records(text), RESOLUTION, 0.0021), [])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Compiles every part program of examples/ to every output format: no error, no warning, no empty output
-(but the deck of a program that punches nothing)."""
+(but the deck of a program that punches nothing). RS-274 is refused for the programs that tests/ngc/examples.py names."""
 import argparse
 import os
 import pathlib
@@ -9,9 +9,36 @@ import subprocess
 import sys
 import tempfile
 
-# A CL tape has no place for the turn of a gun, a robot no spindle: warnings that belong to the format.
-EXPECTED = {"W0604", "W0620"}
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "tests" / "ngc"))
+from examples import REFUSED  # noqa: E402
+
+# Warnings that belong to a format: a CL tape has no place for the turn of a gun, a robot no spindle, RS-274 no paint.
+EXPECTED = {"W0604", "W0620", "W0675"}
+
+
+def compile_to(arelem, program, targets):
+    """Exit code, codes of the messages, sizes of the outputs by suffix, and the messages."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = [w for t in targets for w in ("--to", t)]
+        done = subprocess.run([arelem, "compile", str(program), "--out-dir", folder, *words], capture_output=True, text=True)
+        sizes = {p.suffix: p.stat().st_size for p in pathlib.Path(folder).iterdir()}
+    return done.returncode, set(re.findall(r"\[([EW]\d{4})\]", done.stderr)), sizes, done.stderr
+
+
+def check(arelem, program, targets):
+    """What is wrong, or None."""
+    refusal = REFUSED.get(program.name)
+    if refusal:
+        targets = [t for t in targets if t != "ngc"]
+        code, told, sizes, text = compile_to(arelem, program, ["ngc"])
+        if code != 6 or sizes or refusal[0] not in told:
+            return f"{program.name}: RS-274 is to be refused with {refusal[0]}; exit {code}, outputs {sizes}\n{text}"
+    code, told, sizes, text = compile_to(arelem, program, targets)
+    empty = [s for s, n in sizes.items() if n == 0 and s != ".deck"]
+    if code or told - EXPECTED or len(sizes) != len(targets) or empty:
+        return f"{program.name}: exit {code}, outputs {sizes}\n{text}"
+    return None
 
 
 def main():
@@ -23,13 +50,9 @@ def main():
     programs = sorted((PROJECT / "examples").glob("*.apt"))
     problems = [] if len(programs) >= 6 else ["fewer than six examples"]
     for program in programs:
-        with tempfile.TemporaryDirectory() as folder:
-            words = [w for t in targets for w in ("--to", t)]
-            done = subprocess.run([arelem, "compile", str(program), "--out-dir", folder, *words], capture_output=True, text=True)
-            sizes = {p.suffix: p.stat().st_size for p in pathlib.Path(folder).iterdir()}
-        told = set(re.findall(r"\[([EW]\d{4})\]", done.stderr))
-        if done.returncode or told - EXPECTED or len(sizes) != len(targets) or 0 in [n for s, n in sizes.items() if s != ".deck"]:
-            problems.append(f"{program.name}: exit {done.returncode}, outputs {sizes}\n{done.stderr}")
+        problem = check(arelem, program, targets)
+        if problem:
+            problems.append(problem)
     print("\n".join([*problems, f"{len(programs)} examples, {len(targets)} formats, {len(problems)} problems"]))
     sys.exit(1 if problems else 0)
 

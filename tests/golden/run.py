@@ -59,8 +59,11 @@ def check_output(directives, output):
     return None
 
 
+NAMES = {"sqrt": math.sqrt, "pi": math.pi, "atan": math.atan}
+
+
 def check_values(arelem, program, wanted):
-    """Compares with `arelem geometry`. Expressions are sums and products with sqrt and pi."""
+    """Compares with `arelem geometry`. Expressions are sums and products of numbers and NAMES."""
     done = subprocess.run([arelem, "geometry", "--json", str(program)], capture_output=True, text=True, timeout=120)
     if not done.stdout.startswith("["):
         return f"VALUES: {done.stderr}"
@@ -70,7 +73,7 @@ def check_values(arelem, program, wanted):
         found[entry["name"] + subscript] = entry["values"]
     for text in wanted:
         name, *numbers = text.split()
-        numbers = [eval(n, {"__builtins__": {}, "sqrt": math.sqrt, "pi": math.pi}) for n in numbers]
+        numbers = [eval(n, {"__builtins__": {}, **NAMES}) for n in numbers]
         ours = found.get(name)
         size = max([abs(n) for n in numbers] + [1.0])
         if ours is None or len(ours) != len(numbers) or any(abs(a - b) > 1e-9 * size for a, b in zip(ours, numbers)):
