@@ -37,6 +37,13 @@ void Scope::wrong(std::string_view wanted) {
   }
 }
 
+void Scope::wrongAt(std::size_t column, std::string what) {
+  if (!error_) {
+    error_ = Error{column, std::move(what)};
+    at_ = line_.size() - 1;
+  }
+}
+
 std::string Scope::word() const {
   return token().kind == Token::Kind::word ? token().text : std::string();
 }
@@ -303,7 +310,7 @@ Place Scope::rotation(const Vec3& axis) {
   return {Vec3::Zero(), Eigen::AngleAxisd(*a[0] * radian, axis).toRotationMatrix(), true};
 }
 
-/// SHIFT(location BY dx, dy, dz): along the axes of the world.
+/// SHIFT(location BY dx, dy, dz): along the axes of the world; what is left out is 0.
 Place Scope::shifted() {
   sign("(");
   Place place = location();
@@ -312,7 +319,8 @@ Place Scope::shifted() {
     if (i > 0 && !takeSign(",")) {
       break;
     }
-    const std::optional<double> step = expression();
+    const bool leftOut = isSign(",") || isSign(")");
+    const std::optional<double> step = leftOut ? std::optional(0.0) : expression();
     place.known = place.known && step.has_value();
     place.shift[i] += step.value_or(0.0);
   }

@@ -27,6 +27,7 @@ class Scope {
   void begin(std::vector<Token> line);
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   void wrong(std::string_view wanted);
+  void wrongAt(std::size_t column, std::string what);
 
   // ---- the next token
   [[nodiscard]] bool atEnd() const { return token().kind == Token::Kind::end; }

@@ -94,7 +94,7 @@ bool Motion::checkLocate(Word word, const Span& at, const std::vector<ir::Argume
     const bool delta = word == Word::GODLTA;
     const bool fits =
         delta ? numbers >= 1 && numbers <= 4
-              : numbers != 1 && numbers != 5 && numbers != 8 && numbers <= 10;
+              : numbers >= 2 && numbers <= 10 && numbers != 5 && numbers != 8;
     if (!fits) {
       context_.report(diagnose(at, diag::MotionCount, spell(word), numbers));
     }
