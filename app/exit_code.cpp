@@ -9,12 +9,15 @@ ExitCode exitCodeFor(const DiagRow& row) {
   if (row.severity != Severity::error) {
     return ExitCode::ok;
   }
-  if (row.code == "E0102") {  // a control byte: not a text file
+  // A control byte: not a text file. Machine files that are no TOML or say what does not exist.
+  constexpr std::array<std::string_view, 4> unreadable = {"E0102", "E0650", "E0651", "E0652"};
+  if (std::find(unreadable.begin(), unreadable.end(), row.code) != unreadable.end()) {
     return ExitCode::inputUnreadable;
   }
   // Limits that belong to a room: nested calls, cut vectors, actions and records of the motion,
-  // bytes of a data file.
-  constexpr std::array<std::string_view, 5> limits = {"E0239", "E0418", "E0513", "E0525", "E0732"};
+  // bytes of a data file, poses of a stencil.
+  constexpr std::array<std::string_view, 6> limits = {"E0239", "E0418", "E0513",
+                                                      "E0525", "E0564", "E0732"};
   if (std::find(limits.begin(), limits.end(), row.code) != limits.end()) {
     return ExitCode::limitReached;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "backend/vplus/instruction.h"
+#include "backend/vplus/name.h"
 #include "ir/diag/robot.h"
 
 namespace arelem::vplus {

@@ -44,7 +44,7 @@ class Robots(ArelemCase):
 
     def test_out_of_reach_writes_nothing(self):
         self.write("stop.apt", STOP.replace("500", "2440"))
-        self.assertExit(1, "stop.apt", "-o", "far.v2", "--machine", "adept_three.machine.toml")
+        self.assertExit(6, "stop.apt", "-o", "far.v2", "--machine", "adept_three.machine.toml")
         self.assertIn("E0660", self.err)
         self.assertFalse((self.folder / "far.v2").exists())
 
@@ -58,11 +58,14 @@ class Robots(ArelemCase):
     def test_damaged_files_are_named(self):
         self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSTROKE 9\n")
         self.write("a.apt", "STENCL/'A',HEIGHT,500,FAN,60,SPEED,100,ALPHAB,'x.alphabet'\nFINI\n")
-        self.assertExit(1, "a.apt", "-o", "a.cls")
+        self.assertExit(3, "a.apt", "-o", "a.cls")
         self.assertIn("`x.alphabet`, line 3, column 8", self.err)
         self.assertFalse((self.folder / "a.cls").exists())
         self.write("m.toml", "speed = 3\nspede = 4\n")
-        self.assertExit(1, "a.apt", "-o", "a.v2", "--machine", "m.toml", "-I", ".")
+        self.write("a.apt", "GOTO/1,2,3\nFINI\n")
+        self.assertExit(3, "a.apt", "-o", "a.v2", "--machine", "m.toml")
+        self.assertIn("`m.toml`, line 2: there is no key `spede`", self.err)
+        self.assertFalse((self.folder / "a.v2").exists())
 
     def test_own_symbols_need_no_compiler(self):
         self.write("plus.alphabet", "GRID 4 25\nSYMBOL +\nSTROKE 5 1.5,6 2.5,6 TO 1.5,19 2.5,19\n")

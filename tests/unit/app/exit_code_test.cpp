@@ -20,10 +20,13 @@ TEST(ExitCode, FollowsTheRoomOfTheDiagnostic) {
   EXPECT_EQ(codeOf("E0601"), ExitCode::outputNotWritten);
   EXPECT_EQ(codeOf("E0701"), ExitCode::inputUnreadable);
   EXPECT_EQ(codeOf("E0801"), ExitCode::limitReached);
-  for (const char* limit : {"E0239", "E0418", "E0513", "E0525", "E0732", "E0891", "E0895"}) {
+  for (const char* limit :
+       {"E0239", "E0418", "E0513", "E0525", "E0564", "E0732", "E0891", "E0895"}) {
     EXPECT_EQ(codeOf(limit), ExitCode::limitReached) << limit;
   }
-  EXPECT_EQ(codeOf("E0102"), ExitCode::inputUnreadable);
+  for (const char* file : {"E0102", "E0650", "E0651", "E0652"}) {
+    EXPECT_EQ(codeOf(file), ExitCode::inputUnreadable) << file;
+  }
   EXPECT_EQ(codeOf("W0701"), ExitCode::ok);
 }
 

@@ -105,7 +105,7 @@ TEST(Locating, WrongCountsNameTheForms) {
     Places b;
     EXPECT_FALSE(b.place(Word::GOTO, b.numbers(std::vector<double>(count, 1.0))));
     EXPECT_THAT(b.reported(), ElementsAre("129")) << count;
-    EXPECT_THAT(b.sink.all()[0].message, HasSubstr("x,y,z,i,j,k[,feed]"));
+    EXPECT_THAT(b.sink.all()[0].message, HasSubstr("x,y,z,i,j,k[,u,v,w][,feed]"));
   }
   Places b;
   EXPECT_FALSE(b.place(Word::GOTO, {b.at(b.l1)}));
