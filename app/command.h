@@ -27,6 +27,7 @@ int runCheck(const Invocation& invocation);
 int runCompile(const Invocation& invocation);
 int runDump(const Invocation& invocation);
 int runExplain(const Invocation& invocation);
+int runFormat(const Invocation& invocation);
 int runGeometry(const Invocation& invocation);
 int runLanguage(const Invocation& invocation);
 int runSpray(const Invocation& invocation);
