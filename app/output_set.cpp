@@ -18,7 +18,7 @@ bool OutputSet::open(const std::vector<PlannedOutput>& outputs, const backend::C
     }
     Open opened;
     opened.file = *std::move(file);
-    opened.writer = output.target->make(opened.file->stream(), context, sink_);
+    opened.writer = output.target->make(opened.file->stream(), context, watch_);
     open_.push_back(std::move(opened));
   }
   return true;
@@ -44,7 +44,8 @@ bool OutputSet::complete() {
 }
 
 bool OutputSet::close(bool partial) {
-  const bool good = complete();
+  // An error of a writer leaves nothing behind, also where it shows only at the end of the path.
+  const bool good = complete() && (partial || !watch_.failed());
   for (const Open& output : open_) {
     if (!good) {
       break;

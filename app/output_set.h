@@ -36,10 +36,25 @@ class OutputSet : public cl::RecordSink {
     std::unique_ptr<backend::Writer> writer;
     std::uint64_t bytes = 0;
   };
+  /// Passes on what writers say and remembers whether one of them met an error.
+  class Watch : public DiagnosticSink {
+   public:
+    explicit Watch(DiagnosticSink& sink) : sink_(sink) {}
+    void accept(Diagnostic diagnostic) override {
+      failed_ = failed_ || diagnostic.kind().severity == Severity::error;
+      sink_.accept(std::move(diagnostic));
+    }
+    [[nodiscard]] bool failed() const { return failed_; }
+
+   private:
+    DiagnosticSink& sink_;
+    bool failed_ = false;
+  };
   [[nodiscard]] bool complete();
   void report(Failure failure);
 
   DiagnosticSink& sink_;
+  Watch watch_{sink_};
   std::vector<Open> open_;
   std::vector<Written> written_;
 };

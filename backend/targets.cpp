@@ -7,6 +7,7 @@
 #include "backend/cltext/writer.h"
 #include "backend/deck/writer.h"
 #include "backend/ir/writer.h"
+#include "backend/joints/writer.h"
 #include "backend/json/writer.h"
 #include "backend/listing/writer.h"
 #include "backend/ngc/writer.h"
@@ -50,6 +51,14 @@ const std::array table = {
            .summary = "RS-274 for machine controls",
            .suffixes = {".ngc", ".nc", ".tap"},
            .make = makeNgcWriter},
+    Target{.name = "joints",
+           .summary = "joints of a painting arm over time, CSV; needs --machine",
+           .suffixes = {".joints.csv", ".joints"},
+           .make = makeJointTableWriter},
+    Target{.name = "joint-plots",
+           .summary = "the same as curves, SVG; needs --machine",
+           .suffixes = {".joints.svg"},
+           .make = makeJointPlotWriter},
     Target{.name = "svg",
            .summary = "picture of the tool path and its geometry",
            .suffixes = {".svg"},

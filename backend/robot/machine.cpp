@@ -157,6 +157,7 @@ class Reader {
     top.number("rapid", machine_.rapid, 1e-3, longest);
     top.number("acceleration", machine_.acceleration, 1e-3, longest);
     top.number("interval", machine_.interval, 1e-3, 10.0);
+    top.number("blend", machine_.blend, 1e-3, 1.0);
     with(top, "frame", [&](Table& t) { frame(t); });
     with(top, "scara", [&](Table& t) { scara(t); });
     with(top, "pantograph", [&](Table& t) { pantograph(t); });
@@ -199,6 +200,8 @@ class Reader {
   void pantograph(Table& t) {
     Pantograph& p = machine_.pantograph.emplace();
     t.number("ratio", p.ratio, 1e-3, 1e3);
+    t.number("counts_per_mm", p.countsPerMillimeter, 0.0, 1e9);
+    t.number("counts_per_turn", p.countsPerTurn, 0.0, 1e9);
     t.range("actuator", p.actuator, 0.0, longest);
     t.range("turn", p.turn, -fullTurn, fullTurn);
     t.list("speed", p.speed, 1e-3, longest);

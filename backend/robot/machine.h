@@ -44,6 +44,8 @@ struct Pantograph {
   Range turn{-180.0, 180.0};
   std::array<double, 2> speed{200.0, 90.0};           ///< of actuator (mm/s) and turn (deg/s)
   std::array<double, 2> acceleration{2000.0, 360.0};  ///< mm/s2, deg/s2
+  double countsPerMillimeter = 0.0;                   ///< of the actuator's encoder; 0: not stated
+  double countsPerTurn = 0.0;
 };
 /// Two links of one length, read out by encoders (listing of pathS.c, corrected).
 struct Elbow {
@@ -87,7 +89,8 @@ struct Machine {
   double speed = 0.0;            ///< largest of the tool point, mm/s; 0: not checked
   double rapid = 500.0;          ///< of RAPID moves, mm/s
   double acceleration = 2000.0;  ///< of moves without spraying, mm/s2
-  double interval = 0.032;       ///< of joint tables
+  double interval = 0.032;       ///< of joint tables, s
+  double blend = 0.064;          ///< over which a joint table takes the mean of the path, s
   std::optional<Scara> scara;
   std::optional<Pantograph> pantograph;
   std::optional<Elbow> elbow;

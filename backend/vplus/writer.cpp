@@ -5,6 +5,7 @@
 #include <ostream>
 #include <set>
 
+#include "backend/robot/feed.h"
 #include "backend/robot/machine.h"
 #include "backend/robot/reach.h"
 #include "backend/text/clean.h"
@@ -17,8 +18,6 @@ namespace arelem::backend {
 namespace {
 using namespace robot;
 
-constexpr double secondsOfAMinute = 60.0;
-constexpr double millimetersOfAnInch = 25.4;
 constexpr int bitsOfTilt = 8;
 
 /// Numbers as V+ takes them, three decimals, never "-0.000".
@@ -130,12 +129,7 @@ class VplusWriter : public Writer {
     clean.resize(std::min(clean.size(), static_cast<std::size_t>(machine_.vplus.columns) - 4));
     line("; " + clean);
   }
-  void operator()(const cl::Units& units) {
-    millimeters_ = units.unit == Word::CM       ? 10.0
-                   : units.unit == Word::INCHES ? millimetersOfAnInch
-                   : units.unit == Word::FEET   ? 12.0 * millimetersOfAnInch
-                                                : 1.0;
-  }
+  void operator()(const cl::Units& units) { millimeters_ = millimetersOf(units); }
   template <class Other>
   void operator()(const Other&) {
   }  // what tells of surfaces, tolerances and the cutter moves nothing
@@ -154,36 +148,21 @@ class VplusWriter : public Writer {
     }
     line(fmt::format("; {} is left out", printableAscii(word)));
   }
-  static const double* numberAt(const cl::Post& post, std::size_t i) {
-    return i < post.arguments.size() ? std::get_if<double>(&post.arguments[i]) : nullptr;
-  }
-  static bool has(const cl::Post& post, Word word) {
-    for (const cl::Value& value : post.arguments) {
-      const Word* found = std::get_if<Word>(&value);
-      if (found != nullptr && *found == word) {
-        return true;
-      }
-    }
-    return false;
-  }
 
   void feed(const cl::Post& post) {
-    const double* value = numberAt(post, 0);
-    if (value == nullptr || !(*value > 0.0) || has(post, Word::IPR) || has(post, Word::MMPR)) {
-      report(fail(diag::VplusFeed, value == nullptr ? 0.0 : *value));
-      return;
+    const std::optional<double> speed = speedOf(post, millimeters_);
+    if (!speed) {
+      const double* value = numberAt(post, 0);
+      return report(fail(diag::VplusFeed, value == nullptr ? 0.0 : *value));
     }
-    speed_ = has(post, Word::MMPS)   ? *value
-             : has(post, Word::MMPM) ? *value / secondsOfAMinute
-             : has(post, Word::IPM)  ? *value * millimetersOfAnInch / secondsOfAMinute
-                                     : *value * millimeters_ / secondsOfAMinute;
+    speed_ = *speed;
     rapid_ = false;
   }
 
   /// SPRAY/ON, n and SPRAY/OFF, n: at the location before, or on the way from it.
   void spray(const cl::Post& post) {
     const double* output = numberAt(post, 1);
-    const bool on = has(post, Word::ON);
+    const bool on = hasWord(post, Word::ON);
     const int n = output == nullptr ? 1 : static_cast<int>(*output);
     const std::string signal = fmt::format("SIGNAL {}", on ? n : -n);
     if (machine_.vplus.onTheFly) {

@@ -1,0 +1,127 @@
+#include "backend/joints/knot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "backend/robot/feed.h"
+#include "backend/robot/pose.h"
+#include "ir/diag/robot.h"
+
+namespace arelem::joints {
+
+void KnotReader::accept(const cl::Record& record) {
+  if (const auto* moved = std::get_if<cl::Motion>(&record.body)) {
+    motion(*moved, record.origin);
+  } else if (const auto* word = std::get_if<cl::Post>(&record.body)) {
+    post(*word, record.origin);
+  } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
+    millimeters_ = robot::millimetersOf(*units);
+  }
+}
+
+void KnotReader::motion(const cl::Motion& motion, const Span& origin) {
+  const std::size_t stride = motion.stride();
+  for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
+    const double* c = motion.coordinates.data() + i;
+    robot::Pose pose;
+    pose.point = millimeters_ * Vec3(c[0], c[1], c[2]);
+    if (motion.withAxis) {
+      pose.axis = Vec3(c[3], c[4], c[5]);
+    }
+    if (motion.withSide) {
+      pose.side = Vec3(c[6], c[7], c[8]);
+    }
+    ++location_;
+    location(robot::inBase(machine_.frame, pose), origin);
+  }
+}
+
+void KnotReader::location(const robot::Pose& pose, const Span& origin) {
+  const std::optional<robot::Upright> upright = robot::uprightOf(pose);
+  if (!upright) {
+    if (!failed_) {
+      const double lean = std::acos(std::clamp(pose.axis.normalized().z(), -1.0, 1.0));
+      sink_.accept(diagnose(origin, diag::ToolNotUpright, fmt::format("location {}", location_),
+                            lean * 180.0 / std::numbers::pi, " but for the tilt along its side"));
+    }
+    failed_ = true;
+    return;
+  }
+  Knot knot;
+  knot.point = pose.point;
+  const double before = knots_.empty() ? upright->heading : knots_.back().heading;
+  constexpr double turn = 360.0;
+  knot.heading = upright->heading + turn * std::round((before - upright->heading) / turn);
+  knot.tilt = upright->tilt;
+  knot.speed = rapid_ || speed_ <= 0.0 ? machine_.rapid : speed_;
+  // A rapid move begins and ends at rest.
+  knot.stop = knots_.empty() || rapid_;
+  if (rapid_ && !knots_.empty()) {
+    knots_.back().stop = true;
+  }
+  knot.gun = gun_;
+  knot.location = location_;
+  knot.origin = origin;
+  rapid_ = false;
+  knots_.push_back(knot);
+}
+
+void KnotReader::stopHere(double seconds) {
+  if (!knots_.empty()) {
+    knots_.back().stop = true;
+    knots_.back().dwell += seconds;
+  }
+}
+
+void KnotReader::spray(const cl::Post& post) {
+  gun_ = robot::hasWord(post, Word::ON);
+  if (!machine_.vplus.onTheFly) {
+    stopHere(0.0);
+  }
+  if (!knots_.empty()) {
+    knots_.back().gun = gun_;
+  }
+}
+
+void KnotReader::post(const cl::Post& post, const Span& origin) {
+  switch (post.foreign.empty() ? post.word : Word::INSERT) {
+    case Word::FEDRAT:
+      if (const auto speed = robot::speedOf(post, millimeters_)) {
+        speed_ = *speed;
+      } else {
+        const double* value = robot::numberAt(post, 0);
+        sink_.accept(diagnose(origin, diag::VplusFeed, value == nullptr ? 0.0 : *value));
+        failed_ = true;
+      }
+      rapid_ = false;
+      return;
+    case Word::RAPID:
+      rapid_ = true;
+      return;
+    case Word::SPRAY:
+      return spray(post);
+    case Word::DELAY: {
+      const double* seconds = robot::numberAt(post, 0);
+      return stopHere(seconds == nullptr ? 0.0 : std::max(0.0, *seconds));
+    }
+    case Word::STOP:
+    case Word::OPSTOP:
+      return stopHere(0.0);
+    case Word::TRACUT:
+    case Word::COPY:
+    case Word::INDEX:
+    case Word::MACHIN:
+    case Word::END:
+      return;  // done already, or said by the end of the table
+    default:
+      break;
+  }
+  const std::string word(post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign));
+  if (std::find(told_.begin(), told_.end(), word) == told_.end()) {
+    told_.push_back(word);
+    sink_.accept(diagnose(origin, diag::JointsWithout, word));
+  }
+}
+
+}  // namespace arelem::joints

@@ -1,0 +1,42 @@
+#include "backend/robot/feed.h"
+
+#include <algorithm>
+
+namespace arelem::robot {
+
+namespace {
+constexpr double secondsOfAMinute = 60.0;
+constexpr double millimetersOfAnInch = 25.4;
+}  // namespace
+
+const double* numberAt(const cl::Post& post, std::size_t place) {
+  return place < post.arguments.size() ? std::get_if<double>(&post.arguments[place]) : nullptr;
+}
+
+bool hasWord(const cl::Post& post, Word word) {
+  return std::any_of(post.arguments.begin(), post.arguments.end(), [&](const cl::Value& value) {
+    const Word* found = std::get_if<Word>(&value);
+    return found != nullptr && *found == word;
+  });
+}
+
+double millimetersOf(const cl::Units& units) {
+  return units.unit == Word::CM       ? 10.0
+         : units.unit == Word::INCHES ? millimetersOfAnInch
+         : units.unit == Word::FEET   ? 12.0 * millimetersOfAnInch
+                                      : 1.0;
+}
+
+std::optional<double> speedOf(const cl::Post& feedRate, double millimeters) {
+  const double* value = numberAt(feedRate, 0);
+  if (value == nullptr || !(*value > 0.0) || hasWord(feedRate, Word::IPR) ||
+      hasWord(feedRate, Word::MMPR)) {
+    return std::nullopt;
+  }
+  return hasWord(feedRate, Word::MMPS)   ? *value
+         : hasWord(feedRate, Word::MMPM) ? *value / secondsOfAMinute
+         : hasWord(feedRate, Word::IPM)  ? *value * millimetersOfAnInch / secondsOfAMinute
+                                         : *value * millimeters / secondsOfAMinute;
+}
+
+}  // namespace arelem::robot

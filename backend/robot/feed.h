@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+
+#include "ir/cl/record.h"
+
+namespace arelem::robot {
+
+/// The number at a place of a postprocessor word; null where there is none.
+[[nodiscard]] const double* numberAt(const cl::Post& post, std::size_t place);
+/// Whether the word stands in it.
+[[nodiscard]] bool hasWord(const cl::Post& post, Word word);
+
+/// Millimeters of one unit of length of the records.
+[[nodiscard]] double millimetersOf(const cl::Units& units);
+
+/// The speed of a FEDRAT in mm/s: without a unit its number is lengths of `millimeters` per minute.
+/// None where it is not positive or per revolution.
+[[nodiscard]] std::optional<double> speedOf(const cl::Post& feedRate, double millimeters);
+
+}  // namespace arelem::robot
