@@ -88,7 +88,7 @@ struct Machine {
   Frame frame;
   double speed = 0.0;            ///< largest of the tool point, mm/s; 0: not checked
   double rapid = 500.0;          ///< of RAPID moves, mm/s
-  double acceleration = 2000.0;  ///< of moves without spraying, mm/s2
+  double acceleration = 2000.0;  ///< along the path of joint tables, mm/s2
   double interval = 0.032;       ///< of joint tables, s
   double blend = 0.064;          ///< over which a joint table takes the mean of the path, s
   std::optional<Scara> scara;

@@ -1,4 +1,5 @@
 """STENCL and V+ through the whole command: the letters of 1996 byte for byte, read back, limits, nothing written on errors."""
+import math
 import pathlib
 import unittest
 
@@ -54,6 +55,39 @@ class Robots(ArelemCase):
         self.assertExit(0, "p.apt", "-o", "p.v2", "--machine", "adept_three.machine.toml")
         self.assertIn("BITS 33, 8 = ", (self.folder / "p.v2").read_text())
         self.assertExit(0, "verify", "p.v2", "--with", "p.apt", "--machine", "adept_three.machine.toml")
+
+    def test_joints_of_the_stencil_robot(self):
+        self.write("stop.apt", STOP.replace("500", "2440"))
+        self.assertExit(0, "stop.apt", "-o", "s.joints.csv", "-o", "s.joints.svg", "--machine", "stencil_robot.machine.toml")
+        rows = [line.split(",") for line in (self.folder / "s.joints.csv").read_text().splitlines()]
+        head, rows = rows[0], [[float(cell) for cell in row] for row in rows[1:]]
+        at = {name: i for i, name in enumerate(head)}
+        for i, row in enumerate(rows):
+            self.assertEqual(row[0], i)
+            self.assertAlmostEqual(row[at["time_s"]], 0.032 * i, 5)
+            radius = math.hypot(row[at["x_mm"]], row[at["y_mm"]])
+            self.assertAlmostEqual(row[at["actuator_mm"]] * 25 / 3, radius, 2)
+            self.assertAlmostEqual(math.degrees(math.atan2(row[at["y_mm"]], row[at["x_mm"]])), row[at["turn_deg"]], 3)
+        for i in range(1, len(rows) - 1):
+            # Places follow from speeds: within what the acceleration changes in an interval.
+            for place, speed, most in (("actuator_mm", "actuator_mm_s", 1200), ("turn_deg", "turn_deg_s", 400)):
+                mean = (rows[i + 1][at[place]] - rows[i - 1][at[place]]) / 0.064
+                self.assertLess(abs(mean - rows[i][at[speed]]), most * 0.032)
+        self.assertEqual({row[at["gun"]] for row in rows}, {0, 1})
+        self.assertIn("</svg>", (self.folder / "s.joints.svg").read_text())
+
+    def test_joints_of_the_elbow(self):
+        self.write("stop.apt", STOP.replace("500", "2440"))
+        self.assertExit(0, "stop.apt", "-o", "s.joints.csv", "--machine", "elbow_robot.machine.toml")
+        rows = [line.split(",") for line in (self.folder / "s.joints.csv").read_text().splitlines()]
+        at = {name: i for i, name in enumerate(rows[0])}
+        for row in rows[1:]:
+            radius = math.hypot(float(row[at["x_mm"]]), float(row[at["y_mm"]]))
+            counts = math.acos(radius / 5588) * 44000 / math.pi
+            self.assertLess(abs(int(row[at["elbow_counts"]]) - counts), 0.6)
+        self.assertExit(6, "stop.apt", "-o", "no.joints.csv")
+        self.assertIn("E0680", self.err)
+        self.assertFalse((self.folder / "no.joints.csv").exists())
 
     def test_damaged_files_are_named(self):
         self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSTROKE 9\n")
