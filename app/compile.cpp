@@ -24,7 +24,7 @@ struct CompileOptions {
   OutputChoice outputs;
   bool keepGoing = false;
   int decimals = -1;
-  std::string machine;  ///< file of --machine
+  MachineChoice machine;
   double fitShare = 0.0;
 };
 
@@ -43,10 +43,7 @@ void addOptions(CLI::App& app, CompileOptions& options) {
       ->type_name("DIR");
   app.add_option("--report", options.outputs.report, "what each statement did, as JSON")
       ->type_name("FILE");
-  app.add_option(
-         "--machine", options.machine,
-         "the robot that the program is for: a TOML file, looked for here and in the library")
-      ->type_name("FILE");
+  addMachineOptions(app, options.machine);
   app.add_option("--decimals", options.decimals,
                  "decimals of lengths in text formats; default: exact")
       ->check(CLI::Range(1, 15))
@@ -106,16 +103,12 @@ void produce(Compilation& job,
              const InterruptFlag& interrupted) {
   backend::Context context = backendContext(job);
   context.decimals = options.decimals;
-  std::optional<robot::Machine> machine;
-  if (!options.machine.empty()) {
-    Result<robot::Machine> read = loadMachine(options.machine, job.settings);
-    if (!read) {
-      job.log.accept(read.takeFailure());
-      return;
-    }
-    machine = *std::move(read);
-    context.machine = &*machine;
+  Result<std::optional<robot::Machine>> machine = loadMachine(options.machine, job.settings);
+  if (!machine) {
+    job.log.accept(machine.takeFailure());
+    return;
   }
+  context.machine = machine->has_value() ? &**machine : nullptr;
   if (!outputs.open(plan.outputs, context)) {
     return;
   }

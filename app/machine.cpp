@@ -9,7 +9,8 @@
 
 namespace arelem::app {
 
-Result<robot::Machine> loadMachine(const std::string& name, const Settings& settings) {
+namespace {
+Result<robot::Machine> readFile(const std::string& name, const Settings& settings) {
   std::vector<std::string> folders = settings.libraryPath;
   for (std::string& folder : installedLibrary()) {
     folders.push_back(std::move(folder));
@@ -22,6 +23,35 @@ Result<robot::Machine> loadMachine(const std::string& name, const Settings& sett
     return text.takeFailure();
   }
   return robot::readMachine(*text, displayName(path));
+}
+}  // namespace
+
+void addMachineOptions(CLI::App& app, MachineChoice& choice) {
+  app.add_option(
+         "--machine", choice.file,
+         "the robot that the program is for: a TOML file, looked for here and in the library")
+      ->type_name("FILE");
+  app.add_option("--compat", choice.compat,
+                 "angles of G97 by the formulas of the program that wrote such files")
+      ->check(CLI::IsMember({"robopaint"}))
+      ->type_name("NAME");
+}
+
+Result<std::optional<robot::Machine>> loadMachine(const MachineChoice& choice,
+                                                  const Settings& settings) {
+  std::optional<robot::Machine> machine;
+  if (!choice.file.empty()) {
+    Result<robot::Machine> read = readFile(choice.file, settings);
+    if (!read) {
+      return read.takeFailure();
+    }
+    machine = *std::move(read);
+  }
+  if (!choice.compat.empty()) {
+    machine = machine.value_or(robot::Machine{});
+    machine->g97.robopaint = true;
+  }
+  return machine;
 }
 
 }  // namespace arelem::app

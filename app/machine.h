@@ -1,13 +1,24 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "app/settings.h"
+#include <CLI/CLI.hpp>
 
 #include "backend/robot/machine.h"
 
 namespace arelem::app {
 
-/// A machine file by its path, or by its name in the folders of the library.
-[[nodiscard]] Result<robot::Machine> loadMachine(const std::string& name, const Settings& settings);
+/// What the command line says of the robot.
+struct MachineChoice {
+  std::string file;    ///< of --machine, "" when not given
+  std::string compat;  ///< of --compat, "" when not given
+};
+void addMachineOptions(CLI::App& app, MachineChoice& choice);
+
+/// The machine file by its path, or by its name in the folders of the library, with what --compat
+/// changes; none where neither is given.
+[[nodiscard]] Result<std::optional<robot::Machine>> loadMachine(const MachineChoice& choice,
+                                                                const Settings& settings);
 
 }  // namespace arelem::app

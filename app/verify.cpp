@@ -1,8 +1,6 @@
 #include "ir/diag/verify.h"
 
-#include <cmath>
 #include <iostream>
-#include <numbers>
 #include <sstream>
 
 #include "app/certify.h"
@@ -11,6 +9,7 @@
 #include "app/options.h"
 #include "app/pipeline.h"
 #include "app/source_file.h"
+#include "app/verify_g97.h"
 
 #include "backend/cltape/reader.h"
 #include "backend/vplus/reader.h"
@@ -20,50 +19,6 @@
 namespace arelem::app {
 
 namespace {
-/// One cutter location: where the tool end stands, and the axis where it was written.
-struct Location {
-  Vec3 point;
-  std::optional<Vec3> axis;
-  std::optional<Vec3> side;
-  Span origin;
-};
-
-/// Keeps the locations of a stream of records and forgets the rest.
-class Path : public cl::RecordSink {
- public:
-  void accept(const cl::Record& record) override {
-    if (const auto* units = std::get_if<cl::Units>(&record.body)) {
-      millimeters = units->unit == Word::CM       ? 10.0
-                    : units->unit == Word::INCHES ? 25.4
-                    : units->unit == Word::FEET   ? 304.8
-                                                  : 1.0;
-    }
-    const auto* motion = std::get_if<cl::Motion>(&record.body);
-    if (motion == nullptr) {
-      return;
-    }
-    for (std::size_t i = 0; i + motion->stride() <= motion->coordinates.size();
-         i += motion->stride()) {
-      const double* c = motion->coordinates.data() + i;
-      Location location{{c[0], c[1], c[2]}, std::nullopt, std::nullopt, record.origin};
-      if (motion->withAxis) {
-        location.axis = Vec3(c[3], c[4], c[5]);
-      }
-      if (motion->withSide) {
-        location.side = Vec3(c[6], c[7], c[8]);
-      }
-      locations.push_back(location);
-    }
-  }
-  std::vector<Location> locations;
-  double millimeters = 1.0;  ///< of the part unit
-};
-
-struct Allowed {
-  double distance = 1e-6;  ///< part unit
-  double degrees = 1e-4;
-};
-
 /// What the three decimals of a V+ program, and the steps of a tilt axis, take away.
 Allowed vplusRounding(const Allowed& given,
                       double millimeters,
@@ -72,40 +27,6 @@ Allowed vplusRounding(const Allowed& given,
   const double step = machine && machine->tilt ? 0.5 * machine->tilt->step : 0.0;
   return {std::max(given.distance, digit / millimeters),
           std::max(given.degrees, 2.0 * digit + 1.001 * step)};
-}
-
-double degreesBetween(const Vec3& a, const Vec3& b) {
-  constexpr double degreesOfARadian = 180.0 / std::numbers::pi;
-  return degreesOfARadian * std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-/// The first difference ends the comparison: what follows a wrong location is seldom of use.
-std::optional<Diagnostic> firstDifference(const Path& wanted,
-                                          const Path& found,
-                                          const std::string& name,
-                                          const Allowed& allowed) {
-  const std::size_t count = std::min(wanted.locations.size(), found.locations.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Location& w = wanted.locations[i];
-    const Location& f = found.locations[i];
-    const double distance = (w.point - f.point).norm();
-    if (!(distance <= allowed.distance)) {
-      return diagnose(w.origin, diag::PathDiffers, i + 1, name, distance, allowed.distance);
-    }
-    const double turned = w.axis && f.axis ? degreesBetween(*w.axis, *f.axis) : 0.0;
-    if (!(turned <= allowed.degrees)) {
-      return diagnose(w.origin, diag::AxisDiffers, i + 1, name, turned, allowed.degrees);
-    }
-    const double about = w.side && f.side ? degreesBetween(*w.side, *f.side) : 0.0;
-    if (!(about <= allowed.degrees)) {
-      return diagnose(w.origin, diag::SideDiffers, i + 1, name, about, allowed.degrees);
-    }
-  }
-  if (wanted.locations.size() != found.locations.size()) {
-    return diagnose(nowhere, diag::PathLength, name, found.locations.size(),
-                    wanted.locations.size());
-  }
-  return std::nullopt;
 }
 
 /// Compiles a text to its path. The path of CL text is that of the program it is.
@@ -167,47 +88,66 @@ bool pathOfVplus(const std::string& file,
   return true;
 }
 
-ExitCode verify(const std::string& output,
-                const std::string& program,
+struct WithRequest {
+  std::string output, program;
+  MachineChoice machine;
+  Allowed allowed;
+};
+
+/// Compares an output with the path of its program; the number of locations, none after an error.
+std::optional<std::size_t> compared(const WithRequest& request,
+                                    std::string bytes,
+                                    const Path& wanted,
+                                    const std::optional<robot::Machine>& machine,
+                                    Compilation& job,
+                                    const InterruptFlag& interrupted,
+                                    ExitCode& result) {
+  const backend::Target* target = backend::targetForFile(request.output);
+  const std::string name = displayName(request.output);
+  if (target != nullptr && target->name == "g97") {
+    return verifyG97(bytes, name, machine.value_or(robot::Machine{}), wanted, request.allowed,
+                     job.log);
+  }
+  const bool isVplus = target != nullptr && target->name == "vplus";
+  Path found;
+  if (!(isVplus ? pathOfVplus(request.output, bytes, machine, wanted.millimeters, job.log, found)
+                : pathOfOutput(request.output, std::move(bytes), job.settings, found, interrupted,
+                               result))) {
+    return std::nullopt;
+  }
+  const Allowed allowed =
+      isVplus ? vplusRounding(request.allowed, wanted.millimeters, machine) : request.allowed;
+  if (std::optional<Diagnostic> difference = firstDifference(wanted, found, name, allowed)) {
+    job.log.accept(*std::move(difference));
+    return std::nullopt;
+  }
+  return found.locations.size();
+}
+
+ExitCode verify(const WithRequest& request,
                 const Settings& settings,
-                Allowed allowed,
-                const std::string& machineFile,
                 const InterruptFlag& interrupted) {
   Compilation job(settings);
-  std::optional<robot::Machine> machine;
-  if (!machineFile.empty()) {
-    Result<robot::Machine> read = loadMachine(machineFile, settings);
-    if (!read) {
-      job.log.accept(read.takeFailure());
-      job.log.print(job.sources, job.main, settings);
-      return job.log.exitCode();
-    }
-    machine = *std::move(read);
+  auto machine = loadMachine(request.machine, settings);
+  Result<std::string> text = readBytes(request.program, settings.limits);
+  Result<std::string> bytes = readBytes(request.output, settings.limits);
+  if (!machine) {
+    job.log.accept(machine.takeFailure());
   }
-  const backend::Target* target = backend::targetForFile(output);
-  const bool isVplus = target != nullptr && target->name == "vplus";
-  Result<std::string> text = readBytes(program, settings.limits);
-  Result<std::string> bytes = readBytes(output, settings.limits);
   for (Result<std::string>* input : {&text, &bytes}) {
     if (!*input) {
       job.log.accept(input->takeFailure());
     }
   }
   Path wanted;
-  Path found;
   ExitCode result = ExitCode::ok;
-  if (text && bytes && pathOfText(job, program, *std::move(text), wanted, interrupted) &&
-      (isVplus ? pathOfVplus(output, *bytes, machine, wanted.millimeters, job.log, found)
-               : pathOfOutput(output, *std::move(bytes), settings, found, interrupted, result))) {
-    if (isVplus) {
-      allowed = vplusRounding(allowed, wanted.millimeters, machine);
-    }
-    if (std::optional<Diagnostic> difference =
-            firstDifference(wanted, found, displayName(output), allowed)) {
-      job.log.accept(*std::move(difference));
-    } else if (!settings.quiet) {
-      std::cerr << fmt::format("arelem: `{}` has the {} locations of `{}`\n", displayName(output),
-                               found.locations.size(), displayName(program));
+  if (machine && text && bytes &&
+      pathOfText(job, request.program, *std::move(text), wanted, interrupted)) {
+    const auto count =
+        compared(request, *std::move(bytes), wanted, *machine, job, interrupted, result);
+    if (count && !settings.quiet) {
+      std::cerr << fmt::format("arelem: `{}` has the {} locations of `{}`\n",
+                               displayName(request.output), *count, displayName(request.program));
     }
   }
   job.log.print(job.sources, job.main, settings);
@@ -224,16 +164,15 @@ int runVerify(const Invocation& invocation) {
       "with those that the program gives.",
       "verify");
   Settings settings;
-  Allowed allowed;
   CertifyRequest request;
-  std::string with;
-  std::string machine;
+  WithRequest comparison;
   app.add_option("FILE", request.program, "a part program; with --with, an output")->required();
   app.add_option("CL", request.path, "the CL file of the program; without it, arelem's own path");
-  app.add_option("--with", with, "the part program that the output FILE was made from")
+  app.add_option("--with", comparison.program,
+                 "the part program that the output FILE was made from")
       ->type_name("FILE");
-  app.add_option("--machine", machine, "the machine file it was made for")->type_name("FILE");
-  app.add_option("--tolerance", allowed.distance,
+  addMachineOptions(app, comparison.machine);
+  app.add_option("--tolerance", comparison.allowed.distance,
                  "with --with: largest distance of a location, part unit (1e-6)")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--slack", request.slack,
@@ -246,18 +185,20 @@ int runVerify(const Invocation& invocation) {
     return *code;
   }
   const InterruptFlag& interrupted = invocation.interrupt.flag();
-  if (with.empty()) {
+  if (comparison.program.empty()) {
     return static_cast<int>(certify(request, settings, interrupted));
   }
-  const std::string& output = request.program;
+  comparison.output = request.program;
+  const std::string& output = comparison.output;
   if (const backend::Target* target = backend::targetForFile(output);
       target != nullptr && !target->readsBack) {
-    printUsageError("verify",
-                    "`" + output + "` is " + std::string(target->name) +
-                        ", which is not read back; verify reads CL text, CL tapes and V+ programs");
+    printUsageError(
+        "verify",
+        "`" + output + "` is " + std::string(target->name) +
+            ", which is not read back; verify reads CL text, CL tapes, G97 and V+ programs");
     return static_cast<int>(ExitCode::wrongUse);
   }
-  return static_cast<int>(verify(output, with, settings, allowed, machine, interrupted));
+  return static_cast<int>(verify(comparison, settings, interrupted));
 }
 
 }  // namespace arelem::app

@@ -6,6 +6,7 @@
 #include "backend/cltape/writer.h"
 #include "backend/cltext/writer.h"
 #include "backend/deck/writer.h"
+#include "backend/g97/writer.h"
 #include "backend/ir/writer.h"
 #include "backend/joints/writer.h"
 #include "backend/json/writer.h"
@@ -59,6 +60,11 @@ const std::array table = {
            .summary = "the same as curves, SVG; needs --machine",
            .suffixes = {".joints.svg"},
            .make = makeJointPlotWriter},
+    Target{.name = "g97",
+           .summary = "programs of Fanuc R-G2 painting robots",
+           .suffixes = {".lng"},
+           .readsBack = true,
+           .make = makeG97Writer},
     Target{.name = "svg",
            .summary = "picture of the tool path and its geometry",
            .suffixes = {".svg"},

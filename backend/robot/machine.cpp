@@ -1,149 +1,14 @@
 #include "backend/robot/machine.h"
 
 #include <cmath>
-#include <set>
 
-#include <toml++/toml.h>
-
-#include "ir/diag/robot.h"
+#include "backend/robot/machine_table.h"
 
 namespace arelem::robot {
 
 namespace {
 constexpr double longest = 1e6;  // mm
 constexpr double fullTurn = 360.0;
-
-/// One table of the file. Remembers the first thing that is wrong, and which keys were asked for.
-class Table {
- public:
-  Table(const toml::table& table,
-        std::string path,
-        std::string_view file,
-        std::optional<Failure>& failure)
-      : table_(table), path_(std::move(path)), file_(file), failure_(failure) {}
-
-  void number(std::string_view key, double& value, double low, double high) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-      return;
-    }
-    const auto found = node->value<double>();
-    if (!found || !(*found >= low && *found <= high)) {
-      wrong(*node, key, fmt::format("a number from {:g} to {:g}", low, high));
-      return;
-    }
-    value = *found;
-  }
-  void whole(std::string_view key, int& value, int low, int high) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-      return;
-    }
-    const auto found = node->value_exact<std::int64_t>();
-    if (!found || *found < low || *found > high) {
-      wrong(*node, key, fmt::format("a whole number from {} to {}", low, high));
-      return;
-    }
-    value = static_cast<int>(*found);
-  }
-  void flag(std::string_view key, bool& value) {
-    if (const toml::node* node = find(key)) {
-      const auto found = node->value_exact<bool>();
-      found ? void(value = *found) : wrong(*node, key, "true or false");
-    }
-  }
-  void text(std::string_view key, std::string& value) {
-    if (const toml::node* node = find(key)) {
-      const auto found = node->value_exact<std::string>();
-      found ? void(value = *found) : wrong(*node, key, "a text in quotes");
-    }
-  }
-  /// One of the given words; its place in the list.
-  void choice(std::string_view key,
-              std::size_t& value,
-              std::initializer_list<std::string_view> words) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-      return;
-    }
-    const auto found = node->value_exact<std::string>();
-    std::size_t at = 0;
-    std::string known;
-    for (const std::string_view word : words) {
-      if (found && *found == word) {
-        value = at;
-        return;
-      }
-      known += (known.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-      ++at;
-    }
-    wrong(*node, key, "one of " + known);
-  }
-  template <std::size_t count>
-  void list(std::string_view key, std::array<double, count>& values, double low, double high) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-      return;
-    }
-    const toml::array* array = node->as_array();
-    bool good = array != nullptr && array->size() == count;
-    for (std::size_t i = 0; good && i < count; ++i) {
-      const auto found = array->get(i)->value<double>();
-      good = found && *found >= low && *found <= high;
-      values[i] = good ? *found : values[i];
-    }
-    if (!good) {
-      wrong(*node, key, fmt::format("a list of {} numbers from {:g} to {:g}", count, low, high));
-    }
-  }
-  void range(std::string_view key, Range& value, double low, double high) {
-    std::array<double, 2> both{value.low, value.high};
-    list(key, both, low, high);
-    if (both[0] > both[1]) {
-      wrong(*find(key), key, "two numbers, the smaller first");
-    }
-    value = {both[0], both[1]};
-  }
-  /// A table in this one; null when absent.
-  const toml::table* table(std::string_view key) {
-    const toml::node* node = find(key);
-    if (node != nullptr && node->as_table() == nullptr) {
-      wrong(*node, key, "a table [" + std::string(key) + "]");
-    }
-    return node == nullptr ? nullptr : node->as_table();
-  }
-  /// Nothing else may stand in it.
-  void close() {
-    for (const auto& [key, node] : table_) {
-      if (asked_.count(std::string(key.str())) == 0 && !failure_) {
-        std::string known;
-        for (const std::string& one : asked_) {
-          known += (known.empty() ? "" : ", ") + one;
-        }
-        failure_ = fail(diag::MachineKey, file_, key.source().begin.line,
-                        path_ + std::string(key.str()), known);
-      }
-    }
-  }
-
- private:
-  const toml::node* find(std::string_view key) {
-    asked_.insert(std::string(key));
-    return table_.get(key);
-  }
-  void wrong(const toml::node& node, std::string_view key, const std::string& wanted) {
-    if (!failure_) {
-      failure_ = fail(diag::MachineValue, file_, node.source().begin.line, path_ + std::string(key),
-                      wanted);
-    }
-  }
-
-  const toml::table& table_;
-  std::string path_;
-  std::string_view file_;
-  std::optional<Failure>& failure_;
-  std::set<std::string> asked_;
-};
 
 class Reader {
  public:
@@ -164,6 +29,8 @@ class Reader {
     with(top, "elbow", [&](Table& t) { elbow(t); });
     with(top, "tilt", [&](Table& t) { tilt(t); });
     with(top, "vplus", [&](Table& t) { vplus(t); });
+    with(top, "envelope", [&](Table& t) { envelope(t); });
+    with(top, "g97", [&](Table& t) { g97(t); });
     top.close();
     if (failure_) {
       return *std::move(failure_);
@@ -236,6 +103,46 @@ class Reader {
     t.flag("crlf", style.crlf);
     t.flag("control_z", style.controlZ);
     t.whole("columns", style.columns, 60, 148);
+  }
+
+  void envelope(Table& t) {
+    Envelope& e = machine_.envelope.emplace();
+    t.range("x", e.sides[0], -longest, longest);
+    t.range("y", e.sides[1], -longest, longest);
+    t.range("z", e.sides[2], -longest, longest);
+    std::array<double, 3> center{};
+    t.list("center", center, -longest, longest);
+    e.center = {center[0], center[1], center[2]};
+    t.range("reach", e.reach, 0.0, longest);
+    t.number("lean", e.lean, 0.0, 180.0);
+  }
+  void g97(Table& t) {
+    G97Style& style = machine_.g97;
+    t.whole("program", style.program, 1, 9999);
+    t.flag("program_line", style.programLine);
+    t.whole("blocks", style.blocks, 2, 9999);
+    std::size_t choice = 0;
+    t.choice("wrist", choice, {"N", "F"});
+    style.flipped = choice == 1;
+    choice = 0;
+    t.choice("arm", choice, {"F", "B"});
+    style.back = choice == 1;
+    t.wholes("turns", style.turns, -1, 1, 3);
+    choice = 0;
+    t.choice("angles", choice, {"moving", "fixed"});
+    style.fixedAxes = choice == 1;
+    choice = 0;
+    t.choice("roll", choice, {"zero", "upright"});
+    style.uprightRoll = choice == 1;
+    choice = 0;
+    t.choice("coordinates", choice, {"work", "base"});
+    style.inBase = choice == 1;
+    std::array<double, 3> tool{};
+    t.list("tool", tool, -longest, longest);
+    style.tool = {tool[0], tool[1], tool[2]};
+    t.wholes("outputs", style.outputs, 1, 9999);
+    t.text("s63", style.s63);
+    t.texts("words", style.words);
   }
 
   const toml::table& root_;

@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ir/diag/result.h"
 #include "ir/space/vector.h"
@@ -82,6 +84,31 @@ struct VplusStyle {
   int columns = 80;
 };
 
+/// Where the tool point may stand, seen from the base of the robot.
+struct Envelope {
+  std::array<Range, 3> sides{Range{-1e6, 1e6}, Range{-1e6, 1e6}, Range{-1e6, 1e6}};  ///< x, y, z
+  Vec3 center = Vec3::Zero();  ///< of the reach
+  Range reach{0.0, 1e6};       ///< distance from the center
+  double lean = 180.0;         ///< largest angle of the tool axis from the vertical, degrees
+};
+
+/// How G97 programs of Fanuc R-G2 controllers are written.
+struct G97Style {
+  int program = 1;  ///< number of the first program
+  bool programLine = true;
+  int blocks = 9999;  ///< most of one program
+  bool flipped = false, back = false;
+  std::vector<int> turns{0, 0, 0};  ///< of gamma, beta, alpha: -1, 0, 1
+  bool fixedAxes = false;    ///< P, Q, R about the axes of the work, not those turned already
+  bool uprightRoll = false;  ///< R keeps the tool's x over the direction that the tool leans to
+  bool inBase = false;       ///< coordinates of the base, not of the work frame
+  Vec3 tool = Vec3::Zero();  ///< from the taught tool point to the nozzle, in the taught tool frame
+  std::vector<int> outputs;  ///< the controller's output for OUTPUT 1, 2, ...; none: the same
+  std::string s63;           ///< sequence code of the first block
+  std::map<std::string, std::string> words;  ///< sequence codes of words, {1} is their number
+  bool robopaint = false;                    ///< P and Q by Sen's equations (11) and (12)
+};
+
 struct Machine {
   std::string file;
   std::string name;
@@ -96,6 +123,8 @@ struct Machine {
   std::optional<Elbow> elbow;
   std::optional<TiltAxis> tilt;
   VplusStyle vplus;
+  std::optional<Envelope> envelope;
+  G97Style g97;
 };
 
 /// Reads a machine file (TOML; docs/manual/machines.md). Errors: E0650 no TOML, E0651 an unknown

@@ -240,19 +240,8 @@ std::string joined(const std::vector<std::string>& names) {
 }
 }  // namespace
 
-Result<Resolved> regionOfPoints(const Arguments& given) {
-  std::vector<Boundary> boundaries(1);
-  for (std::size_t i = 0; i < given.count(); ++i) {
-    if (startsBoundary(given, i)) {
-      boundaries.push_back({roleAt(given, i), {}});
-    } else {
-      boundaries.back().corners.push_back(given.point(i));
-    }
-  }
-  return resolved(std::move(boundaries));
-}
-
-Result<Resolved> regionOfCurves(const Arguments& given) {
+/// Boundaries one after another, each of points or of lines and circles.
+Result<Resolved> regionOfBoundaries(const Arguments& given) {
   std::size_t end = given.count();
   if (end >= 2 && given.is(end - 2, Word::CHORD)) {
     end -= 2;
@@ -262,14 +251,21 @@ Result<Resolved> regionOfCurves(const Arguments& given) {
     return chord.takeFailure();
   }
   std::vector<Boundary> boundaries;
-  std::size_t number = 1;
+  std::size_t number = 1;  // of the element, in messages
   std::size_t i = 0;
   while (i < end) {
-    Boundary boundary{roleAt(given, i), {}};
+    Boundary& boundary = boundaries.emplace_back(Boundary{roleAt(given, i), {}});
     i += startsBoundary(given, i) ? 1 : 0;
+    while (i < end && given.is(i, EntityType::point)) {
+      boundary.corners.push_back(given.point(i++));
+      ++number;
+    }
     std::vector<Element> elements;
     while (i < end && !startsBoundary(given, i)) {
       elements.push_back(elementAt(given, i));
+    }
+    if (elements.empty()) {
+      continue;
     }
     const std::size_t count = elements.size();
     Result<region::Corners> corners = CurveBoundary(std::move(elements), number, *chord).corners();
@@ -278,7 +274,6 @@ Result<Resolved> regionOfCurves(const Arguments& given) {
     }
     number += count;
     boundary.corners = *std::move(corners);
-    boundaries.push_back(std::move(boundary));
   }
   return resolved(std::move(boundaries));
 }

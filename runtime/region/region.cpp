@@ -78,6 +78,28 @@ std::optional<Failure> objectionToRole(Boundary::Role role, std::size_t number, 
   return std::nullopt;
 }
 
+/// Normal of the widest triangle with the first corner and the one farthest from it: a bow tie
+/// whose loops cancel spans no area, but has a plane.
+Vec3 widestTriangle(const std::vector<Boundary>& boundaries) {
+  const Vec3& first = boundaries[0].corners[0];
+  Vec3 farthest = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();
+  for (const bool base : {true, false}) {
+    for (const Boundary& b : boundaries) {
+      for (const Vec3& p : b.corners) {
+        const Vec3 arm = p - first;
+        const Vec3 square = farthest.cross(arm);
+        if (base && arm.norm() > farthest.norm()) {
+          farthest = arm;
+        } else if (!base && square.norm() > normal.norm()) {
+          normal = square;
+        }
+      }
+    }
+  }
+  return normal;
+}
+
 /// The common normal and the distance of every corner from the common plane.
 Result<Vec3> planeOf(const std::vector<Boundary>& boundaries) {
   Vec3 normal = Vec3::Zero();
@@ -88,6 +110,9 @@ Result<Vec3> planeOf(const std::vector<Boundary>& boundaries) {
     for (const Vec3& p : b.corners) {
       size = std::max(size, (p - boundaries[0].corners[0]).norm());
     }
+  }
+  if (!(normal.norm() > tolerance::similarity * size * size)) {
+    normal = widestTriangle(boundaries);
   }
   if (!(normal.norm() > tolerance::singular * size * size)) {
     return fail(diag::RegionWithoutArea, normal.norm() / 2.0);

@@ -15,19 +15,8 @@ struct Side {
   double distance = 0.0;
 };
 
-std::vector<Side> sidesOf(const Loop& loop, const Footprint& footprint) {
-  std::vector<Side> sides;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2& p = loop[i];
-    const Vec2& q = loop[(i + 1) % loop.size()];
-    const Vec2 step = q - p;
-    const double length = step.norm();
-    if (length > 0.0) {
-      const Vec2 normal(step.y() / length, -step.x() / length);
-      sides.push_back({p, q, normal, touch(footprint, normal), support(footprint, normal)});
-    }
-  }
-  return sides;
+Side sideOf(const Vec2& from, const Vec2& to, const Vec2& normal, const Footprint& footprint) {
+  return {from, to, normal, touch(footprint, normal), support(footprint, normal)};
 }
 
 /// From the vertex between two sides to the corner of their offset lines, none at an inner corner.
@@ -41,9 +30,47 @@ std::optional<Vec2> mitre(const Side& before, const Side& after) {
 }
 
 bool tooSharp(const Vec2& corner, const Footprint& footprint, double sharpest) {
-  const double reach = std::hypot(footprint.along > 0.0 ? corner.x() / footprint.along : 0.0,
-                                  corner.y() / footprint.across);
-  return reach > sharpest;
+  if (footprint.along == 0.0) {  // a line reaches nowhere beside itself
+    return std::abs(corner.x()) > tolerance::coincidence && std::isfinite(sharpest);
+  }
+  return std::hypot(corner.x() / footprint.along, corner.y() / footprint.across) > sharpest;
+}
+
+/// The side of no length that cuts off a sharp corner: the tangent of the footprint half way
+/// between the two sides, seen where the footprint is a circle. The whole footprint stays inside.
+Side bluntEnd(const Side& before, const Side& after, const Footprint& footprint) {
+  const double flat = footprint.along / footprint.across;
+  const auto direction = [&](const Side& side) {
+    const Vec2 step = side.to - side.from;
+    return Vec2(step.x(), flat * step.y()).normalized();
+  };
+  const Vec2 middle = direction(before) - direction(after);
+  const Vec2 normal = Vec2(middle.x(), flat * middle.y()).normalized();
+  return sideOf(before.to, before.to, normal, footprint);
+}
+
+/// The sides of a loop in order, sharp corners cut off.
+std::vector<Side> sidesOf(const Loop& loop, const Footprint& footprint, double sharpest) {
+  std::vector<Side> plain;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2& p = loop[i];
+    const Vec2& q = loop[(i + 1) % loop.size()];
+    const Vec2 step = q - p;
+    const double length = step.norm();
+    if (length > 0.0) {
+      plain.push_back(sideOf(p, q, {step.y() / length, -step.x() / length}, footprint));
+    }
+  }
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const Side& next = plain[(i + 1) % plain.size()];
+    sides.push_back(plain[i]);
+    const std::optional<Vec2> corner = mitre(plain[i], next);
+    if (corner && tooSharp(*corner, footprint, sharpest)) {
+      sides.push_back(bluntEnd(plain[i], next, footprint));
+    }
+  }
+  return sides;
 }
 
 void widen(Interval& interval, double x) {
@@ -93,39 +120,26 @@ SprayedArea::SprayedArea(const Outline& outline, const Footprint& footprint, dou
 }
 
 void SprayedArea::addLoop(const Loop& loop, const Footprint& footprint, double sharpest) {
-  const std::vector<Side> sides = sidesOf(loop, footprint);
+  const std::vector<Side> sides = sidesOf(loop, footprint, sharpest);
   const std::size_t n = sides.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Side& side = sides[i];
-    const bool rises = side.from.y() <= side.to.y();
-    edges_.push_back(rises ? Edge{side.from, side.to} : Edge{side.to, side.from});
-    tallestEdge_ = std::max(tallestEdge_, edges_.back().to.y() - edges_.back().from.y());
-    const auto cornerAt = [&](const Side& before, const Side& after) {
-      const std::optional<Vec2> corner = mitre(before, after);
-      return corner && !tooSharp(*corner, footprint, sharpest) ? *corner : side.contact;
-    };
-    Band band;
-    band.corners = {side.from, side.to, side.to + cornerAt(side, sides[(i + 1) % n]),
-                    side.from + cornerAt(sides[(i + n - 1) % n], side)};
-    band.low = std::numeric_limits<double>::infinity();
-    band.high = -band.low;
-    for (const Vec2& corner : band.corners) {
-      band.low = std::min(band.low, corner.y());
-      band.high = std::max(band.high, corner.y());
+    if (side.from != side.to) {
+      const bool rises = side.from.y() <= side.to.y();
+      edges_.push_back(rises ? Edge{side.from, side.to} : Edge{side.to, side.from});
+      tallestEdge_ = std::max(tallestEdge_, edges_.back().to.y() - edges_.back().from.y());
     }
+    Band band;
+    band.corners = {side.from, side.to,
+                    side.to + mitre(side, sides[(i + 1) % n]).value_or(side.contact),
+                    side.from + mitre(sides[(i + n - 1) % n], side).value_or(side.contact)};
+    const auto [low, high] =
+        std::minmax_element(band.corners.begin(), band.corners.end(),
+                            [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    band.low = low->y();
+    band.high = high->y();
     tallestBand_ = std::max(tallestBand_, band.high - band.low);
     bands_.push_back(band);
-    const std::optional<Vec2> corner = mitre(side, sides[(i + 1) % n]);
-    if (corner && tooSharp(*corner, footprint, sharpest)) {
-      // A blunt end: the triangle between the two contacts.
-      Band blunt;
-      const Vec2& at = side.to;
-      blunt.corners = {at, at + side.contact, at + sides[(i + 1) % n].contact, at};
-      blunt.low = std::min({blunt.corners[0].y(), blunt.corners[1].y(), blunt.corners[2].y()});
-      blunt.high = std::max({blunt.corners[0].y(), blunt.corners[1].y(), blunt.corners[2].y()});
-      tallestBand_ = std::max(tallestBand_, blunt.high - blunt.low);
-      bands_.push_back(blunt);
-    }
   }
 }
 

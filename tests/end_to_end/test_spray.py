@@ -37,8 +37,12 @@ class Spray(ArelemCase):
                 self.assertAlmostEqual(one["cost"]["total"], cost, delta=6e-4)
 
     def test_right_preferred_sizes_are_better(self):
-        one = self.spray(GUN + PLATE + "SPRAY/R1,GUN,G1,FILM,.051,OVRLAP,.175,MINCST,60,10,2,2,HEIGHT,20,75,2\n")[0]
-        self.assertLess(one["cost"]["total"], .9126)
+        # The inset that belongs to Table 4.3, 0.74 b, with sizes that really fit seven passes: (4.38) corrected.
+        one = self.spray(GUN + PLATE + "SPRAY/R1,GUN,G1,FILM,.051,OVRLAP,.175,INSET,.74,MINCST,60,10,2,2,"
+                                       "HEIGHT,20,75,2\n")[0]
+        self.assertAlmostEqual(one["cost"]["total"], .897870, delta=1e-5)
+        self.assertAlmostEqual(one["b"], 800 / (2 * (6 * .825 + .74)), places=6)
+        self.assertEqual(one["passes"], 7)
         self.assertTrue(any(t["preferred"] and t["b"] == one["b"] for t in one["trials"]))
 
     def test_cl_has_poses_switches_and_feeds(self):

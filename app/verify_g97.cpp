@@ -1,0 +1,129 @@
+#include "app/verify_g97.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "app/messages.h"
+#include <fmt/ranges.h>
+
+#include "backend/g97/block.h"
+#include "ir/diag/render_text.h"
+#include "ir/diag/verify.h"
+
+namespace arelem::app {
+
+namespace {
+/// What two decimals take away: half a digit of three coordinates or angles, and as much again
+/// where the machine file has a lever from the taught tool point to the nozzle.
+Allowed rounding(const Allowed& given, const robot::Machine& machine, double millimeters) {
+  constexpr double digit = 0.01;
+  constexpr double radian = 0.0174533;
+  const double lever = machine.g97.tool.norm() * digit * radian;
+  return {std::max(given.distance, (digit + lever) / millimeters),
+          std::max(given.degrees, 1.5 * digit)};
+}
+
+struct Found {
+  Location location;
+  bool surplus = false;  ///< may stand for a code alone
+};
+
+void switchBy(const std::string& code, std::set<int>& on) {
+  const bool rises = code.rfind("RON,", 0) == 0;
+  if (!rises && code.rfind("ROF,", 0) != 0) {
+    return;
+  }
+  int output = 0;
+  std::from_chars(code.data() + 4, code.data() + code.size(), output);
+  rises ? void(on.insert(output)) : void(on.erase(output));
+}
+
+std::vector<Found> locationsOf(const std::vector<g97::Program>& programs,
+                               const robot::Machine& machine,
+                               double millimeters) {
+  std::vector<Found> all;
+  std::set<int> on;
+  for (const g97::Program& program : programs) {
+    const g97::Block* before = nullptr;
+    for (const g97::Block& block : program.blocks) {
+      const robot::Pose pose = g97::poseOf(machine, block.pose);
+      const bool repeats = before != nullptr && before->pose == block.pose &&
+                           !before->code.empty() && !block.code.empty();
+      before = &block;
+      if (!block.code.empty() && block.code == machine.g97.s63) {
+        continue;
+      }
+      switchBy(block.code, on);
+      all.push_back({{pose.point / millimeters, pose.axis, pose.side, nowhere, on}, repeats});
+    }
+  }
+  return all;
+}
+
+/// The controller's outputs of the program's.
+std::set<int> mapped(const std::set<int>& on, const robot::Machine& machine) {
+  std::set<int> result;
+  for (const int output : on) {
+    const auto place = static_cast<std::size_t>(output) - 1;
+    result.insert(place < machine.g97.outputs.size() ? machine.g97.outputs[place] : output);
+  }
+  return result;
+}
+
+/// The axis that the source's formulas give in place of the program's.
+Location asWritten(Location location, const robot::Machine& machine) {
+  if (machine.g97.robopaint && location.axis) {
+    const g97::Angles angles = g97::robopaintAngles(location.axis->normalized());
+    location.axis = g97::matrixOf(machine.g97, angles).col(2);
+    location.side = std::nullopt;
+  }
+  return location;
+}
+
+std::string listed(const std::set<int>& outputs) {
+  return outputs.empty() ? "none" : fmt::format("{}", fmt::join(outputs, ", "));
+}
+}  // namespace
+
+std::optional<std::size_t> verifyG97(std::string_view text,
+                                     const std::string& name,
+                                     const robot::Machine& machine,
+                                     const Path& wanted,
+                                     const Allowed& given,
+                                     DiagnosticLog& log) {
+  auto programs = g97::readPrograms(text, machine.g97, name);
+  if (!programs) {
+    log.accept(programs.takeFailure());
+    return std::nullopt;
+  }
+  const Allowed allowed = rounding(given, machine, wanted.millimeters);
+  const std::vector<Found> found = locationsOf(*programs, machine, wanted.millimeters);
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const bool over = i == wanted.locations.size();
+    std::optional<Diagnostic> differs =
+        over ? diagnose(nowhere, diag::PathLength, name, found.size(), wanted.locations.size())
+             : difference(asWritten(wanted.locations[i], machine), found[k].location, i + 1, name,
+                          allowed);
+    if (differs && !found[k].surplus) {
+      log.accept(*std::move(differs));
+      return std::nullopt;
+    }
+    i += differs ? 0 : 1;
+    const bool stays = k + 1 < found.size() && found[k + 1].surplus;
+    const std::set<int> on = mapped(wanted.locations[i - 1].on, machine);
+    const bool offAtEnd = k + 1 == found.size() && found[k].location.on.empty();
+    if (!stays && !offAtEnd && found[k].location.on != on) {
+      log.accept(diagnose(wanted.locations[i - 1].origin, diag::SwitchDiffers, i, name,
+                          listed(found[k].location.on), listed(on)));
+      return std::nullopt;
+    }
+  }
+  if (i < wanted.locations.size()) {
+    log.accept(diagnose(nowhere, diag::PathLength, name, i, wanted.locations.size()));
+    return std::nullopt;
+  }
+  return i;
+}
+
+}  // namespace arelem::app

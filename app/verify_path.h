@@ -1,0 +1,51 @@
+#pragma once
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ir/cl/record.h"
+#include "ir/diag/diagnostic.h"
+#include "ir/space/vector.h"
+
+namespace arelem::app {
+
+/// One cutter location: where the tool end stands, and the axis where it was written.
+struct Location {
+  Vec3 point;
+  std::optional<Vec3> axis;
+  std::optional<Vec3> side;
+  Span origin;
+  std::set<int> on;  ///< outputs that are on when the tool leaves it
+};
+
+/// Keeps the locations of a stream of records and forgets the rest.
+class Path : public cl::RecordSink {
+ public:
+  void accept(const cl::Record& record) override;
+  std::vector<Location> locations;
+  double millimeters = 1.0;  ///< of the part unit
+
+ private:
+  void switchOutput(const cl::Post& post);
+};
+
+struct Allowed {
+  double distance = 1e-6;  ///< part unit
+  double degrees = 1e-4;
+};
+
+[[nodiscard]] double degreesBetween(const Vec3& a, const Vec3& b);
+/// How one location differs from the one at its place in the program.
+[[nodiscard]] std::optional<Diagnostic> difference(const Location& wanted,
+                                                   const Location& found,
+                                                   std::size_t number,
+                                                   const std::string& name,
+                                                   const Allowed& allowed);
+/// The first difference ends the comparison: what follows a wrong location is seldom of use.
+[[nodiscard]] std::optional<Diagnostic> firstDifference(const Path& wanted,
+                                                        const Path& found,
+                                                        const std::string& name,
+                                                        const Allowed& allowed);
+
+}  // namespace arelem::app

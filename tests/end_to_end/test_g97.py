@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""G97 programs of whole part programs: written, read again, compared; --compat; long paths; machine files."""
+import pathlib
+import unittest
+
+from arelem_run import ArelemCase
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+MACHINE = "g97_painter.machine.toml"
+
+
+class G97(ArelemCase):
+    def test_samples_of_the_source(self):
+        for name in ("sen_plane", "sen_half_cylinder", "sen_revolved"):
+            with self.subTest(name):
+                program = PROJECT / "examples" / f"{name}.apt"
+                self.assertExit(0, program, "-o", "a.lng")
+                text = (self.folder / "a.lng").read_bytes()
+                self.assertTrue(text.startswith(b"O0001\r\nN0001 P F0500M G97,N,F,0,0,0\r\n"), text[:60])
+                self.assertEqual(text.count(b"PE\r\n"), 1)
+                self.assertEqual(text.count(b"RON,1 "), text.count(b"ROF,1 "))
+                self.assertEqual(text.count(b"RON,1 "), text.count(b" P F"))  # P between passes, L inside
+                self.assertExit(0, "verify", "a.lng", "--with", program)
+                self.assertIn("locations", self.err)
+
+    def test_verify_sees_what_was_changed(self):
+        program = PROJECT / "examples" / "sen_half_cylinder.apt"
+        self.assertExit(0, program, "-o", "a.lng")
+        text = (self.folder / "a.lng").read_bytes().decode()
+        place = text.index("Q ", text.index("N0009"))
+        end = text.index(" R", place)
+        for old, new, code, result in ((text[place:end], "Q 3.33", "E0903", 5), ("RON,1 BE", "RON,2 BE", "E0645", 3),
+                               ("X ", "X 1", "E0901", 5), ("N0002", "N0007", "E0645", 3)):
+            with self.subTest(new):
+                (self.folder / "b.lng").write_bytes(text.replace(old, new, 1).encode())
+                self.assertExit(result, "verify", "b.lng", "--with", program)
+                self.assertIn(code, self.err)
+
+    def test_compat(self):
+        self.write("a.apt", "UNITS/MM\nMULTAX/ON\nFROM/0,0,100,1,1,1\nFEDRAT/50,MMPS\nGOTO/10,0,100,0,0,1\nFINI\n")
+        self.assertExit(0, "a.apt", "-o", "a.lng")
+        self.assertIn("P -45.00 Q 35.26 R 0.00", (self.folder / "a.lng").read_text())
+        self.assertExit(0, "a.apt", "-o", "b.lng", "--compat", "robopaint")
+        self.assertIn("P -45.00 Q 45.00 R 0.00", (self.folder / "b.lng").read_text())
+        self.assertIn("W0644", self.err)
+        self.assertIn("9.74", self.err)
+        self.assertExit(0, "verify", "b.lng", "--with", "a.apt", "--compat", "robopaint")
+        self.assertExit(5, "verify", "b.lng", "--with", "a.apt")
+        self.assertExit(2, "a.apt", "-o", "c.lng", "--compat", "other")
+
+    def test_machine_file(self):
+        self.write("m.toml", "rapid = 250\n[envelope]\nx = [0, 500]\n[g97]\nblocks = 4\nprogram = 30\n")
+        self.write("a.apt", "UNITS/MM\nG1=GUN/CONE,45,STNDOF,50,SPEED,200\nR1=REGION/(50,50),(350,50),(350,350),(50,350)\n"
+                            "SPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+        self.assertExit(0, "a.apt", "-o", "a.lng", "--machine", "m.toml")
+        self.assertIn("W0640", self.err)
+        self.assertIn("O0030\n", (self.folder / "a.lng").read_text())
+        self.assertIn("F0250M", (self.folder / "a.lng").read_text())
+        self.assertExit(0, "verify", "a.lng", "--with", "a.apt", "--machine", "m.toml")
+        self.write("far.toml", "[envelope]\nx = [0, 300]\n")
+        self.assertEqual(self.run_arelem("a.apt", "-o", "far.lng", "--machine", "far.toml"), 6)
+        self.assertIn("E0667", self.err)
+        self.assertFalse((self.folder / "far.lng").exists())
+        self.write("bad.toml", "[g97]\nwrist = \"X\"\n")
+        self.assertExit(3, "a.apt", "-o", "bad.lng", "--machine", "bad.toml")
+        self.assertIn("E0652", self.err)
+
+    def test_a_pass_too_long_writes_nothing(self):
+        self.write("m.toml", "[g97]\nblocks = 2\n")
+        self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nFEDRAT/50,MMPS\nGOTO/1,0,0\nGOTO/2,0,0\nGOTO/3,0,0\nFINI\n")
+        self.assertEqual(self.run_arelem("a.apt", "-o", "a.lng", "--machine", "m.toml"), 6)
+        self.assertIn("E0643", self.err)
+        self.assertFalse((self.folder / "a.lng").exists())
+
+    def test_the_example_machine_file(self):
+        self.assertExit(0, PROJECT / "examples" / "sen_plane.apt", "-o", "a.lng", "--machine", MACHINE)
+        self.assertExit(0, "verify", "a.lng", "--with", PROJECT / "examples" / "sen_plane.apt", "--machine", MACHINE)
+
+
+if __name__ == "__main__":
+    unittest.main()
