@@ -15,12 +15,15 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 MANUAL = PROJECT / "docs" / "manual"
+# Drawings, meshes and tables that examples of the language name.
+DATA = [p for p in (PROJECT / "tests" / "golden" / "reference").iterdir() if p.suffix != ".apt"]
 FENCE = re.compile(r"^```apt[ ]*([^\n]*)\n(.*?)^```$", re.M | re.S)
 
 # Diagnostics that no short part program can show, by reason.
@@ -65,6 +68,8 @@ def run(arelem, text, options):
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "example.apt"
         program.write_text(text)
+        for data in DATA:
+            shutil.copy(data, folder)
         done = subprocess.run([arelem, command, str(program), "--diagnostics=json", *words], capture_output=True, text=True,
                               timeout=60, cwd=folder)
     messages = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
