@@ -30,6 +30,7 @@ int runExplain(const Invocation& invocation);
 int runFormat(const Invocation& invocation);
 int runGeometry(const Invocation& invocation);
 int runLanguage(const Invocation& invocation);
+int runRepl(const Invocation& invocation);
 int runSpray(const Invocation& invocation);
 int runTargets(const Invocation& invocation);
 int runVerify(const Invocation& invocation);

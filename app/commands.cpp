@@ -17,6 +17,7 @@ std::span<const Command> commands() {
       Command{"spray", "passes, times, paint, cost and film of SPRAY statements", runSpray},
       Command{"verify", "reads an output again and compares it with its part program", runVerify},
       Command{"time", "how long a machine takes for the path of a part program", runTime},
+      Command{"repl", "computes statements as they are typed", runRepl},
       Command{"fmt", "lays part programs out anew, with the same meaning", runFormat},
       Command{"explain", "what a diagnostic means, with a wrong and a right example", runExplain},
       Command{"language", "definition forms and statements: their syntax and meaning", runLanguage},

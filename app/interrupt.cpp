@@ -54,16 +54,43 @@ void InterruptWatch::setLastWill(std::function<void()> lastWill) {
   lastWill_ = std::move(lastWill);
 }
 
+void InterruptWatch::converse(std::function<void(int)> onSignal) {
+  const std::lock_guard lock(mutex_);
+  onSignal_ = std::move(onSignal);
+}
+
+void InterruptWatch::forget() {
+  int interrupt = SIGINT;
+  if (signal_.compare_exchange_strong(interrupt, 0)) {
+    interrupted_.store(false);
+  }
+}
+
+/// Whether the process may go on after this signal.
+bool InterruptWatch::tell(int number) {
+  signal_.store(number);
+  interrupted_.store(true);
+  std::function<void(int)> call;
+  {
+    const std::lock_guard lock(mutex_);
+    call = onSignal_;
+  }
+  if (call) {
+    call(number);
+  }
+  return call && number == SIGINT;
+}
+
 void InterruptWatch::watch() {
   const sigset_t set = watched();
   int number = 0;
-  while (sigwait(&set, &number) != 0) {
-  }
-  if (number == wakeUp) {
-    return;
-  }
-  signal_.store(number);
-  interrupted_.store(true);
+  do {
+    while (sigwait(&set, &number) != 0) {
+    }
+    if (number == wakeUp) {
+      return;
+    }
+  } while (tell(number));
   std::unique_lock lock(mutex_);
   if (finished_.wait_for(lock, grace, [this] { return done_; })) {
     return;

@@ -26,8 +26,15 @@ class InterruptWatch {
   [[nodiscard]] ExitCode result() const;
   void setLastWill(std::function<void()> lastWill);
 
+  /// From now on SIGINT ends a computation, not the process: it sets the flag and calls `onSignal`,
+  /// on the watching thread. SIGTERM does the same and still ends the process.
+  void converse(std::function<void(int)> onSignal);
+  /// Forgets a SIGINT, before the next computation.
+  void forget();
+
  private:
   void watch();
+  bool tell(int number);
 
   InterruptFlag interrupted_{false};
   std::atomic<int> signal_{0};
@@ -35,6 +42,7 @@ class InterruptWatch {
   std::condition_variable finished_;
   bool done_ = false;
   std::function<void()> lastWill_;
+  std::function<void(int)> onSignal_;  ///< set while there is a conversation
   std::thread thread_;
 };
 

@@ -1,3 +1,5 @@
+#include "app/language.h"
+
 #include <iostream>
 #include <set>
 
@@ -7,6 +9,7 @@
 #include "app/options.h"
 #include <fmt/ranges.h>
 
+#include "frontend/complete/complete.h"
 #include "frontend/dialect.h"
 #include "ir/define/matcher.h"
 #include "ir/diag/render_json.h"
@@ -125,12 +128,12 @@ std::string publicId(std::string_view id) {
 }
 
 /// Syntax lines of the forms of a noun.
-bool printNoun(std::string_view noun) {
+bool printNoun(std::ostream& out, std::string_view noun) {
   bool any = false;
   for (const define::FormRow& form : define::formTable()) {
     if (!form.anyNoun && spell(form.noun) == noun) {
-      std::cout << fmt::format("{:7} {}\n        {}\n", publicId(form.idText),
-                               define::syntaxLine(form.noun, form.id), form.meaning);
+      out << fmt::format("{:7} {}\n        {}\n", publicId(form.idText),
+                         define::syntaxLine(form.noun, form.id), form.meaning);
       any = true;
     }
   }
@@ -138,12 +141,18 @@ bool printNoun(std::string_view noun) {
 }
 
 /// Statements whose syntax contains the word.
-bool printFeatures(std::string_view word) {
+bool printFeatures(std::ostream& out, std::string_view word) {
   bool any = false;
+  if (const std::optional<Word> known = findWord(word)) {
+    if (const frontend::StatementForm* form = frontend::statementForm(*known)) {
+      out << fmt::format("        {}/ {}\n        {}\n", word, form->pattern, form->meaning);
+      any = true;
+    }
+  }
   for (const ir::FeatureRow& feature : ir::featureTable()) {
     if (feature.syntax.find(word) != std::string_view::npos) {
-      std::cout << fmt::format("{:7} {}\n        {}\n", publicId(feature.idText), feature.syntax,
-                               feature.meaning);
+      out << fmt::format("{:7} {}\n        {}\n", publicId(feature.idText), feature.syntax,
+                         feature.meaning);
       any = true;
     }
   }
@@ -160,6 +169,10 @@ void printNouns() {
   std::cout << fmt::format("nouns: {}\n", fmt::join(nouns, " "));
 }
 }  // namespace
+
+bool printLanguage(std::ostream& out, std::string_view word) {
+  return printNoun(out, word) || printFeatures(out, word);
+}
 
 int runLanguage(const Invocation& invocation) {
   CLI::App app(
@@ -179,7 +192,7 @@ int runLanguage(const Invocation& invocation) {
     printTables();
   } else if (word.empty()) {
     printNouns();
-  } else if (!printNoun(word) && !printFeatures(word)) {
+  } else if (!printLanguage(std::cout, word)) {
     std::vector<std::string> known;
     for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
       known.emplace_back(spell(static_cast<Word>(i)));

@@ -16,7 +16,8 @@ struct Compilation {
   explicit Compilation(const Settings& given) : settings(given) {}
 
   const Settings& settings;
-  runtime::ProgressCall progress;  ///< of long searches; may be empty
+  runtime::ProgressCall progress;   ///< of long searches; may be empty
+  runtime::DefinitionCall defined;  ///< told of each definition; may be empty
   SourceMap sources;
   BufferId main;
   DiagnosticLog log;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "ir/diag/diagnostic.h"
 #include "ir/limits.h"
 #include "ir/program/program.h"
+#include "runtime/define/define.h"
 #include "runtime/files/files.h"
 #include "runtime/interpret/action.h"
 
@@ -25,12 +27,17 @@ namespace arelem::runtime {
 /// Told while something takes long: what, and how far it is. Called from one thread at a time.
 using ProgressCall = std::function<void(std::string_view what, std::size_t done, std::size_t all)>;
 
+/// Told of each definition that succeeds, with its parameters as they were computed.
+using DefinitionCall = std::function<void(
+    const Entity& result, std::span<const define::Parameter>, const define::Context&)>;
+
 struct Options {
   Limits limits;
   const InterruptFlag* interrupted = nullptr;  ///< may be null
   files::Files files;                          ///< data files that definitions name
   bool history = false;                        ///< keep every definition: Evaluation::history
   ProgressCall progress;                       ///< may be empty
+  DefinitionCall defined;                      ///< may be empty
 };
 
 /// One item of what PRINT and TITLES ask for, in order of execution.
@@ -70,7 +77,8 @@ struct Evaluation {
   /// With Options::history each definition of an entity as it was executed, nested ones and those
   /// that replaced an earlier one too; scalars stand where they got their first value.
   std::vector<Defined> history;
-  std::vector<std::shared_ptr<const spray::Sprayed>> sprayed;  ///< what each SPRAY statement amounts to
+  std::vector<std::shared_ptr<const spray::Sprayed>>
+      sprayed;       ///< what each SPRAY statement amounts to
   std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::vector<Ignored> ignored;
   /// How often each definition form was used, by FormId.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ir/define/compiled.h"
 #include "ir/define/distance.h"
 
 namespace arelem::define {
@@ -10,60 +11,9 @@ namespace {
 
 constexpr std::size_t longestSignature = 16;
 
-const std::vector<Pattern>& compiledForms() {
-  static const std::vector<Pattern> compiled = [] {
-    std::vector<Pattern> list;
-    for (const FormRow& form : formTable()) {
-      list.push_back(compile(form.pattern));
-    }
-    return list;
-  }();
-  return compiled;
-}
-
-const Pattern& compiledForm(FormId form) {
-  return compiledForms()[static_cast<std::size_t>(form)];
-}
-
 bool isOf(const FormRow& form, Word noun) {
   return form.anyNoun || form.noun == noun;
 }
-
-/// A set of automaton nodes, closed under splits.
-class NodeSet {
- public:
-  explicit NodeSet(const Pattern& pattern) : pattern_(&pattern), in_(pattern.nodes.size(), false) {}
-
-  void add(int node) {
-    std::vector<int> open{node};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at < 0 || in_[static_cast<std::size_t>(at)]) {
-        continue;
-      }
-      in_[static_cast<std::size_t>(at)] = true;
-      members_.push_back(at);
-      const Pattern::Node& n = pattern_->nodes[static_cast<std::size_t>(at)];
-      if (n.kind == Pattern::Node::Kind::split) {
-        open.push_back(n.next);
-        open.push_back(n.other);
-      }
-    }
-  }
-  void clear() {
-    for (const int member : members_) {
-      in_[static_cast<std::size_t>(member)] = false;
-    }
-    members_.clear();
-  }
-  [[nodiscard]] const std::vector<int>& members() const { return members_; }
-
- private:
-  const Pattern* pattern_;
-  std::vector<bool> in_;
-  std::vector<int> members_;
-};
 
 Mismatch::Kind kindOf(const Edit& edit, std::span<const Symbol> parameters) {
   switch (edit.kind) {

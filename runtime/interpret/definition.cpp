@@ -103,7 +103,8 @@ Result<Entity> defineWithTraces(const ir::Definition& definition,
 
 std::shared_ptr<Entity> compute(State& state,
                                 const ir::Definition& definition,
-                                const Items& items) {
+                                const Items& items,
+                                const std::optional<Place>& place) {
   const auto given = parameters(state, definition.type, items);
   if (!given) {
     return nullptr;
@@ -125,6 +126,13 @@ std::shared_ptr<Entity> compute(State& state,
   ++state.out.forms[static_cast<std::size_t>(entity->form)];
   entity->definition = definition.span;
   entity->referenceSystem = definition.type == EntityType::matrix ? "" : state.systems.current();
+  if (place) {
+    entity->name = state.program[place->symbol].name;
+    entity->subscript = static_cast<int>(place->element);
+  }
+  if (state.options.defined) {
+    state.options.defined(*entity, *given, state.context);
+  }
   return entity;
 }
 
@@ -155,7 +163,7 @@ EntityPtr evaluateDefinition(State& state, ir::DefinitionId id) {
     if (place && !mayStore(state, *place, definition, isCanonical(*items))) {
       return nullptr;
     }
-    entity = compute(state, definition, *items);
+    entity = compute(state, definition, *items, place);
   }
   if (!entity) {
     if (place) {
@@ -164,8 +172,6 @@ EntityPtr evaluateDefinition(State& state, ir::DefinitionId id) {
     return nullptr;
   }
   if (place) {
-    entity->name = state.program[place->symbol].name;
-    entity->subscript = static_cast<int>(place->element);
     state.store.setEntity(*place, entity);
   } else {
     state.store.setUnnamed(id, entity);

@@ -51,6 +51,7 @@ REASONS = {
         "E0430 E0432 E0433 E0435 E0441 E0451 E0465 E0467 W0468 E0475 E0501 E0802 E0804 E0805",
     "what Section 1 refuses before the motion or Section 3 sees it": "E0482 E0483 E0485 E0514 E0515 E0523 E0524",
     "a search that fails for rare data only": "E0340 E0512",
+    "a command of the REPL; tests/end_to_end/test_repl.py shows it": "E0341",
     "what is not computed yet: the message names it": "E0473",
 }
 EXEMPT = {code: reason for reason, codes in REASONS.items() for code in codes.split()}

@@ -1,0 +1,143 @@
+// Commands that write, read and take back: :save, :load, :undo, :redo, :plot.
+#include <charconv>
+#include <iostream>
+
+#include "app/messages.h"
+#include "app/output_file.h"
+#include "app/output_set.h"
+#include "app/repl/console.h"
+#include "app/source_file.h"
+
+namespace arelem::app::repl {
+
+namespace {
+/// The number behind a command; 1 without one, 0 for anything else.
+std::size_t countOf(const std::string& rest) {
+  std::size_t n = rest.empty() ? 1 : 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), n);
+  return rest.empty() || (error == std::errc{} && end == rest.data() + rest.size()) ? n : 0;
+}
+
+std::string wordsOf(const Failure& failure) {
+  return fmt::format("{}: {}", failure.row->code, failure.message);
+}
+
+std::string entries(std::size_t n) {
+  return n == 1 ? "1 entry" : fmt::format("{} entries", n);
+}
+
+std::string picture(Console& console, const std::string& path, std::string_view name) {
+  const backend::Target* target = backend::findTarget(name);
+  const Run& run = *console.session.run();
+  DiagnosticLog log;
+  const backend::Context context = backendContext(run.job);  // the writers keep a reference
+  OutputSet outputs(log);
+  if (outputs.open({{path, target}}, context)) {
+    for (const cl::Record& record : run.path->records) {
+      outputs.accept(record);
+    }
+    if (outputs.close(false)) {
+      for (const auto& written : outputs.written()) {
+        console.out << written.path << fmt::format("  {} bytes\n", written.bytes);
+      }
+    }
+  }
+  log.print(run.job.sources, run.job.main, console.settings);
+  return "";
+}
+}  // namespace
+
+void printDiagnostics(const Console& console,
+                      const Run& run,
+                      const std::vector<Diagnostic>& found) {
+  DiagnosticLog log;
+  for (const Diagnostic& d : found) {
+    log.accept(d);
+  }
+  console.out.flush();
+  log.print(run.job.sources, run.job.main, console.settings);
+}
+
+std::string save(Console& console, const std::string& rest) {
+  if (rest.empty()) {
+    return "the name of a file is missing; - shows the program";
+  }
+  if (rest == "-") {
+    console.out << console.session.program();
+    return "";
+  }
+  auto file = openOutput(rest);
+  if (!file) {
+    return wordsOf(file.failure());
+  }
+  (*file)->stream() << console.session.program();
+  if (auto bytes = (*file)->complete(); !bytes) {
+    return wordsOf(bytes.failure());
+  }
+  if (auto name = (*file)->commit(false); !name) {
+    return wordsOf(name.failure());
+  }
+  console.out << "saved as " << rest << '\n';
+  return "";
+}
+
+std::string loadFile(Console& console, const std::string& rest) {
+  if (rest.empty()) {
+    return "the name of a file is missing";
+  }
+  const Result<std::string> bytes = readBytes(rest, console.settings.limits);
+  if (!bytes) {
+    return wordsOf(bytes.failure());
+  }
+  if (const auto objection = objectionToText(rest, *bytes)) {
+    return wordsOf(*objection);
+  }
+  const Session::Answer answer = console.session.load(rest, *bytes, console.interrupt.flag());
+  if (answer.verdict.state == Verdict::State::interrupted) {
+    return "interrupted; the session is as it was";
+  }
+  printDiagnostics(console, *answer.run, answer.verdict.found);
+  console.stepped = 0;
+  const bool good = answer.verdict.state == Verdict::State::good;
+  const Run& run = *console.session.run();
+  std::size_t names = 0;
+  for (const runtime::Defined& d : run.job.evaluation.defined) {
+    names += d.name.empty() ? 0 : 1;
+  }
+  console.out << fmt::format(
+      "{}{}: {}, {}\n", rest, good ? "" : ", without the statements that have errors",
+      counted(names, "name"), counted(run.job.motion.facts.size(), "motion"));
+  if (!good) {
+    console.worst = worse(console.worst, ExitCode::programHasErrors);
+  }
+  return "";
+}
+
+std::string undo(Console& console, const std::string& rest) {
+  const std::size_t n = countOf(rest);
+  if (n == 0) {
+    return "a number from 1 on is needed";
+  }
+  const std::size_t done = console.session.undo(n, console.interrupt.flag());
+  console.stepped = 0;
+  console.out << (done == 0 ? "there is nothing to take back\n"
+                            : fmt::format("{} taken back\n", entries(done)));
+  return "";
+}
+
+std::string redo(Console& console, const std::string& rest) {
+  const std::size_t n = countOf(rest);
+  if (n == 0) {
+    return "a number from 1 on is needed";
+  }
+  const std::size_t done = console.session.redo(n, console.interrupt.flag());
+  console.out << (done == 0 ? "there is nothing to bring again\n"
+                            : fmt::format("{} brought again\n", entries(done)));
+  return "";
+}
+
+std::string plot(Console& console, const std::string& rest) {
+  return picture(console, rest.empty() ? "session.svg" : rest, "svg");
+}
+
+}  // namespace arelem::app::repl

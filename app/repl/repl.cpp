@@ -1,0 +1,283 @@
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "app/command.h"
+#include "app/options.h"
+#include "app/repl/console.h"
+#include "app/repl/line_source.h"
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "ir/diag/display_text.h"
+
+namespace arelem::app {
+
+namespace {
+using namespace repl;
+
+constexpr int narrow = 24;  // columns below which the prompt is one character
+
+int columnsOfTerminal() {
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+std::string promptOf(const Console& console, bool goesOn) {
+  const bool brief = columnsOfTerminal() < narrow;
+  const std::string text = goesOn  ? (brief ? "." : "   ... ")
+                           : brief ? ">"
+                                   : fmt::format("apt({})> ", unitOf(*console.session.run()));
+  // The line editor must not count the colors.
+  return console.style.color ? "\001\033[1;32m\002" + text + "\001\033[0m\002" : text;
+}
+
+std::vector<std::string> filesBeside(const std::string& begin) {
+  std::vector<std::string> found;
+  const std::size_t slash = begin.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "" : begin.substr(0, slash + 1);
+  std::error_code error;
+  const std::filesystem::directory_iterator end;
+  for (std::filesystem::directory_iterator i(folder.empty() ? "." : folder, error);
+       !error && i != end && found.size() < 500; i.increment(error)) {
+    std::error_code kind;
+    const std::string name = folder + i->path().filename().string();
+    found.push_back(i->is_directory(kind) ? name + "/" : name);
+  }
+  return found;
+}
+
+std::vector<std::string> wordsOfCommand(const Session& session,
+                                        char kind,
+                                        const std::string& begin) {
+  std::vector<std::string> all;
+  if (kind == 'f') {
+    all = filesBeside(begin);
+  } else if (kind == 's') {
+    all = settingNames();
+  } else if (kind == 'n' || kind == 'w') {
+    for (const auto& name : session.names()) {
+      all.push_back(name.name);
+    }
+    for (std::size_t i = 0; kind == 'w' && i < static_cast<std::size_t>(Word::count); ++i) {
+      all.emplace_back(spell(static_cast<Word>(i)));
+    }
+  }
+  return all;
+}
+
+frontend::Completion completeCommand(const Session& session, const std::string& line) {
+  frontend::Completion found;
+  const std::size_t blank = line.find(' ');
+  std::vector<std::string> all;
+  char kind = ' ';
+  if (blank == std::string::npos) {
+    for (const ConsoleCommand& c : consoleCommands()) {
+      all.emplace_back(c.name);
+    }
+  } else {
+    for (const ConsoleCommand& c : consoleCommands()) {
+      kind = line.substr(0, blank) == c.name ? c.completes : kind;
+    }
+    found.begin = line.find_last_of(kind == 'f' ? " " : " ,") + 1;
+    all = wordsOfCommand(session, kind, line.substr(found.begin));
+  }
+  std::string begin = line.substr(found.begin);
+  if (kind == 'n' || kind == 'w') {
+    std::transform(begin.begin(), begin.end(), begin.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  }
+  for (const std::string& word : all) {
+    if (word.starts_with(begin)) {
+      found.candidates.push_back(word);
+    }
+  }
+  std::sort(found.candidates.begin(), found.candidates.end());
+  return found;
+}
+
+/// INCLUDE/'file: the quote was opened and not closed.
+std::optional<frontend::Completion> completeQuoted(const std::string& line) {
+  if (std::count(line.begin(), line.end(), '\'') % 2 == 0) {
+    return std::nullopt;
+  }
+  frontend::Completion found;
+  found.begin = line.rfind('\'') + 1;
+  for (const std::string& file : filesBeside(line.substr(found.begin))) {
+    if (file.starts_with(line.substr(found.begin))) {
+      found.candidates.push_back(file);
+    }
+  }
+  return found;
+}
+
+class Loop {
+ public:
+  Loop(Console& console, LineSource& lines, std::string& pending)
+      : console_(console), lines_(lines), pending_(pending) {}
+
+  void run() {
+    while (!console_.leaving && !stopped()) {
+      console_.out.flush();
+      std::cerr.flush();
+      const auto line = lines_.read(promptOf(console_, !pending_.empty()));
+      console_.interrupt.forget();
+      if (!line) {
+        break;
+      }
+      if (line->cancelled) {
+        pending_.clear();
+        continue;
+      }
+      take(line->text);
+    }
+    if (!pending_.empty() && !stopped()) {
+      printError("the input ended within an open statement, loop, macro or block");
+      console_.worst = worse(console_.worst, ExitCode::programHasErrors);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const { return console_.interrupt.result() == ExitCode::terminated; }
+
+  void take(const std::string& line) {
+    if (!line.empty() && line.find_first_not_of(" \t") != std::string::npos) {
+      lines_.remember(line);
+    }
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != std::string::npos && line[first] == ':') {
+      obey(console_, line.substr(first));
+      return;
+    }
+    if (first == std::string::npos && pending_.empty()) {
+      return;
+    }
+    answer(pending_ + line + "\n", line);
+  }
+
+  void answer(const std::string& entry, const std::string& line) {
+    const Session::Answer answer = console_.session.submit(entry, console_.interrupt.flag());
+    using State = Verdict::State;
+    if (answer.verdict.state == State::interrupted) {
+      printError("interrupted; the statement is not taken");
+      pending_.clear();
+    } else if (answer.verdict.state == State::open) {
+      pending_ = entry;
+    } else if (answer.verdict.state == State::refused) {
+      printDiagnostics(console_, *answer.run, answer.verdict.found);
+      refuse(answer);
+      const bool block = !pending_.empty();
+      const bool readable = block && !unreadableLine(answer);
+      pending_ = readable || !block ? "" : pending_;
+      if (block) {
+        console_.out << (readable ? "the open statements are dropped; the history has them\n"
+                                  : "this line is not taken: `" + displayText(line) + "`\n");
+      }
+    } else {
+      accept(answer);
+      pending_.clear();
+    }
+  }
+
+  /// Whether only the last line of an open entry is at fault.
+  static bool unreadableLine(const Session::Answer& answer) {
+    return std::all_of(answer.verdict.found.begin(), answer.verdict.found.end(),
+                       [](const Diagnostic& d) {
+                         return d.kind().code < "E0116" || d.kind().code == "E0230" ||
+                                d.kind().code == "E0221" || d.kind().code == "E0291";
+                       });
+  }
+
+  void refuse(const Session::Answer& answer) {
+    for (const Diagnostic& d : answer.verdict.found) {
+      if (d.severity() == Severity::error) {
+        console_.worst = worse(console_.worst, exitCodeFor(d.kind()));
+      }
+    }
+  }
+
+  void accept(const Session::Answer& answer) {
+    if (answer.ended) {
+      console_.out << "FINI is added by :save; :quit leaves\n";
+    } else if (!answer.shown.empty()) {
+      static_cast<void>(showEntity(console_, answer.shown));
+    } else if (answer.run) {
+      printDiagnostics(console_, *answer.run, answer.verdict.found);
+      printNews(console_.out, *answer.run, *answer.before, console_.style);
+    }
+  }
+
+  Console& console_;
+  LineSource& lines_;
+  std::string& pending_;
+};
+
+void greet(const LineSource& lines, History& history, bool quiet) {
+  if (const auto complaint = history.complaint()) {
+    std::cerr << "arelem: " << *complaint << '\n';
+  }
+  if (lines.isTerminal() && !quiet) {
+    std::cout << "arelem: statements are computed as you type them; :help tells more, Ctrl-D "
+                 "leaves\n";
+  }
+}
+
+ExitCode converse(Console& console, const std::string& file, bool quiet) {
+  History history(::isatty(STDIN_FILENO) == 1 ? History::usualPath() : "");
+  std::string pending;
+  const auto lines = openLines(history, [&](const std::string& line) {
+    if (!line.empty() && line.front() == ':') {
+      return completeCommand(console.session, line);
+    }
+    if (auto quoted = completeQuoted(line)) {
+      return *std::move(quoted);
+    }
+    frontend::Completion found = frontend::complete(pending + line, console.session.names());
+    found.begin -= std::min(found.begin, pending.size());
+    return found;
+  });
+  greet(*lines, history, quiet);
+  console.interrupt.converse([&](int signal) { lines->wake(signal); });
+  if (!file.empty()) {
+    if (const std::string wrong = loadFile(console, file); !wrong.empty()) {
+      printError(wrong);
+      console.worst = ExitCode::inputUnreadable;
+    }
+  }
+  Loop(console, *lines, pending).run();
+  console.interrupt.converse({});
+  if (const auto complaint = history.complaint()) {
+    std::cerr << "arelem: " << *complaint << '\n';
+  }
+  return lines->isTerminal() ? ExitCode::ok : console.worst;
+}
+}  // namespace
+
+int runRepl(const Invocation& invocation) {
+  CLI::App app(
+      "Computes statements as they are typed. Definitions show their canonical form, motions what "
+      "they did; :help lists\nthe commands. Without a terminal it reads plain lines, and the exit "
+      "code tells the worst error.",
+      "repl");
+  Settings settings;
+  std::string file;
+  app.add_option("FILE", file, "a part program to begin with");
+  addSourceOptions(app, settings);
+  addMessageOptions(app, settings);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  if (settings.dialect == frontend::Dialect::automatic) {
+    settings.dialect = frontend::Dialect::native;
+  }
+  Session session(settings);
+  Console console{settings, session, invocation.interrupt, std::cout, {}, {}};
+  console.style.color = settings.color == ColorChoice::always ||
+                        (settings.color == ColorChoice::automatic && useColor(settings.color) &&
+                         ::isatty(STDOUT_FILENO) == 1);
+  return static_cast<int>(converse(console, file, settings.quiet));
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,293 @@
+"""`arelem repl`: piped input, and a terminal through a pty."""
+import fcntl
+import os
+import pathlib
+import pty
+import re
+import resource
+import select
+import signal
+import struct
+import termios
+import time
+import unittest
+
+from arelem_run import ARELEM, ArelemCase
+
+SCENE = "UNITS/MM\nP1=POINT/0,0\nL1=LINE/P1,(POINT/100,0)\nL2=LINE/(POINT/0,50),(POINT/100,50)\n"
+
+
+class Piped(ArelemCase):
+    def session(self, text, *words, code=0):
+        self.assertExit(code, "repl", *words, stdin=text.encode())
+        return self.out
+
+    def test_canonical_forms(self):
+        out = self.session("C1=CIRCLE/1,2,3\nA=1/3\n")
+        self.assertIn("C1 = CIRCLE  center (1, 2)  radius 3\n   exactly 1 2 0 0 0 1 3\n", out)
+        self.assertIn("A = 0.333333   exactly 0.3333333333333333\n", out)
+        self.assertNotIn(">", out)  # no prompt
+
+    def test_unnamed_results(self):
+        out = self.session("3*SINF(90)\nCIRCLE/0,0,ANS\nANS\nP1=POINT/CENTER,ANS\n7*7\n:save -\n")
+        self.assertIn("ANS1 = 3\n", out)
+        self.assertIn("ANS2 = CIRCLE  center (0, 0)  radius 3\n", out)
+        # P1 uses the second, which uses the first; nothing uses the third.
+        self.assertTrue(out.endswith("\nANS1=3*SINF(90)\nANS2=CIRCLE/0,0,ANS1\nP1=POINT/CENTER,ANS2\nFINI\n"), out)
+
+    def test_errors_end_nothing(self):
+        out = self.session("P1=POINT/Q,1\nP1=POINT/1,1\nP1=POINT/2,2\nP2=POINT/3,3\n:nonsense\nP3=POINT/4,4\n", code=2)
+        self.assertIn("E0201", self.err)
+        self.assertIn("no command `:nonsense`", self.err)
+        self.assertIn("P3 = POINT  (4, 4, 0)", out)
+        self.assertIn("P1 = POINT  (1, 1, 0)", out)
+        self.assertNotIn("P1 = POINT  (2, 2, 0)", out)
+
+    def test_open_statements(self):
+        out = self.session("C1=CIRCLE/1,$\n2,$ more\n3\nLOOPST\nI=0\nA) I=I+1\nIF(I-3)A,B,B\nB) Z=I\nLOOPND\n"
+                           "M=MACRO/Q\nP1=POINT/Q,Q\nTERMAC\nCALL/M,Q=7\nIF (Z .EQ. 3) THEN\nW=8\nENDIF\n")
+        self.assertIn("C1 = CIRCLE  center (1, 2)  radius 3", out)
+        self.assertIn("Z = 3\n", out)
+        self.assertIn("P1 = POINT  (7, 7, 0)", out)
+        self.assertIn("W = 8\n", out)
+
+    def test_a_wrong_line_in_an_open_macro(self):
+        out = self.session("M=MACRO/Q\nP1=POINT/1.2.3,Q\nP1=POINT/1,Q\nTERMAC\nCALL/M,Q=7\n", code=1)
+        self.assertIn("this line is not taken", out)
+        self.assertIn("P1 = POINT  (1, 7, 0)", out)
+
+    def test_input_that_ends_too_early(self):
+        self.session("M=MACRO/Q\n", code=1)
+        self.assertIn("the input ended within", self.err)
+
+    def test_why_shows_the_losers(self):
+        out = self.session("L1=LINE/(POINT/0,0),(POINT/1,0)\nC1=CIRCLE/0,0,5\nP1=POINT/XLARGE,INTOF,L1,C1\n:why P1\n")
+        # The line through the center meets the circle at x = 5 and x = -5.
+        self.assertIn("+ (5, 0, 0)  chosen", out)
+        self.assertIn("- (-5, 0, 0)  lost: it is the one with XSMALL for XLARGE in place 1; "
+                      "x is -5 there and 5 here; XLARGE takes the larger", out)
+        self.assertIn("form PT_04", out)
+
+    def test_distance(self):
+        out = self.session(SCENE + "C1=CIRCLE/0,80,10\nS1=SPHERE/0,0,30,10\nPL=PLANE/0,0,1,0\nT1=TORUS/0,0,0,0,0,1,50,5\n"
+                           "V1=VECTOR/1,0,0\n:distance L1,L2\n:distance P1,C1\n:distance C1,L2\n:distance S1,PL\n"
+                           ":distance T1,P1\n:distance V1,P1\n", code=2)
+        # 50 between the lines; 80 - 10; 80 - 50 - 10; 30 - 10; the tube is 45 from its center.
+        found = re.findall(r"^(\d[\d.]*)(?:  \(.*\))?$", out, re.M)
+        self.assertEqual([float(x) for x in found], [50, 70, 20, 20, 45])
+        self.assertIn("E0341", self.err)
+
+    def test_undo_redo_save_load(self):
+        out = self.session("P1=POINT/1,1\nP2=POINT/2,2\n:undo\n:list\n:redo\n:save s.apt\nP1=POINT/Q,1\n:undo 5\n:load s.apt\n"
+                           ":show P2\n:redo 3\n", code=1)
+        self.assertEqual((self.folder / "s.apt").read_text(), "P1=POINT/1,1\nP2=POINT/2,2\nFINI\n")
+        self.assertIn("2 entries taken back", out)
+        self.assertIn("there is nothing to bring again", out)
+        self.assertEqual(out.count("P2 = POINT  (2, 2, 0)"), 2)
+
+    def test_motion(self):
+        out = self.session("UNITS/MM\nCUTTER/10\nINTOL/0\nOUTTOL/.01\nFEDRAT/6000\nL1=LINE/(POINT/0,0),(POINT/100,0)\n"
+                           "L2=LINE/(POINT/100,0),(POINT/100,50)\nFROM/0,-50,0\nGO/TO,L1\nTLRGT,GORGT/L1\nGOLFT/L2,PAST,(LINE/0,40,1,40)\n"
+                           ":step 2\n:step\n:time\n:set velocity 50\n:time\n:step reset\n:step\n", code=0)
+        self.assertIn("waits for the next motion", out)
+        self.assertIn("GO  1 cut vector, 45 mm", out)
+        self.assertRegex(out, r"session:10  TLRGT,GORGT/L1\n   GORGT  1 cut vector, 105 mm.*\n   to \(105, -5, 0\)")
+        times = [float(t) for t in re.findall(r"([\d.]+) s  in all", out)]
+        self.assertEqual(len(times), 2)
+        self.assertGreater(times[1], times[0])  # 50 mm/s instead of 100
+
+    def test_files_and_pictures(self):
+        self.write("p.apt", SCENE + "C1=CIRCLE/QQ,1,1\nP9=POINT/9,9\nFROM/0,0,0\nGOTO/10,0,0\nFINI\n")
+        out = self.session(":show P9\n:plot p.svg\n:plot no/such/folder.svg\n", "p.apt", code=1)
+        self.assertIn("E0201", self.err)
+        self.assertIn("without the statements that have errors", out)
+        self.assertIn("P9 = POINT  (9, 9, 0)", out)
+        self.assertIn("<svg", (self.folder / "p.svg").read_text())
+        self.assertIn("no/such", self.err)
+
+    def test_help(self):
+        out = self.session(":help\n:help CIRCLE\n:help gofwd\n:help E0201\n:help :why\n:help CIRCEL\n", code=2)
+        for text in (":distance A,B", "CI-03", "CENTER, point, RADIUS, r", "follows the drive surface", "# E0201"):
+            self.assertIn(text, out)
+        self.assertIn("did you mean `CIRCLE`?", self.err)
+
+    def test_names_and_texts_are_safe_to_print(self):
+        self.session("P1=POINT/1,\x1b[2J2\nPARTNO <b>\x07bell</b>\n:show \x1b[31m\n:\x1b[2J\n", code=2)
+        self.assertNotIn("\x1b", self.out + self.err)
+        self.assertNotIn("\x07", self.out + self.err)
+
+    def test_nothing_at_all(self):
+        self.assertEqual(self.session(""), "")
+        self.assertEqual(self.session("\n\n   \n$$ only a comment\n"), "")
+        self.session(":step\n:time\n:undo\n:distance A\n:why\n:show\n:plot e.svg\n", code=2)
+
+
+class Terminal(ArelemCase):
+    """The editor in a pseudo terminal."""
+
+    def start(self, columns=80, env=None, limit=None, words=()):
+        pid, self.tty = pty.fork()
+        if pid == 0:
+            os.chdir(self.folder)
+            clean = {"PATH": os.environ["PATH"], "TERM": "xterm", "HOME": str(self.folder), "NO_COLOR": "1"}
+            if limit is not None:
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+            os.execve(ARELEM, ["arelem", "repl", *words], {**clean, **(env or {})})
+        fcntl.ioctl(self.tty, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+        self.pid = pid
+        self.seen = ""
+        self.addCleanup(self.end)
+
+    def end(self):
+        try:
+            os.kill(self.pid, signal.SIGKILL)
+            os.waitpid(self.pid, 0)
+        except OSError:
+            pass
+        os.close(self.tty)
+
+    def send(self, text):
+        os.write(self.tty, text.encode())
+
+    def expect(self, pattern, seconds=20):
+        end = time.monotonic() + seconds
+        while not re.search(pattern, self.seen):
+            ready, _, _ = select.select([self.tty], [], [], max(0, end - time.monotonic()))
+            if not ready:
+                self.fail(f"no {pattern!r} in {self.seen!r}")
+            try:
+                got = os.read(self.tty, 65536)
+            except OSError:
+                got = b""
+            if not got:
+                self.fail(f"ended before {pattern!r}: {self.seen!r}")
+            self.seen += got.decode(errors="replace")
+        at = re.search(pattern, self.seen)
+        text, self.seen = self.seen[:at.end()], self.seen[at.end():]
+        return text
+
+    def exit_code(self):
+        self.send("\x04")
+        deadline = time.monotonic() + 10
+        while time.monotonic() < deadline:
+            done, status = os.waitpid(self.pid, os.WNOHANG)
+            if done:
+                self.pid = 0
+                return os.waitstatus_to_exitcode(status)
+            select.select([self.tty], [], [], 0.05)
+            try:
+                os.read(self.tty, 65536)
+            except OSError:
+                pass
+        self.fail("it does not end")
+
+    def test_prompt_answer_and_end(self):
+        self.start()
+        self.expect(r"apt\(units\)> ")
+        self.send("UNITS/MM\r")
+        self.expect(r"apt\(mm\)> ")
+        self.send("P1=POINT/1,2\r")
+        self.expect(r"P1 = POINT  \(1, 2, 0\)")
+        self.send("M=MACRO/A\r")
+        self.expect(r"\.\.\. ")
+        self.assertEqual(self.exit_code(), 0)
+
+    def test_completion_offers_only_what_may_follow(self):
+        self.start()
+        self.expect(r"> ")
+        self.send("P1=POINT/1,2\rP2=POINT/3,4\r")
+        self.expect(r"P2 = POINT  ")
+        self.expect(r"> ")
+        self.send("C1=CIRCLE/CENTER,P1,RAD\t5\r")   # RADIUS is the only word
+        self.expect(r"RADIUS")
+        self.send("\x15C1=CIRCLE/CENTER,P1,RADIUS,5\r")
+        self.expect(r"C1 = CIRCLE  center \(1, 2\)  radius 5")
+        self.expect(r"> ")
+        self.send("L1=LINE/P1,\t\t")                # LEFT and RIGHT with TANTO, points, ...; but never CENTER
+        listed = self.expect(r"TANTO|SLOPE")
+        self.assertNotIn("CENTER", listed)
+        self.send("\x15GO\t\t")
+        self.expect(r"GOFWD/")
+        self.send("\x15:dis\t")
+        self.expect(r":distance")
+
+    def test_interrupt_cancels_the_line_and_the_computation(self):
+        self.start()
+        self.expect(r"> ")
+        self.send("P1=POINT/1,")
+        self.expect(r"P1=POINT/1,")
+        self.send("\x03")
+        self.expect(r"> ")
+        self.send("A=5\r")
+        self.expect(r"A = 5")
+        self.expect(r"> ")
+        self.send("LOOPST\rB) X=1\rJUMPTO/B\rLOOPND\r")
+        self.expect(r"LOOPND")
+        time.sleep(0.5)
+        os.kill(self.pid, signal.SIGINT)
+        self.expect(r"interrupted")
+        self.expect(r"> ")
+        self.send("A+1\r")
+        self.expect(r"ANS1 = 6")
+        self.assertEqual(self.exit_code(), 0)
+
+    def test_history_is_kept(self):
+        self.start()
+        self.expect(r"> ")
+        self.send("P1=POINT/7,8\r")
+        self.expect(r"P1 = POINT")
+        self.exit_code()
+        history = self.folder / ".local/state/arelem/history"
+        self.assertEqual(history.read_text(), "P1=POINT/7,8\n")
+        self.start()
+        self.expect(r"> ")
+        self.send("\x1b[A\r")  # arrow up
+        self.expect(r"P1 = POINT  \(7, 8, 0\)")
+
+    def test_history_on_a_full_disk(self):
+        self.start(limit=4)
+        self.expect(r"> ")
+        self.send("P1=POINT/7,8\rP2=POINT/9,9\r")
+        self.expect(r"P2 = POINT")
+        self.send("\x04")
+        self.expect(r"history file .* cannot be kept: .*goes on without it")
+
+    def test_history_in_a_place_that_is_a_file(self):
+        self.write("state", "a file")
+        self.start(env={"XDG_STATE_HOME": str(self.folder / "state")})
+        self.expect(r"cannot be kept")
+        self.expect(r"> ")
+        self.send("A=1\r")
+        self.expect(r"A = 1")
+
+    def test_one_column(self):
+        self.start(columns=1)
+        self.expect(r">")
+        self.send("A=41+1\r")
+        self.expect(r"A = 42")
+        self.assertEqual(self.exit_code(), 0)
+
+    def test_dumb_terminal(self):
+        self.start(env={"TERM": "dumb"})
+        self.expect(r"> ")
+        self.send("A=41+1\r")
+        self.expect(r"A = 42")
+
+    def test_termination(self):
+        self.start()
+        self.expect(r"> ")
+        os.kill(self.pid, signal.SIGTERM)
+        _, status = os.waitpid(self.pid, 0)
+        self.pid = 0
+        self.assertEqual(os.waitstatus_to_exitcode(status), 143)
+
+    def test_colors(self):
+        self.start(env={"NO_COLOR": "", "CLICOLOR_FORCE": "1"})
+        self.expect(r"\x1b\[1;32m")
+        self.send("P1=POINT/7,8\r")
+        self.expect(r"\x1b\[1;36mP1\x1b\[0m = \x1b\[35mPOINT")
+
+
+if __name__ == "__main__":
+    unittest.main()
