@@ -125,7 +125,11 @@ class Piped(ArelemCase):
 class Terminal(ArelemCase):
     """The editor in a pseudo terminal."""
 
+    pid = 0
+    tty = -1
+
     def start(self, columns=80, env=None, limit=None, words=()):
+        self.end()
         pid, self.tty = pty.fork()
         if pid == 0:
             os.chdir(self.folder)
@@ -140,12 +144,13 @@ class Terminal(ArelemCase):
         self.addCleanup(self.end)
 
     def end(self):
-        try:
+        if self.pid:  # 0 would be this process and its family
             os.kill(self.pid, signal.SIGKILL)
             os.waitpid(self.pid, 0)
-        except OSError:
-            pass
-        os.close(self.tty)
+            self.pid = 0
+        if self.tty >= 0:
+            os.close(self.tty)
+            self.tty = -1
 
     def send(self, text):
         os.write(self.tty, text.encode())
@@ -175,9 +180,9 @@ class Terminal(ArelemCase):
             if done:
                 self.pid = 0
                 return os.waitstatus_to_exitcode(status)
-            select.select([self.tty], [], [], 0.05)
+            ready, _, _ = select.select([self.tty], [], [], 0.05)
             try:
-                os.read(self.tty, 65536)
+                self.seen += os.read(self.tty, 65536).decode(errors="replace") if ready else ""
             except OSError:
                 pass
         self.fail("it does not end")
