@@ -41,7 +41,7 @@ enum class EntityType : std::uint8_t {
 
 [[nodiscard]] std::string_view spell(EntityType type);  ///< "POINT", "CYLNDR", ...
 [[nodiscard]] std::optional<EntityType> entityType(Word word);
-/// Number of canonical values, or 0 where it varies (PATERN, TABCYL, RLDSRF, POLCON).
+/// Number of canonical values, or 0 where it varies (PATERN, TABCYL, RLDSRF, POLCON, MESH).
 [[nodiscard]] int canonicalCount(EntityType type);
 
 /// Facts of a PATERN that its coordinates alone do not tell.
@@ -59,7 +59,9 @@ struct PatternShape {
 ///     (ax²+by²+cz²+d+2fyz+2gxz+2hxy+2px+2qy+2rz=0) · PATERN 3n coordinates
 ///   TABCYL n k m1..m9, then per interval u v a b len max min, then final u v · TORUS x y z i j k R
 ///   r GUN see runtime/spray/gun.h · REGION see runtime/region/region.h · REVOLV x y z i j k start
-///   stop (degrees), then a TABCYL · RLDSRF sub-forms one after another, see runtime/define/ruled.cpp
+///   stop (degrees), then a TABCYL · RLDSRF sub-forms one after another, see
+///   runtime/geometry/ruled_surface.h · MESH numbers of vertices and triangles, coordinates, vertex
+///   numbers, see runtime/geometry/triangle_mesh.h
 struct Entity {
   EntityType type = EntityType::point;
   std::vector<double> canon;
@@ -68,6 +70,7 @@ struct Entity {
   std::string name;                             ///< "" when unnamed (nested)
   int subscript = 0;                            ///< 0 when not an array element
   Span definition;                              ///< where it was defined
+  std::shared_ptr<const void> built;  ///< of a MESH: what its surface kind made of `canon`, or null
   std::string referenceSystem;  ///< name of the REFSYS matrix in force, "" for the base system
 };
 

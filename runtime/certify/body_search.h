@@ -40,10 +40,6 @@ struct Piece {
 /// The pieces whose union covers all cutting points of a profile.
 [[nodiscard]] std::vector<Piece> piecesOf(const tool::Profile& cutter);
 
-/// A point of the profile that reaches farthest against a unit normal whose component along the
-/// axis is nz.
-[[nodiscard]] tool::ProfilePoint farthestAgainst(const tool::Profile& cutter, double nz);
-
 /// Part of a piece at part of the time: centers and half widths of s, of the angle and of the share
 /// of the way from a to b.
 struct Box {

@@ -49,7 +49,7 @@ bool Modal::apply(const runtime::Action& action) {
     }
   } else if (const auto* relation = std::get_if<runtime::ToolRelation>(&action.body)) {
     if (relation->word == Word::TLONPS || relation->word == Word::TLOFPS) {
-      toolOnPart = relation->word == Word::TLONPS;
+      partRelation = relation->word;
     } else {
       driveRelation = relation->word;
     }

@@ -30,8 +30,8 @@ class Modal {
   std::array<double, 4> inner{0.0, 0.0, 0.0, 0.0};
   std::array<double, 4> outer{0.0005, 0.0005, 0.0005, 0.0005};
   std::array<double, 4> thick{0.0, 0.0, 0.0, 0.0};
-  std::optional<Named> part;  ///< none: the XY plane
-  bool toolOnPart = false;
+  std::optional<Named> part;         ///< none: the XY plane
+  std::optional<Word> partRelation;  ///< TLONPS, TLOFPS
   std::optional<Word> driveRelation;
   bool output = true;
   runtime::ToolAxis axisRule;
@@ -50,6 +50,7 @@ class Modal {
   [[nodiscard]] bool toolOnDrive() const {
     return driveRelation && (*driveRelation == Word::TLON || *driveRelation == Word::TLNDON);
   }
+  [[nodiscard]] bool toolOnPart() const { return partRelation && *partRelation == Word::TLONPS; }
   /// The axis at a tool end that is put out without one.
   [[nodiscard]] Vec3 axisAt(const Vec3& place, const surface::AnySurface& drive) const;
 

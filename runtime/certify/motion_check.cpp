@@ -85,7 +85,7 @@ StatementResult MotionCheck::follow(const Modal& modal,
     return result;
   }
   GuideTask driveTask = taskOf(modal, driveRole, *drive, modal.toolOnDrive());
-  GuideTask partTask = taskOf(modal, partRole, modal.partSurface(), modal.toolOnPart);
+  GuideTask partTask = taskOf(modal, partRole, modal.partSurface(), modal.toolOnPart());
   if (!modal.driveRelation) {
     // No tool position was ever given: ON if the tool end is on the drive surface.
     const Touch end = touch(drive->surface, {nullptr, 1.0, 0.0}, path.front(), driveTask.allowed);
@@ -93,6 +93,21 @@ StatementResult MotionCheck::follow(const Modal& modal,
     if (std::abs(end.high) <= band + startLength) {
       driveTask.cutter = nullptr;
       driveTask.thick = 0.0;
+    }
+  }
+  if (!modal.partRelation) {
+    // No such word was ever given: ON if the tool end is on the part surface and the cutter is not.
+    const double band = partTask.allowed.inner + partTask.allowed.outer;
+    const double slack = startLength + band;
+    const Named& part = partTask.surface;
+    const Relation offset{partTask.cutter, 1.0, partTask.thick};
+    const Relation other{partTask.cutter, -1.0, partTask.thick};
+    const auto isOff = [&](const Relation& r) {
+      return std::abs(touch(part.surface, r, path.front(), partTask.allowed).high) > slack;
+    };
+    if (isOff(offset) && isOff(other) && !isOff({nullptr, 1.0, 0.0})) {
+      partTask.cutter = nullptr;
+      partTask.thick = 0.0;
     }
   }
   result.drive = GuideFigures{driveTask.surface.name, driveTask.allowed,
@@ -191,7 +206,7 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
   c.tangent = goal.condition == ir::Condition::tanto || touchesPart;
   c.allowed = allowedFor(modal, role);
   const bool on = goal.condition == ir::Condition::on ||
-                  (c.tangent && (touchesPart ? modal.toolOnPart : modal.toolOnDrive()));
+                  (c.tangent && (touchesPart ? modal.toolOnPart() : modal.toolOnDrive()));
   if (on || c.tangent) {
     // Either side of the surface: the whole band counts on both.
     const double band = c.allowed.inner + c.allowed.outer;

@@ -44,25 +44,4 @@ std::vector<Piece> piecesOf(const tool::Profile& cutter) {
   return pieces;
 }
 
-tool::ProfilePoint farthestAgainst(const tool::Profile& p, double nz) {
-  const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
-  tool::ProfilePoint best{p.e, p.f};
-  if (p.ring) {
-    return best;
-  }
-  if (nz <= p.cosAlpha && nz >= p.sinBeta) {
-    best = {p.e + p.r * across, p.f - p.r * nz};
-  }
-  const auto consider = [&](tool::ProfilePoint q) {
-    if (q.rho * across - q.z * nz > best.rho * across - best.z * nz) {
-      best = q;
-    }
-  };
-  consider({0.0, 0.0});
-  consider(p.bottomEnd);
-  consider(p.sideStart);
-  consider(p.sideEnd);
-  return best;
-}
-
 }  // namespace arelem::certify

@@ -1,6 +1,7 @@
 #include "runtime/certify/probe.h"
 
 #include "runtime/certify/cutter_probe.h"
+#include "runtime/certify/mesh_probe.h"
 
 namespace arelem::certify {
 
@@ -65,7 +66,7 @@ class ClosedProbe final : public Probe {
       const double nz = n.normal.dot(n.axis);
       const Vec3 across = nz * n.axis - n.normal;
       const double length = across.norm();
-      const tool::ProfilePoint q = farthestAgainst(cutter_, nz);
+      const tool::ProfilePoint q = tool::farthestAgainst(cutter_, nz);
       n.point = n.toolEnd + q.z * n.axis +
                 q.rho * (length > 0.0 ? Vec3(across / length) : Vec3(n.axis.unitOrthogonal()));
     }
@@ -121,6 +122,11 @@ std::unique_ptr<Probe> makeProbe(const surface::AnySurface& any, const Relation&
           Relation point = relation;
           point.thick = 0.0;
           return std::make_unique<PointProbe<S>>(s, point);
+        }
+        if constexpr (std::is_same_v<S, surface::Mesh>) {
+          if (isConvex(*relation.cutter)) {
+            return std::make_unique<MeshProbe>(s, relation);
+          }
         }
         if constexpr (std::is_same_v<S, surface::Plane> || std::is_same_v<S, surface::Sphere>) {
           return std::make_unique<ClosedProbe<S>>(s, relation);

@@ -15,6 +15,7 @@ struct Node : Known {
   Vec3 point = Vec3::Zero();    ///< of the cutter, where `high` was measured; the core's place
   surface::Foot foot;           ///< of `point`, by the surface's own side
   Vec3 normal = Vec3::UnitZ();  ///< unit, towards the tool
+  std::size_t triangle = 0;     ///< of a mesh, in contact
 };
 
 /// What is known about the gap over a part of a cut vector.

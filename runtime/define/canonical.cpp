@@ -10,6 +10,7 @@
 #include "runtime/geometry/ruled_surface.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 #include "runtime/region/region.h"
+#include "runtime/geometry/triangle_mesh.h"
 
 namespace arelem::define {
 
@@ -192,6 +193,10 @@ Result<Canon> checkedCanon(EntityType type, Canon canon) {
   if (type == EntityType::tabulatedCylinder && canon.size() < geometry::tabulatedCylinderCount(2)) {
     return fail(diag::WrongCanonicalCount, spell(type), canon.size(),
                 fmt::format("at least {}", geometry::tabulatedCylinderCount(2)));
+  }
+  if (type == EntityType::mesh) {
+    Result<geometry::TriangleMesh> mesh = geometry::meshOfCanon(canon);
+    return mesh ? Result<Canon>(mesh->canon()) : Result<Canon>(mesh.takeFailure());
   }
   Result<bool> good = check(type, canon);
   if (!good) {

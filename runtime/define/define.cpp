@@ -11,6 +11,7 @@
 #include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/resolve.h"
+#include "runtime/geometry/kinds.h"
 
 namespace arelem::define {
 
@@ -133,9 +134,8 @@ Result<Entity> define(EntityType type,
   std::vector<Symbol> symbols(parameters.size());
   std::transform(parameters.begin(), parameters.end(), symbols.begin(), symbolOf);
   const std::optional<Word> noun = findWord(spell(type));
-  if (!noun || type == EntityType::mesh) {
-    return fail(diag::NoSuchForm, spell(type), noun ? signature(*noun, symbols) : "")
-        .note("this word is kept free for installations; there are no definitions for it");
+  if (!noun) {
+    return fail(diag::NoSuchForm, spell(type), "");
   }
   const std::variant<FormId, Mismatch> found = match(*noun, symbols);
   if (const auto* mismatch = std::get_if<Mismatch>(&found)) {
@@ -158,6 +158,9 @@ Result<Entity> define(EntityType type,
   entity.form = std::get<FormId>(found);
   entity.canon = std::move(resolved->canon);
   entity.pattern = resolved->pattern;
+  if (type == EntityType::mesh) {
+    entity.built = surface::builtMesh(entity.canon);
+  }
   return entity;
 }
 

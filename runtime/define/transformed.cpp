@@ -7,8 +7,10 @@
 #include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/define.h"
+#include "runtime/geometry/kinds.h"
 #include "runtime/geometry/shapes.h"
 #include "runtime/region/region.h"
+#include "runtime/geometry/triangle_mesh.h"
 
 namespace arelem::define {
 
@@ -151,6 +153,20 @@ Result<Form> moveRegion(const Entity& entity, const Matrix& m) {
   return Form{entity.type, moved.canon()};
 }
 
+/// A matrix that mirrors turns the triangles over, so that their normals keep their side.
+Form moveMesh(const Entity& entity, const Matrix& m) {
+  geometry::TriangleMesh mesh = geometry::TriangleMesh::of(entity.canon);
+  for (Vec3& v : mesh.vertices) {
+    v = m.apply(v);
+  }
+  if (m.linear.determinant() < 0.0) {
+    for (auto& t : mesh.triangles) {
+      std::swap(t[1], t[2]);
+    }
+  }
+  return {entity.type, mesh.canon()};
+}
+
 Failure refuse(EntityType type) {
   return fail(diag::NotTransformable, spell(type),
               type == EntityType::tabulatedCylinder
@@ -189,10 +205,11 @@ Result<Form> move(const Entity& entity, const Matrix& m) {
       return Form{entity.type, entity.canon};  // a gun has a size and no place
     case EntityType::region:
       return moveRegion(entity, m);
+    case EntityType::mesh:
+      return moveMesh(entity, m);
     case EntityType::matrix:
     case EntityType::polyconic:
     case EntityType::tabulatedCylinder:
-    case EntityType::mesh:
     case EntityType::revolved:
     case EntityType::ruledSurface:
       break;
@@ -210,6 +227,7 @@ Result<Entity> transformed(const Entity& entity, std::span<const double, 12> mat
   Entity result = entity;
   result.type = form->first;
   result.canon = std::move(form->second);
+  result.built = result.type == EntityType::mesh ? surface::builtMesh(result.canon) : nullptr;
   return result;
 }
 

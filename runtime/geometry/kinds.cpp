@@ -66,6 +66,10 @@ Vec3 axisOf(const std::vector<double>& c) {
 
 }  // namespace
 
+std::shared_ptr<const MeshShape> builtMesh(std::span<const double> canon) {
+  return std::make_shared<const MeshShape>(geometry::TriangleMesh::of(canon));
+}
+
 Result<AnySurface> surfaceOf(const Entity& entity) {
   const auto& c = entity.canon;
   switch (entity.type) {
@@ -90,6 +94,9 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
       return AnySurface(quadricOf(c));
     case EntityType::tabulatedCylinder:
       return tabulatedOf(c);
+    case EntityType::mesh:
+      return AnySurface(Mesh(entity.built ? std::static_pointer_cast<const MeshShape>(entity.built)
+                                          : builtMesh(c)));
     case EntityType::ruledSurface:
       return AnySurface(Ruled(geometry::RuledSurface::of(c)));
     default:

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -6,6 +7,7 @@
 #include "ir/geometry/entity.h"
 #include "runtime/geometry/kinds/cone.h"
 #include "runtime/geometry/kinds/cylinder.h"
+#include "runtime/geometry/kinds/mesh.h"
 #include "runtime/geometry/kinds/plane.h"
 #include "runtime/geometry/kinds/quadric.h"
 #include "runtime/geometry/kinds/ruled.h"
@@ -19,10 +21,13 @@ namespace arelem::surface {
 template <Surface... Kinds>
 using VariantOf = std::variant<Kinds...>;
 using AnySurface =
-    VariantOf<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder, Ruled>;
+    VariantOf<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder, Ruled, Mesh>;
 
 /// The surface of an entity's canonical form; fails for what is no surface (POINT, VECTOR, ...).
 [[nodiscard]] Result<AnySurface> surfaceOf(const Entity& entity);
+
+/// What queries on a mesh need, from its canonical form; kept in Entity::built.
+[[nodiscard]] std::shared_ptr<const MeshShape> builtMesh(std::span<const double> canon);
 
 /// The direction along which a cylinder of any cross-section does not change; zero for other kinds.
 template <Surface S>

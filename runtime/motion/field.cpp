@@ -1,10 +1,39 @@
 #include "runtime/motion/field.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/certify/prove.h"
+
 namespace arelem::motion {
 
 namespace {
 template <surface::Surface S>
 constexpr bool isFlat = std::is_same_v<S, surface::Plane>;
+
+/// The faces of a mesh change the gap between any few places that one looks at: its chords are
+/// proven.
+template <surface::Surface S>
+constexpr bool isFaceted = std::is_same_v<S, surface::Mesh>;
+
+/// Proofs may miss the edge of the band by this share of it: cut vectors aim at the edge.
+constexpr double proofShare = 1e-4;
+constexpr double shortest = 0.5;
+constexpr double longest = 0.95;
+
+double judged(certify::Probe& probe, const certify::Chord& chord, double inner, double outer) {
+  probe.take(chord);
+  certify::Node first = probe.at(0.0);
+  const certify::Verdict v =
+      certify::prove(probe, {inner, outer, proofShare * (inner + outer)}, first);
+  if (v.good()) {
+    return 1.0;
+  }
+  // As if the gap bent evenly away from the chord's ends.
+  const double beyond = std::max(-inner - v.least.measured, v.greatest.measured - outer);
+  const double band = inner + outer;
+  return std::clamp(std::sqrt(band / (band + std::max(beyond, 0.0))), shortest, longest);
+}
 
 template <surface::Surface S>
 class OnField final : public Field {
@@ -13,11 +42,21 @@ class OnField final : public Field {
   tool::Contact at(const Vec3& toolEnd, const Vec3&) override {
     return tool::pointContact(surface_, side_, toolEnd, hint_);
   }
+  double judge(const certify::Chord& chord, double inner, double outer) override {
+    if constexpr (isFaceted<S>) {
+      if (!probe_) {
+        probe_ = certify::makeProbe(surface_, {nullptr, side_, 0.0});
+      }
+      return judged(*probe_, chord, inner, outer);
+    }
+    return 1.0;
+  }
 
  private:
   S surface_;
   double side_;
   typename S::Hint hint_{};
+  std::unique_ptr<certify::Probe> probe_;
 };
 
 template <surface::Surface S>
@@ -30,6 +69,15 @@ class CutterField final : public Field {
     c.gap -= thick_;
     return c;
   }
+  double judge(const certify::Chord& chord, double inner, double outer) override {
+    if constexpr (isFaceted<S>) {
+      if (!probe_) {
+        probe_ = certify::makeProbe(surface_, {&cutter_, side_, thick_});
+      }
+      return judged(*probe_, chord, inner, outer);
+    }
+    return 1.0;
+  }
 
  private:
   S surface_;
@@ -37,8 +85,13 @@ class CutterField final : public Field {
   tool::Profile cutter_;
   double thick_;
   tool::Search<S> search_;
+  std::unique_ptr<certify::Probe> probe_;
 };
 }  // namespace
+
+double Field::judge(const certify::Chord&, double, double) {
+  return 1.0;
+}
 
 std::unique_ptr<Field> makeField(const surface::AnySurface& any, double side, Tool tool) {
   return std::visit(

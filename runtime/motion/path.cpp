@@ -126,6 +126,11 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
                                                 between, first, inner, outer}),
                        ridge(*guides[i].field, {middle, b.toolEnd, middleAxis, b.axis, between, to,
                                                 second, inner, outer})});
+    if (factor >= 1.0 - tolerance::coincidence) {
+      const certify::Chord straight(a.toolEnd, b.toolEnd, a.axis, b.axis);
+      const double judged = guides[i].field->judge(straight, inner, outer);
+      factor = judged < 1.0 ? judged : factor;
+    }
   }
   return factor;
 }

@@ -4,6 +4,7 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/tool/contact_search.h"
+#include "runtime/tool/mesh_contact.h"
 
 namespace arelem::tool {
 
@@ -85,6 +86,37 @@ Contact contactOf(const surface::Sphere& s,
   return {s.radius - distance, (s.center - point) / distance, point};
 }
 
+/// The least gap of all triangles that the cutter may reach. Sides do not matter: a cutter that has
+/// a body touches a mesh from where it is.
+Contact contactOf(const surface::Mesh& s,
+                  double,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis,
+                  Search<surface::Mesh>& search) {
+  const surface::MeshShape& shape = s.shape();
+  if (search.hint.triangle < 0) {
+    const Vec3 core = te + cutter.f * axis;
+    search.hint.triangle = static_cast<int>(shape.tree->nearest(core, -1));
+  }
+  const TriangleCutter body(cutter, te, axis);
+  auto best = static_cast<std::size_t>(search.hint.triangle);
+  TriangleGap least = body.gapTo(shape.mesh, best);
+  std::vector<std::size_t> near;
+  const auto [low, high] = body.box(std::max(least.gap, 0.0));
+  shape.tree->within(low, high, near);
+  for (const std::size_t i : near) {
+    if (body.lowerBound(shape.mesh, i) < least.gap) {
+      const TriangleGap gap = body.gapTo(shape.mesh, i);
+      if (gap.gap < least.gap || (gap.gap == least.gap && i < best)) {
+        least = gap;
+        best = i;
+      }
+    }
+  }
+  search.hint.triangle = static_cast<int>(best);
+  return {least.gap, least.normal, least.onCutter};
+}
 }  // namespace
 
 template <surface::Surface S>

@@ -23,8 +23,13 @@ void complete(Profile& p) {
   p.sideEnd = {p.d / 2 + std::tan(p.beta) * (p.h - p.d / 2 * std::tan(p.alpha)), p.h};
 }
 
+/// Lengths of the size of a tool need no std::hypot, which takes longer than all else here.
+double lengthOf(double x, double z) {
+  return std::sqrt(x * x + z * z);
+}
+
 double apart(ProfilePoint a, ProfilePoint b) {
-  return std::hypot(a.rho - b.rho, a.z - b.z);
+  return lengthOf(a.rho - b.rho, a.z - b.z);
 }
 
 /// True where the direction (dx, dz) from the corner center points out of the arc, not of a line.
@@ -115,6 +120,27 @@ double reach(const Profile& p, double nz) {
   return std::max({0.0, corner, toward(p.sideEnd)});
 }
 
+ProfilePoint farthestAgainst(const Profile& p, double nz) {
+  const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
+  ProfilePoint best{p.e, p.f};
+  if (p.ring) {
+    return best;
+  }
+  if (nz <= p.cosAlpha && nz >= p.sinBeta) {
+    best = {p.e + p.r * across, p.f - p.r * nz};
+  }
+  const auto consider = [&](ProfilePoint q) {
+    if (q.rho * across - q.z * nz > best.rho * across - best.z * nz) {
+      best = q;
+    }
+  };
+  consider({0.0, 0.0});
+  consider(p.bottomEnd);
+  consider(p.sideStart);
+  consider(p.sideEnd);
+  return best;
+}
+
 double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
   if (p.ring) {
     nearest = {p.e, p.f};
@@ -125,7 +151,7 @@ double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
   best.considerLine(p.sideStart, p.sideEnd);
   const double dx = c.rho - p.e;
   const double dz = c.z - p.f;
-  const double length = std::hypot(dx, dz);
+  const double length = lengthOf(dx, dz);
   const bool towardArc = insideArc(p, dx, dz, length);
   if (p.r > 0.0 && length > 0.0 && towardArc) {
     best.consider({p.e + p.r * dx / length, p.f + p.r * dz / length});
@@ -141,7 +167,7 @@ double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
 double farthestFrom(const Profile& p, ProfilePoint c, ProfilePoint& farthest) {
   double best = -1.0;
   const auto consider = [&](ProfilePoint q) {
-    const double distance = std::hypot(q.rho + c.rho, q.z - c.z);
+    const double distance = lengthOf(q.rho + c.rho, q.z - c.z);
     if (distance > best) {
       best = distance;
       farthest = q;
@@ -157,7 +183,7 @@ double farthestFrom(const Profile& p, ProfilePoint c, ProfilePoint& farthest) {
   consider(p.sideEnd);
   const double dx = p.e + c.rho;
   const double dz = p.f - c.z;
-  const double length = std::hypot(dx, dz);
+  const double length = lengthOf(dx, dz);
   if (p.r > 0.0 && length > 0.0 && insideArc(p, dx, dz, length)) {
     consider({p.e + p.r * dx / length, p.f + p.r * dz / length});
   }
