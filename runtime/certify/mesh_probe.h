@@ -50,34 +50,50 @@ class MeshProbe final : public Probe {
     return chord_.turn() * (b.s - a.s) * reach_;
   }
 
-  [[nodiscard]] double lowest(const Node& a, const Node& b, double aim) {
-    const tool::TriangleCutter first(cutter_, a.toolEnd, a.axis);
-    const tool::TriangleCutter last(cutter_, b.toolEnd, b.axis);
-    const double h = b.s - a.s;
-    const double wide = turning(a, b);
-    const double beyond = std::max(0.0, aim + thick_) + wide;
-    const auto [lowA, highA] = first.box(beyond);
-    const auto [lowB, highB] = last.box(beyond);
-    near_.clear();
-    mesh_.shape().tree->within(lowA.cwiseMin(lowB), highA.cwiseMax(highB), near_);
-    const geometry::TriangleMesh& mesh = mesh_.shape().mesh;
-    const double way = chord_.length() * h;
-    double least = aim;
-    for (const std::size_t i : near_) {
-      if (first.lowerBound(mesh, i) - thick_ - way - wide >= aim) {
-        continue;
+  /// Visits the triangles that the cutter may come nearer to than `least` from one node to another.
+  class Lowest final : public geometry::TriangleSearch {
+   public:
+    Lowest(MeshProbe& probe, const Node& a, const Node& b, double aim)
+        : mesh_(probe.mesh_.shape().mesh),
+          first_(probe.cutter_, a.toolEnd, a.axis),
+          last_(probe.cutter_, b.toolEnd, b.axis),
+          between_(
+              probe.cutter_, 0.5 * (a.toolEnd + b.toolEnd), a.axis, 0.5 * (b.toolEnd - a.toolEnd)),
+          chord_(probe.chord_),
+          h_(b.s - a.s),
+          wide_(probe.turning(a, b)),
+          thick_(probe.thick_),
+          least(aim) {}
+
+    bool enters(const Vec3& center, const Vec3& half) override {
+      return between_.lowerBound(center, half) - thick_ - wide_ < least;
+    }
+    void visit(std::size_t i) override {
+      if (between_.lowerBound(mesh_, i) - thick_ - wide_ >= least) {
+        return;
       }
-      const tool::TriangleGap p = first.gapTo(mesh, i);
-      if (p.gap - thick_ - way - wide >= aim) {
-        continue;
-      }
-      const tool::TriangleGap q = last.gapTo(mesh, i);
+      const tool::TriangleGap p = first_.gapTo(mesh_, i);
+      const tool::TriangleGap q = last_.gapTo(mesh_, i);
       const Known left{p.gap - thick_, p.gap - thick_, p.normal.dot(chord_.step())};
       const Known right{q.gap - thick_, q.gap - thick_, q.normal.dot(chord_.step())};
-      least =
-          std::min(least, between(left, right, h, {0.0, unbounded}, chord_.length()).low - wide);
+      const double low = between(left, right, h_, {0.0, unbounded}, chord_.length()).low;
+      least = std::min(least, low - wide_);
     }
-    return least;
+
+   private:
+    const geometry::TriangleMesh& mesh_;
+    tool::TriangleCutter first_, last_, between_;
+    const Chord& chord_;
+    double h_, wide_, thick_;
+
+   public:
+    double least;
+  };
+
+  [[nodiscard]] double lowest(const Node& a, const Node& b, double aim) {
+    Lowest search(*this, a, b, aim);
+    mesh_.shape().tree->search(search);
+    return search.least;
   }
 
   /// Below the chords of the gaps to the two triangles in contact.
@@ -103,7 +119,6 @@ class MeshProbe final : public Probe {
   double thick_, reach_;
   Chord chord_;
   tool::Search<surface::Mesh> search_;
-  std::vector<std::size_t> near_;
 };
 
 }  // namespace arelem::certify

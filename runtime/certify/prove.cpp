@@ -19,7 +19,9 @@ class Proof {
       : probe_(probe),
         floor_(-allowed.inner - allowed.slack),
         ceiling_(allowed.outer + allowed.slack),
-        figure_(figureShare * (allowed.inner + allowed.outer) + allowed.slack) {}
+        figure_(allowed.figures ? figureShare * (allowed.inner + allowed.outer) + allowed.slack
+                                : unbounded),
+        figures_(allowed.figures) {}
 
   Verdict run(Node& first) {
     Node last = probe_.at(1.0);
@@ -28,7 +30,7 @@ class Proof {
     see(first);
     see(last);
     parts_.push_back({first, last});
-    while (!parts_.empty()) {
+    while (!parts_.empty() && (figures_ || !refuted())) {
       const Part part = parts_.back();
       parts_.pop_back();
       decide(part);
@@ -54,6 +56,10 @@ class Proof {
       verdict_.greatest.at = n.s;
       farthest_ = n;
     }
+  }
+
+  [[nodiscard]] bool refuted() const {
+    return verdict_.least.measured < floor_ || verdict_.greatest.measured > ceiling_;
   }
 
   /// The bound that a part must reach: near what was measured, so that the figures mean something,
@@ -112,6 +118,7 @@ class Proof {
 
   Probe& probe_;
   double floor_, ceiling_, figure_;
+  bool figures_;
   std::vector<Part> parts_;
   Verdict verdict_;
   Node farthest_;

@@ -7,6 +7,7 @@ namespace arelem::certify {
 struct Allowed {
   double inner = 0.0, outer = 0.0;  ///< the gap may lie in [-inner, outer]
   double slack = 0.0;               ///< and beyond by this: rounding of the coordinates
+  bool figures = true;  ///< tell the extremes closely; if not, only decide, and end once refuted
 };
 
 /// One end of the range of the gap over a cut vector.

@@ -46,11 +46,30 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+using Tree = CGAL::AABB_tree<Traits>;
 
 Kernel::Point_3 point(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
+
+/// What CGAL's traversal asks; the query is in the search itself.
+struct Traversal {
+  TriangleSearch& search;
+  Triangles::const_iterator begin;
+
+  static bool go_further() { return true; }  // NOLINT(readability-identifier-naming): CGAL's names
+  void intersection(int, const Primitive& primitive) const {
+    search.visit(static_cast<std::size_t>(primitive.id() - begin));
+  }
+  // NOLINTNEXTLINE(readability-identifier-naming)
+  [[nodiscard]] bool do_intersect(int, const CGAL::AABB_node<Traits>& node) const {
+    const CGAL::Bbox_3& box = node.bbox();
+    const Vec3 low(box.xmin(), box.ymin(), box.zmin());
+    const Vec3 high(box.xmax(), box.ymax(), box.zmax());
+    return search.enters(0.5 * (low + high), 0.5 * (high - low));
+  }
+};
 
 class CgalTree final : public TriangleTree {
  public:
@@ -73,14 +92,9 @@ class CgalTree final : public TriangleTree {
     return static_cast<std::size_t>(found.second - triangles_.cbegin());
   }
 
-  void within(const Vec3& low, const Vec3& high, std::vector<std::size_t>& found) const override {
-    std::vector<Primitive::Id> ids;
-    tree_.all_intersected_primitives(
-        CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()),
-        std::back_inserter(ids));
-    for (const auto& id : ids) {
-      found.push_back(static_cast<std::size_t>(id - triangles_.cbegin()));
-    }
+  void search(TriangleSearch& search) const override {
+    Traversal traversal{search, triangles_.cbegin()};
+    tree_.traversal(0, traversal);
   }
 
  private:

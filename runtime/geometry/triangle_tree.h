@@ -1,10 +1,18 @@
 #pragma once
 #include <memory>
-#include <vector>
 
 #include "runtime/geometry/triangle_mesh.h"
 
 namespace arelem::geometry {
+
+/// Goes through a tree of boxes and skips those that cannot matter.
+class TriangleSearch {
+ public:
+  virtual ~TriangleSearch() = default;
+  /// Whether triangles inside this box could matter. `half`: half the box's lengths.
+  [[nodiscard]] virtual bool enters(const Vec3& center, const Vec3& half) = 0;
+  virtual void visit(std::size_t triangle) = 0;
+};
 
 /// Finds triangles of a mesh by place.
 class TriangleTree {
@@ -12,8 +20,8 @@ class TriangleTree {
   virtual ~TriangleTree() = default;
   /// The triangle nearest to p. `guess` is one that is likely to be near, or -1.
   [[nodiscard]] virtual std::size_t nearest(const Vec3& p, int guess) const = 0;
-  /// The triangles that meet the box from `low` to `high`, appended in no order that matters.
-  virtual void within(const Vec3& low, const Vec3& high, std::vector<std::size_t>& found) const = 0;
+  /// Visits every triangle whose boxes are all entered; always in the same order.
+  virtual void search(TriangleSearch& search) const = 0;
 };
 
 /// The mesh must have triangles; it is copied.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/tolerance.h"
 #include "runtime/certify/prove.h"
 
 namespace arelem::motion {
@@ -16,8 +17,6 @@ constexpr bool isFlat = std::is_same_v<S, surface::Plane>;
 template <surface::Surface S>
 constexpr bool isFaceted = std::is_same_v<S, surface::Mesh>;
 
-/// Proofs may miss the edge of the band by this share of it: cut vectors aim at the edge.
-constexpr double proofShare = 1e-4;
 constexpr double shortest = 0.5;
 constexpr double longest = 0.95;
 
@@ -25,7 +24,7 @@ double judged(certify::Probe& probe, const certify::Chord& chord, double inner, 
   probe.take(chord);
   certify::Node first = probe.at(0.0);
   const certify::Verdict v =
-      certify::prove(probe, {inner, outer, proofShare * (inner + outer)}, first);
+      certify::prove(probe, {inner, outer, tolerance::facetedSlack, false}, first);
   if (v.good()) {
     return 1.0;
   }

@@ -99,22 +99,10 @@ Contact contactOf(const surface::Mesh& s,
     const Vec3 core = te + cutter.f * axis;
     search.hint.triangle = static_cast<int>(shape.tree->nearest(core, -1));
   }
-  const TriangleCutter body(cutter, te, axis);
-  auto best = static_cast<std::size_t>(search.hint.triangle);
-  TriangleGap least = body.gapTo(shape.mesh, best);
-  std::vector<std::size_t> near;
-  const auto [low, high] = body.box(std::max(least.gap, 0.0));
-  shape.tree->within(low, high, near);
-  for (const std::size_t i : near) {
-    if (body.lowerBound(shape.mesh, i) < least.gap) {
-      const TriangleGap gap = body.gapTo(shape.mesh, i);
-      if (gap.gap < least.gap || (gap.gap == least.gap && i < best)) {
-        least = gap;
-        best = i;
-      }
-    }
-  }
-  search.hint.triangle = static_cast<int>(best);
+  auto nearest = static_cast<std::size_t>(search.hint.triangle);
+  const TriangleGap least =
+      leastGap(TriangleCutter(cutter, te, axis), shape.mesh, *shape.tree, nearest);
+  search.hint.triangle = static_cast<int>(nearest);
   return {least.gap, least.normal, least.onCutter};
 }
 }  // namespace

@@ -25,8 +25,11 @@ bool isInside(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n, const 
 }
 }  // namespace
 
-TriangleCutter::TriangleCutter(const Profile& cutter, const Vec3& te, const Vec3& axis)
-    : cutter_(cutter), te_(te), axis_(axis) {}
+TriangleCutter::TriangleCutter(const Profile& cutter,
+                               const Vec3& te,
+                               const Vec3& axis,
+                               const Vec3& sweep)
+    : cutter_(cutter), te_(te), axis_(axis), sweep_(sweep) {}
 
 double TriangleCutter::distance(const Vec3& place) const {
   const Vec3 w = place - te_;
@@ -35,33 +38,38 @@ double TriangleCutter::distance(const Vec3& place) const {
   return distanceTo(cutter_, {(w - z * axis_).norm(), z}, nearest);
 }
 
-/// The contact of the body with a point of the triangle.
-TriangleGap TriangleCutter::contactAt(const Vec3& place) const {
+TriangleCutter::Away TriangleCutter::away(const Vec3& place) const {
   const Vec3 w = place - te_;
   const double z = w.dot(axis_);
   const Vec3 across = w - z * axis_;
   const double rho = across.norm();
   const Vec3 out = rho > 0.0 ? Vec3(across / rho) : Vec3(axis_.unitOrthogonal());
   ProfilePoint q;
-  TriangleGap result;
-  result.gap = distanceTo(cutter_, {rho, z}, q);
-  result.onCutter = te_ + q.rho * out + q.z * axis_;
-  Vec3 away = place - result.onCutter;  // out of the body where the place is outside of it
-  if (std::abs(result.gap) <= touching) {
+  Away result;
+  result.distance = distanceTo(cutter_, {rho, z}, q);
+  double byRho = rho - q.rho;
+  double byZ = z - q.z;
+  if (std::abs(result.distance) <= touching) {
     // The direction in which the distance grows, from places around.
     ProfilePoint ignored;
     const double h = 1e-6 * (1.0 + cutter_.maxRadius());
-    const double byRho = distanceTo(cutter_, {rho + h, z}, ignored) -
-                         distanceTo(cutter_, {std::max(rho - h, 0.0), z}, ignored);
-    const double byZ =
-        distanceTo(cutter_, {rho, z + h}, ignored) - distanceTo(cutter_, {rho, z - h}, ignored);
-    away = byRho * out + byZ * axis_;
-  } else if (result.gap < 0.0) {
-    away = -away;
+    byRho = distanceTo(cutter_, {rho + h, z}, ignored) -
+            distanceTo(cutter_, {std::max(rho - h, 0.0), z}, ignored);
+    byZ = distanceTo(cutter_, {rho, z + h}, ignored) - distanceTo(cutter_, {rho, z - h}, ignored);
+  } else if (result.distance < 0.0) {
+    byRho = -byRho;
+    byZ = -byZ;
   }
-  const double length = away.norm();
-  result.normal = length > 0.0 ? Vec3(-away / length) : axis_;
+  const double length = std::sqrt(byRho * byRho + byZ * byZ);
+  result.gradient = length > 0.0 ? Vec3((byRho * out + byZ * axis_) / length) : Vec3(-axis_);
+  result.onCutter = te_ + q.rho * out + q.z * axis_;
   return result;
+}
+
+/// The contact of the body with a point of the triangle.
+TriangleGap TriangleCutter::contactAt(const Vec3& place) const {
+  const Away a = away(place);
+  return {a.distance, -a.gradient, a.onCutter};
 }
 
 /// The distance along an edge is convex: the zero of its slope by regula falsi (Illinois).
@@ -158,26 +166,70 @@ TriangleGap TriangleCutter::gapTo(const geometry::TriangleMesh& mesh, std::size_
   return best;
 }
 
+// The distance to a convex body is a convex function of the place and of the tool end: it lies
+// above its tangent at the middle. A ring has only its slope of 1.
+
+double TriangleCutter::lowerBound(const Vec3& center, const Vec3& half) const {
+  if (cutter_.ring) {
+    return distance(center) - half.norm() - sweep_.norm();
+  }
+  const Away a = away(center);
+  return a.distance - a.gradient.cwiseAbs().dot(half) - std::abs(a.gradient.dot(sweep_));
+}
+
 double TriangleCutter::lowerBound(const geometry::TriangleMesh& mesh, std::size_t triangle) const {
   const Vec3& a = mesh.corner(triangle, 0);
   const Vec3& b = mesh.corner(triangle, 1);
   const Vec3& c = mesh.corner(triangle, 2);
   const Vec3 center = (a + b + c) / 3.0;
-  const double radius = std::sqrt(std::max(
-      {(a - center).squaredNorm(), (b - center).squaredNorm(), (c - center).squaredNorm()}));
-  return distance(center) - radius;
+  if (cutter_.ring) {
+    const double radius = std::sqrt(std::max(
+        {(a - center).squaredNorm(), (b - center).squaredNorm(), (c - center).squaredNorm()}));
+    return distance(center) - radius - sweep_.norm();
+  }
+  const Away there = away(center);
+  const Vec3& n = there.gradient;
+  return there.distance + std::min({n.dot(a - center), n.dot(b - center), n.dot(c - center)}) -
+         std::abs(n.dot(sweep_));
 }
 
-std::pair<Vec3, Vec3> TriangleCutter::box(double beyond) const {
-  const double low = std::min(0.0, cutter_.f - cutter_.r);
-  const double half = 0.5 * (cutter_.h - low);
-  const Vec3 center = te_ + 0.5 * (cutter_.h + low) * axis_;
-  Vec3 extent;
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    extent[i] = half * std::abs(axis_[i]) +
-                cutter_.maxRadius() * std::sqrt(std::max(0.0, 1.0 - axis_[i] * axis_[i])) + beyond;
+namespace {
+class LeastGap final : public geometry::TriangleSearch {
+ public:
+  LeastGap(const TriangleCutter& cutter, const geometry::TriangleMesh& mesh, std::size_t start)
+      : cutter_(cutter), mesh_(mesh), nearest(start), least(cutter.gapTo(mesh, start)) {}
+
+  bool enters(const Vec3& center, const Vec3& half) override {
+    return cutter_.lowerBound(center, half) <= least.gap;
   }
-  return {center - extent, center + extent};
+  void visit(std::size_t i) override {
+    if (i != nearest && cutter_.lowerBound(mesh_, i) <= least.gap) {
+      const TriangleGap gap = cutter_.gapTo(mesh_, i);
+      if (gap.gap < least.gap || (gap.gap == least.gap && i < nearest)) {
+        least = gap;
+        nearest = i;
+      }
+    }
+  }
+
+ private:
+  const TriangleCutter& cutter_;
+  const geometry::TriangleMesh& mesh_;
+
+ public:
+  std::size_t nearest;
+  TriangleGap least;
+};
+}  // namespace
+
+TriangleGap leastGap(const TriangleCutter& cutter,
+                     const geometry::TriangleMesh& mesh,
+                     const geometry::TriangleTree& tree,
+                     std::size_t& triangle) {
+  LeastGap search(cutter, mesh, triangle);
+  tree.search(search);
+  triangle = search.nearest;
+  return search.least;
 }
 
 }  // namespace arelem::tool

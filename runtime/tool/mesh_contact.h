@@ -1,8 +1,7 @@
 #pragma once
 #include <optional>
-#include <utility>
 
-#include "runtime/geometry/triangle_mesh.h"
+#include "runtime/geometry/triangle_tree.h"
 #include "runtime/tool/profile.h"
 
 namespace arelem::tool {
@@ -16,18 +15,29 @@ struct TriangleGap {
   Vec3 onCutter = Vec3::Zero();  ///< the contact
 };
 
-/// A cutter in one position, against triangles.
+/// A cutter in one position, or on a straight way through it, against triangles.
 class TriangleCutter {
  public:
-  TriangleCutter(const Profile& cutter, const Vec3& te, const Vec3& axis);
+  /// `sweep`: the bounds hold for all tool ends from te - sweep to te + sweep.
+  TriangleCutter(const Profile& cutter,
+                 const Vec3& te,
+                 const Vec3& axis,
+                 const Vec3& sweep = Vec3::Zero());
 
   [[nodiscard]] TriangleGap gapTo(const geometry::TriangleMesh& mesh, std::size_t triangle) const;
   /// Never more than the gap.
   [[nodiscard]] double lowerBound(const geometry::TriangleMesh& mesh, std::size_t triangle) const;
-  /// Corners of a box that holds all places nearer to the cutter than `beyond`.
-  [[nodiscard]] std::pair<Vec3, Vec3> box(double beyond) const;
+  /// Never more than the gap to anything in the box. `half`: half its lengths.
+  [[nodiscard]] double lowerBound(const Vec3& center, const Vec3& half) const;
 
  private:
+  /// The signed distance of a place to the body, and its gradient.
+  struct Away {
+    double distance = 0.0;
+    Vec3 gradient = Vec3::Zero();
+    Vec3 onCutter = Vec3::Zero();
+  };
+  [[nodiscard]] Away away(const Vec3& place) const;
   [[nodiscard]] double distance(const Vec3& place) const;
   [[nodiscard]] std::optional<TriangleGap> ballGap(const Vec3& a,
                                                    const Vec3& b,
@@ -36,7 +46,13 @@ class TriangleCutter {
   void considerEdge(const Vec3& a, const Vec3& b, TriangleGap& best) const;
 
   const Profile& cutter_;
-  Vec3 te_, axis_;
+  Vec3 te_, axis_, sweep_;
 };
+
+/// The least gap to a mesh. `triangle` is one that is likely to be near, and becomes the nearest.
+[[nodiscard]] TriangleGap leastGap(const TriangleCutter& cutter,
+                                   const geometry::TriangleMesh& mesh,
+                                   const geometry::TriangleTree& tree,
+                                   std::size_t& triangle);
 
 }  // namespace arelem::tool
