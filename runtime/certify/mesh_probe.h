@@ -15,7 +15,10 @@ class MeshProbe final : public Probe {
     reach_ = std::hypot(cutter_.maxRadius(), std::max(cutter_.h, cutter_.f + cutter_.r));
   }
 
-  void take(const Chord& chord) override { chord_ = chord; }
+  void take(const Chord& chord) override {
+    chord_ = chord;
+    floor_ = -unbounded;
+  }
   Node resume(const Node& previous) override { return turned(previous, chord_); }
 
   Node at(double s) override {
@@ -35,7 +38,14 @@ class MeshProbe final : public Probe {
 
   Stretch over(const Node& a, const Node& b, double aim) override {
     Stretch result;
-    result.low = lowest(a, b, aim);
+    if (floor_ >= aim) {
+      result.low = floor_;
+    } else {
+      result.low = lowest(a, b, aim);
+      if (a.s == 0.0 && b.s == 1.0) {
+        floor_ = result.low;
+      }
+    }
     result.high = highest(a, b);
     return result;
   }
@@ -66,16 +76,19 @@ class MeshProbe final : public Probe {
           least(aim) {}
 
     bool enters(const Vec3& center, const Vec3& half) override {
-      return between_.lowerBound(center, half) - thick_ - wide_ < least;
+      return between_.mayReach(center, half, least + thick_ + wide_);
     }
     void visit(std::size_t i) override {
-      if (between_.lowerBound(mesh_, i) - thick_ - wide_ >= least) {
+      if (!between_.mayReach(mesh_, i, least + thick_ + wide_)) {
         return;
       }
       const tool::TriangleGap p = first_.gapTo(mesh_, i);
       const tool::TriangleGap q = last_.gapTo(mesh_, i);
-      const Known left{p.gap - thick_, p.gap - thick_, p.normal.dot(chord_.step())};
-      const Known right{q.gap - thick_, q.gap - thick_, q.normal.dot(chord_.step())};
+      const double steepest = chord_.length();
+      const double leaves = p.tangent ? p.normal.dot(chord_.step()) : -steepest;
+      const double arrives = q.tangent ? q.normal.dot(chord_.step()) : steepest;
+      const Known left{p.gap - thick_, p.gap - thick_, leaves};
+      const Known right{q.gap - thick_, q.gap - thick_, arrives};
       const double low = between(left, right, h_, {0.0, unbounded}, chord_.length()).low;
       least = std::min(least, low - wide_);
     }
@@ -118,6 +131,7 @@ class MeshProbe final : public Probe {
   tool::Profile cutter_;
   double thick_, reach_;
   Chord chord_;
+  double floor_ = -unbounded;  ///< proven for the whole cut vector
   tool::Search<surface::Mesh> search_;
 };
 

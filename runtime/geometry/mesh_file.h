@@ -10,7 +10,7 @@ enum class MeshFormat : std::uint8_t { stl, obj, ply, off };
 [[nodiscard]] std::string_view spell(MeshFormat format);
 
 /// The triangles of a file's bytes; polygons are cut into fans. STL as text or binary: binary if
-/// its length fits its count, whatever its header begins with. Errors: E0341 with what is wrong
+/// its length fits its count, whatever its header begins with. Errors: E0344 with what is wrong
 /// where, and those of `checkedMesh`.
 [[nodiscard]] Result<TriangleMesh> readMesh(std::string_view bytes,
                                             MeshFormat format,

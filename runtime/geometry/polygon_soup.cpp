@@ -21,9 +21,10 @@ std::optional<TriangleMesh> readPolygons(std::string_view bytes, MeshFormat form
   std::vector<SoupPolygon> polygons;
   try {
     std::istringstream in{std::string(bytes)};
-    const bool good = format == MeshFormat::obj   ? CGAL::IO::read_OBJ(in, points, polygons)
-                      : format == MeshFormat::ply ? CGAL::IO::read_PLY(in, points, polygons)
-                                                  : CGAL::IO::read_OFF(in, points, polygons);
+    const auto quiet = CGAL::parameters::verbose(false);
+    const bool good = format == MeshFormat::obj   ? CGAL::IO::read_OBJ(in, points, polygons, quiet)
+                      : format == MeshFormat::ply ? CGAL::IO::read_PLY(in, points, polygons, quiet)
+                                                  : CGAL::IO::read_OFF(in, points, polygons, quiet);
     if (!good) {
       return std::nullopt;
     }

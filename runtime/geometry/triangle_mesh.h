@@ -26,8 +26,8 @@ struct TriangleMesh {
   }
 };
 
-/// Joins vertices at the same place and leaves out triangles without area. Errors: E0341 no
-/// triangles or not finite, E0342 an edge of more than two triangles, E0343 neighbors that are
+/// Joins vertices at the same place and leaves out triangles without area. Errors: E0344 no
+/// triangles or not finite, E0345 an edge of more than two triangles, E0346 neighbors that are
 /// turned against each other.
 [[nodiscard]] Result<TriangleMesh> checkedMesh(TriangleMesh mesh, std::string_view name);
 

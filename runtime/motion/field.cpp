@@ -48,7 +48,7 @@ class OnField final : public Field {
       }
       return judged(*probe_, chord, inner, outer);
     }
-    return 1.0;
+    return tolerance::farAway;
   }
 
  private:
@@ -75,7 +75,7 @@ class CutterField final : public Field {
       }
       return judged(*probe_, chord, inner, outer);
     }
-    return 1.0;
+    return tolerance::farAway;
   }
 
  private:
@@ -89,7 +89,7 @@ class CutterField final : public Field {
 }  // namespace
 
 double Field::judge(const certify::Chord&, double, double) {
-  return 1.0;
+  return tolerance::farAway;
 }
 
 std::unique_ptr<Field> makeField(const surface::AnySurface& any, double side, Tool tool) {

@@ -18,7 +18,7 @@ class Field {
   virtual tool::Contact at(const Vec3& toolEnd, const Vec3& axis) = 0;
   /// Whether the gap stays in [-inner, outer] over the whole straight cut vector between two
   /// positions: 1 if that is proven, else a factor below 1 by which to shorten it. Smooth surfaces
-  /// always say 1: there the slopes at a few places tell enough.
+  /// set no limit: there the slopes at a few places tell enough.
   [[nodiscard]] virtual double judge(const certify::Chord& chord, double inner, double outer);
   /// True where the gap is a linear function of the tool end (planes).
   [[nodiscard]] bool flat() const { return flat_; }

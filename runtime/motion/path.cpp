@@ -128,8 +128,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
                                                 second, inner, outer})});
     if (factor >= 1.0 - tolerance::coincidence) {
       const certify::Chord straight(a.toolEnd, b.toolEnd, a.axis, b.axis);
-      const double judged = guides[i].field->judge(straight, inner, outer);
-      factor = judged < 1.0 ? judged : factor;
+      factor = std::min(factor, guides[i].field->judge(straight, inner, outer));
     }
   }
   return factor;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/tolerance.h"
 #include "runtime/geometry/triangle_tree.h"
 
 namespace arelem::tool {
@@ -17,6 +18,8 @@ constexpr int ringParts = 8;
 constexpr double flatEdge = 1e-10;
 /// Distances below this have no direction of their own. Part unit.
 constexpr double touching = 1e-11;
+/// Golden sections of the length of a cutter: they end at 1e-12 of it.
+constexpr int sections = 58;
 
 /// True where p, a point of the plane of a, b, c with normal n, lies in the triangle.
 bool isInside(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n, const Vec3& p) {
@@ -85,8 +88,12 @@ void TriangleCutter::considerEdge(const Vec3& a, const Vec3& b, TriangleGap& bes
     }
     const auto slopeAt = [&](double t) {
       const TriangleGap c = contactAt(a + t * edge);
-      best = c.gap < best.gap ? c : best;
-      return -c.normal.dot(edge);
+      const double slope = -c.normal.dot(edge);
+      if (c.gap < best.gap) {
+        best = c;
+        best.tangent = c.gap >= 0.0 || std::abs(slope) <= flatEdge * length;
+      }
+      return slope;
     };
     double atLow = slopeAt(low);
     double atHigh = slopeAt(high);
@@ -132,6 +139,55 @@ std::optional<TriangleGap> TriangleCutter::ballGap(const Vec3& a,
   return TriangleGap{distance - cutter_.r, normal, center - cutter_.r * normal};
 }
 
+/// Support of the cutter towards a plane through `on`, by the side of its normal.
+TriangleGap TriangleCutter::ofPlane(const Vec3& on, const Vec3& normal) const {
+  const double nz = normal.dot(axis_);
+  const ProfilePoint q = farthestAgainst(cutter_, nz);
+  const Vec3 across = nz * axis_ - normal;
+  const double length = across.norm();
+  const Vec3 deepest =
+      te_ + q.z * axis_ +
+      q.rho * (length > 0.0 ? Vec3(across / length) : Vec3(axis_.unitOrthogonal()));
+  return {normal.dot(deepest - on), normal, deepest};
+}
+
+/// The place of a plane that is deepest inside the cutter, where that is more than its corner is
+/// round: by symmetry it lies in the plane of axis and normal. The least of a convex function by
+/// golden sections.
+Vec3 TriangleCutter::deepestPlace(const Vec3& on, const Vec3& normal) const {
+  constexpr double golden = 0.6180339887498949;
+  const Vec3 start = te_ - normal.dot(te_ - on) * normal;
+  const Vec3 across = axis_ - normal.dot(axis_) * normal;
+  const double steep = across.norm();
+  if (steep <= tolerance::rounding) {
+    return start;
+  }
+  const Vec3 along = across / steep;
+  const auto at = [&](double t) { return distance(start + t * along); };
+  double high = cutter_.h + cutter_.maxRadius();
+  double low = -high;
+  double x1 = high - golden * (high - low);
+  double x2 = low + golden * (high - low);
+  double f1 = at(x1);
+  double f2 = at(x2);
+  for (int i = 0; i < sections; ++i) {
+    if (f1 <= f2) {
+      high = x2;
+      x2 = x1;
+      f2 = f1;
+      x1 = high - golden * (high - low);
+      f1 = at(x1);
+    } else {
+      low = x1;
+      x1 = x2;
+      f1 = f2;
+      x2 = low + golden * (high - low);
+      f2 = at(x2);
+    }
+  }
+  return start + 0.5 * (low + high) * along;
+}
+
 TriangleGap TriangleCutter::gapTo(const geometry::TriangleMesh& mesh, std::size_t triangle) const {
   const Vec3& a = mesh.corner(triangle, 0);
   const Vec3& b = mesh.corner(triangle, 1);
@@ -140,19 +196,22 @@ TriangleGap TriangleCutter::gapTo(const geometry::TriangleMesh& mesh, std::size_
     return *ball;
   }
   const Vec3 up = (b - a).cross(c - a).normalized();
-  // The side from which the cutter comes: that of the middle of its axis.
-  const Vec3 middle = te_ + std::max(cutter_.f, std::min(cutter_.h, cutter_.d) / 2) * axis_;
-  const Vec3 normal = up.dot(middle - a) < 0.0 ? Vec3(-up) : up;
-  const double nz = normal.dot(axis_);
-  const ProfilePoint q = farthestAgainst(cutter_, nz);
-  const Vec3 across = nz * axis_ - normal;
-  const double length = across.norm();
-  const Vec3 deepest =
-      te_ + q.z * axis_ +
-      q.rho * (length > 0.0 ? Vec3(across / length) : Vec3(axis_.unitOrthogonal()));
-  const double gap = normal.dot(deepest - a);
-  if (isInside(a, b, c, up, deepest - gap * normal)) {
-    return {gap, normal, deepest};
+  const TriangleGap above = ofPlane(a, up);
+  const TriangleGap below = ofPlane(a, -up);
+  const TriangleGap& plane = above.gap >= below.gap ? above : below;
+  const Vec3 place = plane.onCutter - plane.gap * plane.normal;
+  // Outside the plane, and inside as far as the cutter is round, the place is the plane's nearest.
+  const bool nearest = plane.gap >= 0.0 || distance(place) <= plane.gap + touching;
+  if (nearest && isInside(a, b, c, up, place)) {
+    return plane;
+  }
+  if (!nearest && !cutter_.ring) {
+    const Vec3 deepest = deepestPlace(a, up);
+    if (isInside(a, b, c, up, deepest)) {
+      TriangleGap inside = contactAt(deepest);
+      inside.tangent = false;
+      return inside;
+    }
   }
   TriangleGap best = contactAt(a);
   for (const Vec3& corner : {b, c}) {
@@ -166,18 +225,40 @@ TriangleGap TriangleCutter::gapTo(const geometry::TriangleMesh& mesh, std::size_
   return best;
 }
 
-// The distance to a convex body is a convex function of the place and of the tool end: it lies
-// above its tangent at the middle. A ring has only its slope of 1.
-
-double TriangleCutter::lowerBound(const Vec3& center, const Vec3& half) const {
-  if (cutter_.ring) {
-    return distance(center) - half.norm() - sweep_.norm();
+/// The distance to a convex body is a convex function of the place and of the tool end together: it
+/// lies above its tangents. One in the middle of the way often says enough, else a second one at
+/// the end towards which the tool comes nearer. A ring has only its slope of 1. `spread`: the most
+/// that a gradient changes from the center to anywhere else, downwards.
+template <class Spread>
+bool TriangleCutter::mayReachAround(const Vec3& center, double gap, Spread spread) const {
+  const Away middle = away(center);
+  const double low = middle.distance - spread(middle.gradient);
+  const double fall = middle.gradient.dot(sweep_);  // towards te + sweep
+  if (low - std::abs(fall) > gap || low <= gap) {
+    return low <= gap;
   }
-  const Away a = away(center);
-  return a.distance - a.gradient.cwiseAbs().dot(half) - std::abs(a.gradient.dot(sweep_));
+  const double sense = fall > 0.0 ? 1.0 : -1.0;
+  const Away end = away(center - sense * sweep_);  // as if the tool had moved
+  const double lowThere = end.distance - spread(end.gradient);
+  const double fallThere = sense * end.gradient.dot(sweep_);
+  if (lowThere <= gap || fallThere >= 0.0) {
+    return lowThere <= gap;
+  }
+  const double steep = sense * fall;
+  const double s = (low - lowThere - fallThere) / (steep - fallThere);
+  return low - steep * s <= gap;
 }
 
-double TriangleCutter::lowerBound(const geometry::TriangleMesh& mesh, std::size_t triangle) const {
+bool TriangleCutter::mayReach(const Vec3& center, const Vec3& half, double gap) const {
+  if (cutter_.ring) {
+    return distance(center) - half.norm() - sweep_.norm() <= gap;
+  }
+  return mayReachAround(center, gap, [&](const Vec3& n) { return n.cwiseAbs().dot(half); });
+}
+
+bool TriangleCutter::mayReach(const geometry::TriangleMesh& mesh,
+                              std::size_t triangle,
+                              double gap) const {
   const Vec3& a = mesh.corner(triangle, 0);
   const Vec3& b = mesh.corner(triangle, 1);
   const Vec3& c = mesh.corner(triangle, 2);
@@ -185,12 +266,11 @@ double TriangleCutter::lowerBound(const geometry::TriangleMesh& mesh, std::size_
   if (cutter_.ring) {
     const double radius = std::sqrt(std::max(
         {(a - center).squaredNorm(), (b - center).squaredNorm(), (c - center).squaredNorm()}));
-    return distance(center) - radius - sweep_.norm();
+    return distance(center) - radius - sweep_.norm() <= gap;
   }
-  const Away there = away(center);
-  const Vec3& n = there.gradient;
-  return there.distance + std::min({n.dot(a - center), n.dot(b - center), n.dot(c - center)}) -
-         std::abs(n.dot(sweep_));
+  return mayReachAround(center, gap, [&](const Vec3& n) {
+    return -std::min({n.dot(a - center), n.dot(b - center), n.dot(c - center)});
+  });
 }
 
 namespace {
@@ -200,10 +280,10 @@ class LeastGap final : public geometry::TriangleSearch {
       : cutter_(cutter), mesh_(mesh), nearest(start), least(cutter.gapTo(mesh, start)) {}
 
   bool enters(const Vec3& center, const Vec3& half) override {
-    return cutter_.lowerBound(center, half) <= least.gap;
+    return cutter_.mayReach(center, half, least.gap);
   }
   void visit(std::size_t i) override {
-    if (i != nearest && cutter_.lowerBound(mesh_, i) <= least.gap) {
+    if (i != nearest && cutter_.mayReach(mesh_, i, least.gap)) {
       const TriangleGap gap = cutter_.gapTo(mesh_, i);
       if (gap.gap < least.gap || (gap.gap == least.gap && i < nearest)) {
         least = gap;

@@ -13,6 +13,9 @@ struct TriangleGap {
   double gap = 0.0;
   Vec3 normal = Vec3::UnitZ();   ///< unit, from the triangle to the cutter; the gradient of the gap
   Vec3 onCutter = Vec3::Zero();  ///< the contact
+  /// The gap of other tool ends lies above the tangent of this one. Not so where the triangle is
+  /// inside an edge of the cutter.
+  bool tangent = true;
 };
 
 /// A cutter in one position, or on a straight way through it, against triangles.
@@ -25,10 +28,12 @@ class TriangleCutter {
                  const Vec3& sweep = Vec3::Zero());
 
   [[nodiscard]] TriangleGap gapTo(const geometry::TriangleMesh& mesh, std::size_t triangle) const;
-  /// Never more than the gap.
-  [[nodiscard]] double lowerBound(const geometry::TriangleMesh& mesh, std::size_t triangle) const;
-  /// Never more than the gap to anything in the box. `half`: half its lengths.
-  [[nodiscard]] double lowerBound(const Vec3& center, const Vec3& half) const;
+  /// False where no place of the triangle, and none of the box, comes nearer than `gap` (anywhere
+  /// on the way); true where it may. `half`: half the box's lengths.
+  [[nodiscard]] bool mayReach(const geometry::TriangleMesh& mesh,
+                              std::size_t triangle,
+                              double gap) const;
+  [[nodiscard]] bool mayReach(const Vec3& center, const Vec3& half, double gap) const;
 
  private:
   /// The signed distance of a place to the body, and its gradient.
@@ -38,12 +43,16 @@ class TriangleCutter {
     Vec3 onCutter = Vec3::Zero();
   };
   [[nodiscard]] Away away(const Vec3& place) const;
+  template <class Spread>
+  [[nodiscard]] bool mayReachAround(const Vec3& center, double gap, Spread spread) const;
   [[nodiscard]] double distance(const Vec3& place) const;
   [[nodiscard]] std::optional<TriangleGap> ballGap(const Vec3& a,
                                                    const Vec3& b,
                                                    const Vec3& c) const;
   [[nodiscard]] TriangleGap contactAt(const Vec3& place) const;
   void considerEdge(const Vec3& a, const Vec3& b, TriangleGap& best) const;
+  [[nodiscard]] TriangleGap ofPlane(const Vec3& on, const Vec3& normal) const;
+  [[nodiscard]] Vec3 deepestPlace(const Vec3& on, const Vec3& normal) const;
 
   const Profile& cutter_;
   Vec3 te_, axis_, sweep_;

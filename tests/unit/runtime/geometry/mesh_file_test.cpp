@@ -60,7 +60,7 @@ std::string stlBinary(const TriangleMesh& mesh, std::string_view header = "solid
 
 std::string refusal(std::string_view bytes, MeshFormat format) {
   Result<TriangleMesh> mesh = readMesh(bytes, format, "x");
-  return mesh ? "" : mesh.takeFailure().take().message;
+  return mesh ? "" : mesh.takeFailure().message;
 }
 
 TEST(MeshFile, EveryFormatGivesTheSameTetrahedron) {

@@ -1,0 +1,142 @@
+"""MESH: paths along triangles of a file, and files that are none."""
+import json
+import math
+import re
+import struct
+import unittest
+
+from arelem_run import ArelemCase
+
+RADIUS = 40.0
+PROGRAM = """PARTNO MESH
+INTOL/0.01
+OUTTOL/0.01
+CUTTER/{cutter}
+M1={surface}
+LX1=PLANE/1,0,0,-12
+LX2=PLANE/1,0,0,12
+FROM/-20,0,60
+GO/ON,(PLANE/0,1,0,{y}),TO,M1,ON,LX1
+INDIRV/1,0,0
+TLON,GOFWD/(PLANE/0,1,0,{y}),ON,LX2
+FINI
+"""
+
+
+def facets(height, size, count):
+    """Triangles over a square grid, seen from above counterclockwise."""
+    def point(i, j):
+        x, y = -size + 2 * size * i / count, -size + 2 * size * j / count
+        return x, y, height(x, y)
+    for i in range(count):
+        for j in range(count):
+            a, b, c, d = point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)
+            yield a, b, c
+            yield a, c, d
+
+
+def stl(triangles):
+    triangles = list(triangles)
+    parts = [b"made by a test".ljust(80), struct.pack("<I", len(triangles))]
+    for t in triangles:
+        parts.append(struct.pack("<12fH", 0, 0, 0, *[c for p in t for c in p], 0))
+    return b"".join(parts)
+
+
+def off(triangles):
+    points, faces = {}, []
+    for t in triangles:
+        faces.append([points.setdefault(p, len(points)) for p in t])
+    lines = ["OFF", f"{len(points)} {len(faces)} 0"]
+    lines += [" ".join(repr(c) for c in p) for p in points]
+    lines += ["3 " + " ".join(map(str, f)) for f in faces]
+    return "\n".join(lines) + "\n"
+
+
+def dome(x, y):
+    return math.sqrt(RADIUS * RADIUS - x * x - y * y) - RADIUS
+
+
+def points(text):
+    found = re.findall(r"^\s*GOTO */ *([-\d.E+]+) *, *([-\d.E+]+) *, *([-\d.E+]+)", text, re.M)
+    return [tuple(map(float, p)) for p in found]
+
+
+class Mesh(ArelemCase):
+    def path(self, cutter, surface, y=1.5):
+        self.write("part.apt", PROGRAM.format(cutter=cutter, surface=surface, y=y))
+        self.assertExit(0, "part.apt", "-o", "-", "--to", "cl")
+        return points(self.out)
+
+    def proven(self):
+        self.assertExit(0, "verify", "part.apt", "--json")
+        self.assertIn("all tolerances are proven", self.err)
+
+    def test_a_flat_mesh_is_a_plane(self):
+        self.write("flat.stl", stl(facets(lambda x, y: 0.0, 20, 7)))
+        for cutter in ("6,3", "6,1", "6"):
+            with self.subTest(cutter=cutter):
+                found = self.path(cutter, "MESH/STL,'flat.stl'")
+                self.assertAlmostEqual(found[0][0], -12, 6)
+                self.assertAlmostEqual(found[-1][0], 12, 6)
+                for p in found:
+                    self.assertAlmostEqual(p[1], 1.5, 6)
+                    self.assertLess(abs(p[2]), 0.010001)
+                self.proven()
+
+    def test_a_fine_mesh_of_a_sphere_gives_the_path_of_the_sphere(self):
+        self.write("dome.off", off(facets(dome, 20, 120)))
+        for cutter in ("6,3", "6,1", "6"):
+            with self.subTest(cutter=cutter):
+                mesh = self.path(cutter, "MESH/OFF,'dome.off'")
+                self.proven()
+                # Facets of 1/3 lie at most (1/3)^2 / (4 * 40) below the sphere; the band is 0.02.
+                sphere = self.path(cutter, f"SPHERE/0,0,{-RADIUS},{RADIUS}")
+                for a, b in ((mesh[0], sphere[0]), (mesh[-1], sphere[-1])):
+                    self.assertLess(math.dist(a, b), 0.021)
+                if cutter == "6,3":
+                    for p in mesh:
+                        away = math.dist((p[0], p[1], p[2] + 3), (0, 0, -RADIUS)) - RADIUS - 3
+                        self.assertLess(abs(away), 0.0108)
+
+    def test_a_mesh_stops_a_motion(self):
+        # A wall of two triangles at x = 5; the cutter of radius 3 stops at x = 2.
+        wall = [((5, -9, -5), (5, 9, 30), (5, 9, -5)), ((5, -9, -5), (5, -9, 30), (5, 9, 30))]
+        self.write("wall.stl", stl(wall))
+        self.write("part.apt", PROGRAM.format(cutter="6", surface="PLANE/0,0,1,0", y=0).replace(
+            "ON,LX2", "TO,WALL").replace("FROM", "WALL=MESH/STL,'wall.stl'\nFROM"))
+        self.assertExit(0, "part.apt", "-o", "-", "--to", "cl")
+        last = points(self.out)[-1]
+        for found, wanted in zip(last, (2.0, 0.0, 0.0)):
+            self.assertLess(abs(found - wanted), 0.010001)
+
+    def test_a_path_that_was_moved_is_refuted(self):
+        self.write("dome.off", off(facets(dome, 20, 40)))
+        self.path("6,3", "MESH/OFF,'dome.off'")
+        made = self.out
+        self.write("low.cls", re.sub(r"(GOTO */[^,]*,[^,]*,) *([-\d.E+]+)",
+                                     lambda m: f"{m[1]}{float(m[2]) - 0.05:.9f}", made))
+        self.assertExit(5, "verify", "part.apt", "low.cls")
+        self.assertIn("E0904", self.err)
+
+    def test_what_is_no_mesh_is_refused(self):
+        cases = {
+            "none.stl": (None, "E0731"),
+            "cut.stl": (stl(facets(dome, 20, 3))[:-7], "E0344"),
+            "text.stl": (b"PARTNO NO MESH\nFINI\n", "E0344"),
+            "leaves.off": (b"OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n", "E0345"),
+            "turned.off": (b"OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 2 3\n", "E0346"),
+        }
+        for name, (content, code) in cases.items():
+            with self.subTest(name=name):
+                if content is not None:
+                    self.write(name, content)
+                kind = name.rsplit(".", 1)[1].upper()
+                self.write("part.apt", f"M1=MESH/{kind},'{name}'\nPRINT/3,M1\nFINI\n")
+                self.assertNotEqual(self.run_arelem("check", "part.apt", "--diagnostics", "json"), 0)
+                codes = [json.loads(line)["code"] for line in self.err.splitlines() if line.startswith("{")]
+                self.assertIn(code, codes, self.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
