@@ -45,6 +45,7 @@ CANON = {
            "of each point",
     "REGION": "unit normal i j k, number of boundaries, then of each the number of corners and their x y z; holes run clockwise",
     "REVOLV": "x y z and unit direction i j k of the axis, first and last angle (degrees), then the numbers of the TABCYL",
+    "MESH": "numbers of vertices and of triangles, x y z of each vertex, three vertex numbers (from 1) of each triangle",
     "TYPE": "those of the type",
 }
 ABOUT = {
@@ -57,6 +58,9 @@ ABOUT = {
     "REGION": "What is painted, in one plane. Boundaries close by themselves, must not cross or touch, and lie in each other: "
               "a HOLE in an outline, an ISLAND in a hole or outside. [Spray painting](../spray.md).",
     "REVOLV": "A surface of revolution, for SPRAY. Angles count from the curve's own place.",
+    "MESH": "Triangles whose normals, by the order of their corners, stand on the positive side. Drive, part and check surface as "
+            "any other; each edge belongs to one triangle or two. Cut vectors are proven over all triangles below them. Lengths "
+            "are in the unit of the program.",
     "TYPE": "Canonical input for every type, and copies with some numbers replaced.",
 }
 CLASSES = {

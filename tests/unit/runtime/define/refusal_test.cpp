@@ -242,7 +242,10 @@ TEST(Refusal, Canonical) {
       {T::tabulatedCylinder, {W::CANON, 3.0, 1.0, 1.0}, "WrongCanonicalCount"},
       {T::ruledSurface, {W::CANON, 13.0, 4.0, 0.0, 0.0, 0.0, 1.0}, "WrongCanonicalCount"},
       {T::ruledSurface, {W::CANON, 53.0, 4.0, 0.0, 0.0, 0.0, 1.0}, "BadCanonicalValue"},
-      {T::mesh, {W::CANON, 1.0}, "NoSuchForm"},
+      {T::mesh, {W::CANON, 1.0}, "WrongCanonicalCount"},
+      {T::mesh,
+       {W::CANON, 3.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 4.0},
+       "BadCanonicalValue"},
   });
 }
 
