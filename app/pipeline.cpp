@@ -65,8 +65,8 @@ bool load(Compilation& job,
 bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) {
   const Stopwatch watch(job.seconds.evaluate);
   job.evaluation = runtime::evaluate(
-      job.program,
-      {job.settings.limits, &interrupted, dataFiles(job), history, job.progress}, job.log);
+      job.program, {job.settings.limits, &interrupted, dataFiles(job), history, job.progress},
+      job.log);
   return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
 }
 
@@ -75,9 +75,11 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
-  job.motion = runtime::execute(job.evaluation.actions,
-                                {job.settings.limits, &interrupted, {}, false, {}}, *smoother, job.log);
+  job.motion =
+      runtime::execute(job.evaluation.actions, {job.settings.limits, &interrupted, {}, false, {}},
+                       *smoother, job.log);
   smoother->finish();
+  job.smoothed = smoother->facts();
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;
 }

@@ -24,7 +24,8 @@ std::string classOf(const NameFacts& facts) {
 /// Types that are too large to be stored without a name.
 bool needsName(EntityType type) {
   return type == EntityType::tabulatedCylinder || type == EntityType::polyconic ||
-         type == EntityType::ruledSurface || type == EntityType::pattern;
+         type == EntityType::ruledSurface || type == EntityType::pattern ||
+         type == EntityType::pathSpline;
 }
 }  // namespace
 

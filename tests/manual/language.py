@@ -45,6 +45,8 @@ CANON = {
            "of each point",
     "REGION": "unit normal i j k, number of boundaries, then of each the number of corners and their x y z; holes run clockwise",
     "REVOLV": "x y z and unit direction i j k of the axis, first and last angle (degrees), then the numbers of the TABCYL",
+    "BSPLIN": "0 (open) or 1 (closed), number m of control points, the different knots, x y z of each control point (closed: from "
+              "the last one on)",
     "TYPE": "those of the type",
 }
 ABOUT = {
@@ -57,6 +59,8 @@ ABOUT = {
     "REGION": "What is painted, in one plane. Boundaries close by themselves, must not cross or touch, and lie in each other: "
               "a HOLE in an outline, an ISLAND in a hole or outside. [Spray painting](../spray.md).",
     "REVOLV": "A surface of revolution, for SPRAY. Angles count from the curve's own place.",
+    "BSPLIN": "A cubic B-spline that a tool follows with GOTO/spline. Open ones begin and end in their end points, closed ones go "
+              "round; curvature is continuous. [Smooth paths](../smoothing.md).",
     "TYPE": "Canonical input for every type, and copies with some numbers replaced.",
 }
 CLASSES = {

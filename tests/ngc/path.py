@@ -74,7 +74,7 @@ def cl_locations(text):
             if record["word"] == "RAPID":
                 rapid = True
             elif record["word"] == "FEDRAT":
-                feed = next(a for a in record["args"] if not isinstance(a, str))
+                feed = next(a for a in record["args"] if not isinstance(a, str)) * (60 if "MMPS" in record["args"] else 1)
             elif record["word"] == "CYCLE":
                 numbers = [a for a in record["args"] if not isinstance(a, str)]
                 hole = (abs(numbers[0]), numbers[2]) if numbers else None
