@@ -72,6 +72,10 @@ std::size_t statementCount(const ir::Program& program) {
   return count;
 }
 
+std::uint32_t lineOf(const Compilation& job, const Span& at) {
+  return job.sources.locate(at.buffer, at.begin).line;
+}
+
 void printSummary(const PlannedJob& plan, const Compilation& job, const OutputSet& outputs) {
   const auto& spent = job.seconds;
   const double seconds = spent.parse + spent.evaluate + spent.execute + spent.write;
@@ -84,6 +88,21 @@ void printSummary(const PlannedJob& plan, const Compilation& job, const OutputSe
       << fmt::format("   {:.1f} ms: parse {:.1f}, geometry {:.1f}, motion {:.1f}, files {:.1f}\n",
                      seconds * 1e3, spent.parse * 1e3, spent.evaluate * 1e3, spent.execute * 1e3,
                      spent.write * 1e3);
+  if (job.time && job.time->moves > 0) {
+    std::cerr << fmt::format(
+        "   machining time {:.3f} s: cutting {:.3f}, rapid {:.3f}, dwell {:.3f}, "
+        "{} tool changes {:.3f}\n",
+        job.time->total(), job.time->cutting, job.time->rapid, job.time->dwell, job.time->changes,
+        job.time->toolChanges);
+  }
+  for (const path::SmoothFact& fact : job.smoothed) {
+    std::cerr << fmt::format(
+        "   smoothed from line {}: largest curvature {:.4g} to {:.4g}, mean {:.4g} to {:.4g}, "
+        "length "
+        "{:.6g} to {:.6g}, within {:.3g}\n",
+        lineOf(job, fact.origin), fact.mostBefore, fact.mostAfter, fact.meanBefore, fact.meanAfter,
+        fact.lengthBefore, fact.lengthAfter, fact.deviation);
+  }
   for (const OutputSet::Written& file : outputs.written()) {
     std::cerr << fmt::format("   {} ({} bytes)\n", file.path == "-" ? "standard output" : file.path,
                              file.bytes);
@@ -94,6 +113,30 @@ bool needsMotion(const PlannedJob& plan) {
   return std::any_of(plan.outputs.begin(), plan.outputs.end(),
                      [](const PlannedOutput& output) { return output.target->needsMotion; });
 }
+
+/// Sends records to the outputs and, for the summary, to the clock.
+class Timed : public cl::RecordSink {
+ public:
+  Timed(cl::RecordSink& outputs, const timing::Machine& machine, bool runs)
+      : outputs_(outputs), timer_(machine, untold_), runs_(runs) {}
+  void accept(const cl::Record& record) override {
+    outputs_.accept(record);
+    if (runs_) {
+      timer_.accept(record);
+    }
+  }
+  /// None when a feed is missing; `arelem time` tells where.
+  std::optional<timing::TimeTable> finish() {
+    std::optional<timing::TimeTable> table = timer_.finish();
+    return runs_ && untold_.errors() == 0 ? table : std::nullopt;
+  }
+
+ private:
+  cl::RecordSink& outputs_;
+  CollectingSink untold_;
+  timing::CutTimer timer_;
+  bool runs_;
+};
 
 /// From evaluated program to files. Nothing gets a final name unless all went well.
 void produce(Compilation& job,
@@ -112,9 +155,11 @@ void produce(Compilation& job,
   if (!outputs.open(plan.outputs, context)) {
     return;
   }
-  const auto fitter = path::makeArcFitter(outputs, options.fitShare);
+  Timed timed(outputs, timingMachine(context.machine), options.settings.verbose);
+  const auto fitter = path::makeArcFitter(timed, options.fitShare);
   const bool whole = !needsMotion(plan) || execute(job, *fitter, interrupted);
   fitter->finish();
+  job.time = timed.finish();
   if (whole || (options.keepGoing && !interrupted)) {
     const Stopwatch watch(job.seconds.write);
     static_cast<void>(outputs.close(!whole));

@@ -29,7 +29,7 @@ Result<robot::Machine> readFile(const std::string& name, const Settings& setting
 void addMachineOptions(CLI::App& app, MachineChoice& choice) {
   app.add_option(
          "--machine", choice.file,
-         "the robot that the program is for: a TOML file, looked for here and in the library")
+         "the machine that the program is for: a TOML file, looked for here and in the library")
       ->type_name("FILE");
   app.add_option("--compat", choice.compat,
                  "angles of G97 by the formulas of the program that wrote such files")
@@ -52,6 +52,12 @@ Result<std::optional<robot::Machine>> loadMachine(const MachineChoice& choice,
     machine->g97.robopaint = true;
   }
   return machine;
+}
+
+timing::Machine timingMachine(const robot::Machine* machine) {
+  const robot::TimeLimits limits =
+      machine != nullptr ? machine->time.value_or(robot::TimeLimits{}) : robot::TimeLimits{};
+  return {{limits.velocity, limits.acceleration, limits.jerk}, limits.corner, limits.toolChange};
 }
 
 }  // namespace arelem::app

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "backend/robot/machine.h"
+#include "runtime/timing/cut_timer.h"
 
 namespace arelem::app {
 
@@ -20,5 +21,8 @@ void addMachineOptions(CLI::App& app, MachineChoice& choice);
 /// changes; none where neither is given.
 [[nodiscard]] Result<std::optional<robot::Machine>> loadMachine(const MachineChoice& choice,
                                                                 const Settings& settings);
+
+/// The limits of a machine file for the time law, or the usual ones without a file.
+[[nodiscard]] timing::Machine timingMachine(const robot::Machine* machine);
 
 }  // namespace arelem::app

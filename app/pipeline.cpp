@@ -80,6 +80,7 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
       runtime::execute(job.evaluation.actions,
                        {job.settings.limits, &interrupted, {}, false, {}, {}}, *smoother, job.log);
   smoother->finish();
+  job.smoothed = smoother->facts();
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;
 }

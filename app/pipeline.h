@@ -5,7 +5,9 @@
 #include "app/settings.h"
 
 #include "backend/backend.h"
+#include "runtime/path/smoother.h"
 #include "runtime/run.h"
+#include "runtime/timing/cut_timer.h"
 
 /// The one way through the house: source -> program -> evaluation -> records. Commands differ only
 /// in how far they go and in what they do with the result.
@@ -24,6 +26,8 @@ struct Compilation {
   ir::Program program;
   runtime::Evaluation evaluation;
   runtime::MotionOutcome motion;
+  std::vector<path::SmoothFact> smoothed;
+  std::optional<timing::TimeTable> time;  ///< of the summary; none where it was not asked for
   struct {
     double parse = 0.0, evaluate = 0.0, execute = 0.0, write = 0.0;  ///< wall time of each stage
   } seconds;

@@ -2,13 +2,13 @@
 
 #include <iostream>
 
+#include "app/machine.h"
 #include "app/options.h"
 #include "app/path_options.h"
 #include "app/pipeline.h"
 #include <nlohmann/json.hpp>
 
 #include "runtime/path/arc_fit.h"
-#include "runtime/timing/cut_timer.h"
 
 namespace arelem::app {
 
@@ -16,7 +16,8 @@ namespace {
 struct TimeOptions {
   Settings settings;
   std::string input;
-  timing::Machine machine;
+  MachineChoice machine;
+  std::optional<double> velocity, acceleration, jerk, deviation, toolChange;
   double fitShare = 0.0;
   bool json = false;
   bool statements = false;
@@ -24,25 +25,41 @@ struct TimeOptions {
 
 void addOptions(CLI::App& app, TimeOptions& options) {
   app.add_option("FILE", options.input, "part program; - is standard input")->required();
-  timing::Machine& machine = options.machine;
-  const auto number = [&](const char* name, double& value, const char* help) {
-    app.add_option(name, value, help)->check(CLI::PositiveNumber)->capture_default_str();
+  addMachineOptions(app, options.machine);
+  const auto limit = [&](const char* name, std::optional<double>& value, const char* help,
+                         const CLI::Validator& check) {
+    app.add_option(name, value, help)->check(check)->type_name("NUMBER");
   };
-  number("--velocity", machine.limits.velocity, "largest speed, also of rapid moves, mm/s");
-  number("--acceleration", machine.limits.acceleration, "largest acceleration, mm/s2");
-  number("--jerk", machine.limits.jerk, "largest jerk, mm/s3");
-  app.add_option("--deviation", machine.deviation,
-                 "mm by which corners may be rounded; 0: the tool stops in each")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--tool-change", machine.toolChange, "seconds of a tool change")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  limit("--velocity", options.velocity, "largest speed, also of rapid moves, mm/s (400)",
+        CLI::PositiveNumber);
+  limit("--acceleration", options.acceleration, "largest acceleration, mm/s2 (4000)",
+        CLI::PositiveNumber);
+  limit("--jerk", options.jerk, "largest jerk, mm/s3 (20000)", CLI::PositiveNumber);
+  limit("--deviation", options.deviation,
+        "mm by which corners may be rounded; 0: the tool stops in each (0.01)",
+        CLI::NonNegativeNumber);
+  limit("--tool-change", options.toolChange, "seconds of a tool change (10)",
+        CLI::NonNegativeNumber);
   app.add_flag("--statements", options.statements, "the time of each statement too");
   app.add_flag("--json", options.json, "the result as JSON");
   addFitOption(app, options.fitShare);
   addSourceOptions(app, options.settings);
   addMessageOptions(app, options.settings);
+}
+
+/// What the machine file says, and over it the options.
+Result<timing::Machine> machineOf(const TimeOptions& options) {
+  const Result<std::optional<robot::Machine>> read = loadMachine(options.machine, options.settings);
+  if (!read) {
+    return read.failure();
+  }
+  timing::Machine machine = timingMachine(read->has_value() ? &**read : nullptr);
+  machine.limits.velocity = options.velocity.value_or(machine.limits.velocity);
+  machine.limits.acceleration = options.acceleration.value_or(machine.limits.acceleration);
+  machine.limits.jerk = options.jerk.value_or(machine.limits.jerk);
+  machine.deviation = options.deviation.value_or(machine.deviation);
+  machine.toolChange = options.toolChange.value_or(machine.toolChange);
+  return machine;
 }
 
 /// Line of the first record of a statement, by its number.
@@ -115,7 +132,13 @@ int runTime(const Invocation& invocation) {
   }
   const InterruptFlag& interrupted = invocation.interrupt.flag();
   Compilation job(options.settings);
-  timing::CutTimer timer(options.machine, job.log);
+  Result<timing::Machine> machine = machineOf(options);
+  if (!machine) {
+    job.log.accept(machine.takeFailure());
+    job.log.print(job.sources, job.main, options.settings);
+    return static_cast<int>(job.log.exitCode());
+  }
+  timing::CutTimer timer(*machine, job.log);
   Lines lines(timer);
   const auto fitter = path::makeArcFitter(lines, options.fitShare);
   const bool done = load(job, options.input, interrupted) && evaluate(job, interrupted) &&

@@ -12,7 +12,7 @@ namespace arelem::backend {
 
 namespace {
 bool isAppliedAlready(Word word) {
-  return word == Word::TRACUT || word == Word::COPY || word == Word::INDEX;
+  return word == Word::TRACUT || word == Word::COPY || word == Word::INDEX || word == Word::SMOOTH;
 }
 
 class TextWriter : public Writer {
@@ -70,7 +70,7 @@ class TextWriter : public Writer {
     buffer_.append('\n');
   }
   void operator()(const cl::Surface& body) {
-    line_.begin(spell(body.surface.type) == "CYLNDR" ? "CYLNDR" : "CIRCLE", true);
+    line_.begin(spell(body.surface.type), true);
     lengths(body.surface.canon);
   }
   void operator()(const cl::Switch& body) { bare(spell(body.word), true); }

@@ -16,13 +16,13 @@ constexpr std::uint64_t lineStep = 10;
 }  // namespace
 
 double BlockWriter::scale() const {
-  return machine_.inches ? 1.0 / millimetersOfAnInch : 1.0;
+  return control_.inches ? 1.0 / millimetersOfAnInch : 1.0;
 }
 double BlockWriter::resolution() const {
-  return std::pow(10.0, -machine_.decimals) / scale();
+  return std::pow(10.0, -control_.decimals) / scale();
 }
 double BlockWriter::rounded(double millimeters) const {
-  const double unit = std::pow(10.0, machine_.decimals);
+  const double unit = std::pow(10.0, control_.decimals);
   return std::round(millimeters * scale() * unit) / unit / scale();
 }
 
@@ -42,10 +42,10 @@ void BlockWriter::number(char letter, double value, int decimals) {
   code(letter + text(value, decimals));
 }
 void BlockWriter::length(char letter, double millimeters) {
-  number(letter, millimeters * scale(), machine_.decimals);
+  number(letter, millimeters * scale(), control_.decimals);
 }
 void BlockWriter::angle(char letter, double value) {
-  number(letter, value, machine_.angleDecimals);
+  number(letter, value, control_.angleDecimals);
 }
 void BlockWriter::modal(char group, std::string_view word) {
   if (modal_[group] != word) {
@@ -60,17 +60,28 @@ void BlockWriter::changed(char letter, std::string value) {
   }
 }
 void BlockWriter::changedLength(char letter, double millimeters) {
-  changed(letter, text(millimeters * scale(), machine_.decimals));
+  changed(letter, text(millimeters * scale(), control_.decimals));
 }
 void BlockWriter::changedAngle(char letter, double value) {
-  changed(letter, text(value, machine_.angleDecimals));
+  changed(letter, text(value, control_.angleDecimals));
+}
+
+bool BlockWriter::holds(char letter, const std::string& value) const {
+  const auto found = written_.find(letter);
+  return found != written_.end() && found->second == value;
+}
+bool BlockWriter::holdsLength(char letter, double millimeters) const {
+  return holds(letter, text(millimeters * scale(), control_.decimals));
+}
+bool BlockWriter::holdsAngle(char letter, double value) const {
+  return holds(letter, text(value, control_.angleDecimals));
 }
 
 void BlockWriter::end() {
   if (line_.empty()) {
     return;
   }
-  if (machine_.lineNumbers) {
+  if (control_.lineNumbers) {
     lineNumber_ += lineStep;
     out_.append(fmt::format("N{} ", lineNumber_));
   }
@@ -89,7 +100,7 @@ void BlockWriter::comment(std::string_view text) {
   for (char& c : clean) {
     c = c == '(' ? '[' : c == ')' ? ']' : c;
   }
-  raw("(" + std::string(trimmed(clean)).substr(0, machine_.lineLimit - 2) + ")");
+  raw("(" + std::string(trimmed(clean)).substr(0, control_.lineLimit - 2) + ")");
 }
 
 }  // namespace arelem::backend::ngc

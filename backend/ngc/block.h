@@ -2,7 +2,7 @@
 #include <map>
 #include <string>
 
-#include "backend/ngc/machine.h"
+#include "backend/ngc/control.h"
 #include "backend/text/out_buffer.h"
 
 namespace arelem::backend::ngc {
@@ -10,7 +10,7 @@ namespace arelem::backend::ngc {
 /// Writes lines of RS-274. Words that keep their value are left out where they are modal.
 class BlockWriter {
  public:
-  BlockWriter(std::ostream& out, const Machine& machine) : out_(out), machine_(machine) {}
+  BlockWriter(std::ostream& out, const Control& control) : out_(out), control_(control) {}
 
   /// Adds a word as it is: "G0", "M3".
   void code(std::string_view word);
@@ -26,6 +26,10 @@ class BlockWriter {
   void changedLength(char letter, double millimeters);
   void changedAngle(char letter, double value);
   void forgetAxes() { written_.clear(); }
+
+  /// Whether these words would say nothing new.
+  [[nodiscard]] bool holdsLength(char letter, double millimeters) const;
+  [[nodiscard]] bool holdsAngle(char letter, double value) const;
 
   [[nodiscard]] bool empty() const { return line_.empty(); }
   /// Ends the line, if there is anything on it.
@@ -43,9 +47,10 @@ class BlockWriter {
   [[nodiscard]] double scale() const;
   [[nodiscard]] std::string text(double value, int decimals) const;
   void changed(char letter, std::string value);
+  [[nodiscard]] bool holds(char letter, const std::string& value) const;
 
   OutBuffer out_;
-  const Machine& machine_;
+  const Control& control_;
   std::string line_;
   std::map<char, std::string> modal_;
   std::map<char, std::string> written_;

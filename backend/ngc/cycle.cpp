@@ -14,9 +14,13 @@ class Reader {
 
   Result<Cycle> read() {
     const std::string type = spelling(0);
-    if (type == "DEEP" || type == "BRKCHP") {
+    if (type == "DEEP") {
       cycle_.kind = Cycle::Kind::peck;
-    } else if (type != "DRILL" && type != "FACE" && type != "REAM" && type != "BORE") {
+    } else if (type == "BRKCHP") {
+      cycle_.kind = Cycle::Kind::chip;
+    } else if (type == "BORE" || type == "REAM") {
+      cycle_.kind = Cycle::Kind::bore;
+    } else if (type != "DRILL" && type != "FACE") {
       return fail(diag::NgcCycle, "/" + type +
                                       " has no canned cycle here; there are DRILL, FACE, "
                                       "REAM, BORE, DEEP and BRKCHP");
@@ -53,7 +57,8 @@ class Reader {
       return true;
     }
     const std::string word = spelling(next_);
-    const bool isUnit = word == "IPM" || word == "MMPM" || word == "IPR" || word == "MMPR";
+    const bool isUnit =
+        word == "IPM" || word == "MMPM" || word == "IPR" || word == "MMPR" || word == "MMPS";
     if (isUnit) {
       cycle_.feedUnit = *findWord(word);
       cycle_.feedHasUnit = true;
@@ -82,7 +87,7 @@ class Reader {
       hasClearance_ = true;
     } else if (word == "DWELL") {
       cycle_.dwell = value;
-      cycle_.kind = cycle_.kind == Cycle::Kind::drill ? Cycle::Kind::dwell : cycle_.kind;
+      hasDwell_ = true;
     } else if (word == "STEP" || word == "INCR") {
       cycle_.step = value;
     } else if (unknown_.empty()) {
@@ -113,9 +118,21 @@ class Reader {
       return fail(diag::NgcCycle, fmt::format("has depth {} and clearance {}; both are above 0",
                                               cycle_.depth, cycle_.clearance));
     }
-    if (cycle_.kind == Cycle::Kind::peck && !(cycle_.step > 0.0)) {
+    const bool pecks = cycle_.kind == Cycle::Kind::peck || cycle_.kind == Cycle::Kind::chip;
+    if (pecks && !(cycle_.step > 0.0)) {
       return fail(diag::NgcCycle,
                   fmt::format("has a step of {}; STEP above 0 is needed", cycle_.step));
+    }
+    if (pecks ? hasDwell_ : cycle_.step != 0.0) {
+      return fail(diag::NgcCycle, pecks
+                                      ? std::string("has DWELL, which no cycle of pecks takes")
+                                      : std::string("has a step, which only DEEP and BRKCHP take"));
+    }
+    if (hasDwell_ && !(cycle_.dwell >= 0.0)) {
+      return fail(diag::NgcCycle, fmt::format("has a dwell of {} seconds", cycle_.dwell));
+    }
+    if (hasDwell_) {
+      cycle_.kind = cycle_.kind == Cycle::Kind::bore ? Cycle::Kind::boreDwell : Cycle::Kind::dwell;
     }
     return cycle_;
   }
@@ -124,6 +141,7 @@ class Reader {
   std::size_t next_ = 1;
   Cycle cycle_;
   bool hasDepth_ = false;
+  bool hasDwell_ = false;
   bool hasClearance_ = false;
   std::string unknown_;
 };

@@ -11,18 +11,20 @@
 namespace arelem::backend::ngc {
 
 namespace {
+using robot::ToolPose;
+using robot::TurnedPlace;
+
 constexpr double millimetersOfAnInch = 25.4;
+constexpr double secondsOfAMinute = 60.0;
 constexpr int feedDecimals = 4;
-constexpr int secondsDecimals = 3;
+/// Coordinates have at most six digits before the point, mm.
+constexpr double farthest = 999999.0;
 /// An arc is kept if, after rounding, its radius differs by at most so many resolutions between its
 /// ends.
 constexpr double radiusResolutions = 2.0;
 
 bool isPerTurn(Word unit) {
   return unit == Word::IPR || unit == Word::MMPR;
-}
-bool isInch(Word unit) {
-  return unit == Word::IPR || unit == Word::IPM;
 }
 }  // namespace
 
@@ -39,12 +41,20 @@ void Moves::feed(const cl::Post& post) {
   for (const cl::Value& one : post.arguments) {
     if (const double* number = std::get_if<double>(&one); number != nullptr && !value) {
       value = *number;
-    } else if (const Word* word = std::get_if<Word>(&one)) {
-      const bool isUnit = isPerTurn(*word) || *word == Word::IPM || *word == Word::MMPM;
-      if (isUnit) {
-        mode = isPerTurn(*word) ? FeedMode::perTurn : FeedMode::perMinute;
-        factor = isInch(*word) ? millimetersOfAnInch : 1.0;
-      }
+      continue;
+    }
+    const Word* word = std::get_if<Word>(&one);
+    if (word == nullptr) {
+      continue;
+    }
+    if (isPerTurn(*word) || *word == Word::IPM || *word == Word::MMPM) {
+      mode = isPerTurn(*word) ? FeedMode::perTurn : FeedMode::perMinute;
+      factor = *word == Word::IPR || *word == Word::IPM ? millimetersOfAnInch : 1.0;
+    } else if (*word == Word::MMPS) {
+      factor = secondsOfAMinute;
+    } else if (*word == Word::INVERS) {
+      mode = FeedMode::inverseTime;
+      factor = 1.0;
     }
   }
   if (value) {
@@ -53,42 +63,9 @@ void Moves::feed(const cl::Post& post) {
   }
 }
 
-void Moves::cycle(const cl::Post& post) {
-  const Word* first = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
-  if (first != nullptr && *first == Word::OFF) {
-    cycle_.reset();
-    if (cycleOpen_) {
-      block_.code("G80");
-      block_.end();
-      block_.forget('m');
-      block_.forgetAxes();
-    }
-    cycleOpen_ = false;
-    return;
-  }
-  if (first != nullptr && *first == Word::ON) {
-    return;
-  }
-  Result<Cycle> read = readCycle(post);
-  if (!read) {
-    return report(read.takeFailure());
-  }
-  if (!machine_.cycles) {
-    return report(fail(diag::NgcCycle, std::string("is off in the control file (cycles = false)")));
-  }
-  cycle_ = *std::move(read);
-  if (cycle_->feed) {
-    cl::Post feedPost{Word::FEDRAT, "", {*cycle_->feed}};
-    if (cycle_->feedHasUnit) {
-      feedPost.arguments.emplace_back(cycle_->feedUnit);
-    }
-    feed(feedPost);
-  }
-}
-
 bool Moves::turnsAllowed(const Vec3& axis) {
   const bool tilted = std::hypot(axis.x(), axis.y()) > tolerance::nullDirection || axis.z() < 0.0;
-  if (tilted && machine_.turning == Machine::Turning::none) {
+  if (tilted && turning_ == nullptr) {
     report(fail(diag::NgcTilted, axis.x(), axis.y(), axis.z()));
     return false;
   }
@@ -124,108 +101,176 @@ void Moves::points(const cl::Motion& motion) {
     }
   }
   if (motion.kind == cl::Motion::Kind::from) {
-    return from(places.back(), axes.back());
+    return from({places.back(), axes.back()});
   }
   for (std::size_t i = 0; i < places.size();) {
     if (cycle_) {
-      hole(places[i++]);
+      hole({places[i], axes[i]});
+      ++i;
       continue;
     }
     std::size_t same = i;
-    while (same < axes.size() && (axes[same] - axis_).norm() <= tolerance::symmetric) {
+    while (same < axes.size() && (axes[same] - now_.pose.axis).norm() <= tolerance::symmetric) {
       ++same;
     }
-    const std::size_t taken =
-        arc(std::span(places).subspan(i, same - i), axes[std::min(i, axes.size() - 1)]);
+    const std::size_t taken = arc(std::span(places).subspan(i, same - i));
     if (taken == 0) {
-      line(places[i], axes[i]);
+      line({places[i], axes[i]});
     }
     i += std::max<std::size_t>(taken, 1);
   }
 }
 
 /// FROM tells where the tool stands; nothing moves.
-void Moves::from(const Vec3& toolEnd, const Vec3& axis) {
-  at_ = toolEnd;
-  axis_ = axis;
+void Moves::from(const ToolPose& pose) {
+  now_.pose = pose;
+  placed_ = true;
   sure_ = false;
-  block_.comment(fmt::format("FROM {} {} {}", block_.rounded(toolEnd.x()),
-                             block_.rounded(toolEnd.y()), block_.rounded(toolEnd.z())));
+  const Vec3& end = pose.end;
+  block_.comment(fmt::format("FROM {} {} {}", block_.rounded(end.x()), block_.rounded(end.y()),
+                             block_.rounded(end.z())));
 }
 
-void Moves::putAxes(const Vec3& toolEnd, const Vec3& axis, const Angles& angles) {
-  const Vec3 linear = axesOf(machine_, toolEnd, axis, angles);
+Vec3 Moves::onMachine(const Vec3& place) const {
+  return turning_ == nullptr || turning_->toolPoint
+             ? place
+             : robot::linearAxes(*turning_, place, now_.angles);
+}
+
+/// Whether a move there would be below the resolution of the output.
+bool Moves::standsAt(const Vec3& linear, const robot::Angles& angles) const {
+  return block_.holdsLength('X', linear.x()) && block_.holdsLength('Y', linear.y()) &&
+         block_.holdsLength('Z', linear.z()) &&
+         (turning_ == nullptr || (block_.holdsAngle(turning_->axes[0].letter, angles[0]) &&
+                                  block_.holdsAngle(turning_->axes[1].letter, angles[1])));
+}
+
+void Moves::putAxes(const TurnedPlace& to) {
+  now_ = to;
+  const Vec3 linear = onMachine(to.pose.end);
+  if (!(linear.cwiseAbs().maxCoeff() <= farthest)) {
+    return report(fail(diag::NgcTooFar, linear.x(), linear.y(), linear.z(), farthest));
+  }
   block_.changedLength('X', linear.x());
   block_.changedLength('Y', linear.y());
   block_.changedLength('Z', linear.z());
-  if (machine_.turning != Machine::Turning::none) {
-    const bool ac = machine_.turning == Machine::Turning::tableAc ||
-                    machine_.turning == Machine::Turning::headAc;
-    block_.changedAngle(ac ? 'A' : 'B', angles.tilt);
-    block_.changedAngle('C', angles.turn);
+  if (turning_ != nullptr) {
+    const bool inOrder = turning_->axes[0].letter < turning_->axes[1].letter;
+    for (const std::size_t i : {inOrder ? 0U : 1U, inOrder ? 1U : 0U}) {
+      block_.changedAngle(turning_->axes[i].letter, to.angles[i]);
+    }
   }
 }
 
-void Moves::putFeed() {
+bool Moves::feedIsKnown(const Vec3& to) {
+  const bool known = feed_ && *feed_ > 0.0;
+  if (!known) {
+    report(fail(diag::NgcFeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_));
+  }
+  return known;
+}
+
+/// The feed of a move; with a `length` above 0 as the time of this move alone.
+void Moves::putFeed(double length) {
   if (feedMode_ == FeedMode::perTurn && !(turns_ > 0.0)) {
     report(fail(diag::NgcSpindle));
   }
+  const bool timed = feedMode_ == FeedMode::inverseTime || length > 0.0;
+  if (timed) {
+    const double perMinute = feedMode_ == FeedMode::perTurn ? *feed_ * turns_ : *feed_;
+    block_.modal('f', "G93");
+    block_.number('F', feedMode_ == FeedMode::inverseTime ? *feed_ : perMinute / length,
+                  feedDecimals);
+    block_.forget('F');
+    return;
+  }
   block_.modal('f', feedMode_ == FeedMode::perTurn ? "G95" : "G94");
-  const double scale = machine_.inches ? 1.0 / millimetersOfAnInch : 1.0;
-  std::string text = fmt::format("F{:.{}f}", *feed_ * scale, feedDecimals);
-  block_.modal('F', text);
+  const double scale = control_.inches ? 1.0 / millimetersOfAnInch : 1.0;
+  block_.modal('F', fmt::format("F{:.{}f}", *feed_ * scale, feedDecimals));
 }
 
-/// Linear and turning axes together: the feed of the tool end needs the time of each line.
-void Moves::inverseTime(const Vec3& to, const Vec3& axis, const Angles& angles) {
-  double perMinute = feedMode_ == FeedMode::perTurn ? *feed_ * turns_ : *feed_;
-  const double length = at_ ? (to - *at_).norm() : 0.0;
-  const double turned =
-      std::max(std::abs(angles.tilt - angles_.tilt), std::abs(angles.turn - angles_.turn));
-  // Where the tool end stands still, the axes turn as many degrees a minute as millimeters.
-  const double inverse = perMinute / (length > block_.resolution() ? length : turned);
-  block_.modal('f', "G93");
-  block_.modal('m', "G1");
-  putAxes(to, axis, angles);
-  block_.number('F', inverse, feedDecimals);
-  block_.forget('F');
-  block_.end();
-  block_.modal('f', "G94");
-  block_.end();
-}
-
-void Moves::line(const Vec3& to, const Vec3& axis) {
-  const Angles angles =
-      machine_.turning == Machine::Turning::none ? Angles{} : anglesOf(machine_, axis, angles_);
-  const bool turns = std::abs(angles.tilt - angles_.tilt) + std::abs(angles.turn - angles_.turn) >
-                     tolerance::nullDirection;
-  if (!rapid_ && !(feed_ && *feed_ > 0.0)) {
-    return report(fail(diag::NgcFeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_));
+/// The places of a move; none where it is refused.
+std::optional<std::vector<TurnedPlace>> Moves::way(const ToolPose& to) {
+  if (turning_ == nullptr) {
+    return std::vector{TurnedPlace{to, {}}};
   }
-  if (!rapid_ && turns) {
-    inverseTime(to, axis, angles);
-  } else {
-    block_.modal('m', rapid_ ? "G0" : "G1");
-    putAxes(to, axis, angles);
-    if (!rapid_) {
-      putFeed();
+  if (sure_) {
+    Result<std::vector<TurnedPlace>> places = robot::turnedMove(*turning_, now_, to);
+    if (places) {
+      return *std::move(places);
     }
-    block_.end();
+    if (!rapid_ || places.failure().row != diag::TurningJump.row) {
+      report(places.takeFailure());
+      return std::nullopt;
+    }
   }
-  at_ = to;
-  axis_ = axis;
-  angles_ = angles;
-  sure_ = true;
+  const Result<robot::Angles> angles = robot::nextAngles(*turning_, to.axis, now_.angles);
+  if (!angles) {
+    report(angles.failure());
+    return std::nullopt;
+  }
+  if (sure_) {
+    const double swing =
+        std::max(std::abs((*angles)[0] - now_.angles[0]), std::abs((*angles)[1] - now_.angles[1]));
+    sink_.accept(diagnose(record_->origin, diag::TurningUnwinds, swing));
+  }
+  return std::vector{TurnedPlace{to, *angles}};
+}
+
+void Moves::line(const ToolPose& to) {
+  if (!rapid_ && !feedIsKnown(to.end)) {
+    return;
+  }
+  if (const auto places = way(to)) {
+    for (const TurnedPlace& place : *places) {
+      straight(place);
+    }
+  }
+}
+
+/// A move of all axes at once. Where turning axes move as well, the feed of the tool end needs the
+/// time of the move.
+void Moves::straight(const TurnedPlace& to) {
+  const double turned =
+      std::max(std::abs(to.angles[0] - now_.angles[0]), std::abs(to.angles[1] - now_.angles[1]));
+  const double length = placed_ ? (to.pose.end - now_.pose.end).norm() : 0.0;
+  const robot::Angles before = std::exchange(now_.angles, to.angles);
+  const Vec3 linear = onMachine(to.pose.end);
+  now_.angles = before;
+  if (standsAt(linear, to.angles)) {
+    now_ = to;
+    return;
+  }
+  block_.modal('m', rapid_ ? "G0" : "G1");
+  putAxes(to);
+  if (!rapid_) {
+    // Where the tool end stands still, the axes turn as many degrees a minute as millimeters.
+    const bool turns = turned > tolerance::nullDirection;
+    putFeed(!turns ? 0.0 : length > block_.resolution() ? length : turned);
+  }
+  block_.end();
+  placed_ = sure_ = true;
 }
 
 /// Puts out an arc from here through the first of `rest` and tells how many it replaces.
-std::size_t Moves::arc(std::span<const Vec3> rest, const Vec3& axis) {
-  const bool possible = machine_.arcs && run_ && !rapid_ && sure_ && at_ && feed_ && *feed_ > 0.0 &&
-                        angles_.tilt == 0.0 && (axis - axis_).norm() <= tolerance::symmetric;
-  if (!possible) {
+std::size_t Moves::arc(std::span<const Vec3> rest) {
+  const bool possible = control_.arcs && run_ && run_->canon.size() == 7 && !rapid_ && sure_ &&
+                        feed_ && *feed_ > 0.0 && feedMode_ != FeedMode::inverseTime;
+  if (!possible || rest.empty()) {
     return 0;
   }
-  const auto found = arcThrough(*run_, *at_, rest, machine_.arcTolerance, band_);
+  // As the linear axes see it: a circle square to the tool axis lies level on a turned table.
+  cl::SurfaceValue round = *run_;
+  const Vec3 center(round.canon.data());
+  const Vec3 middle = onMachine(center);
+  const Vec3 direction = onMachine(center + Vec3(&round.canon[3])) - middle;
+  std::copy(middle.begin(), middle.end(), round.canon.begin());
+  std::copy(direction.begin(), direction.end(), round.canon.begin() + 3);
+  std::vector<Vec3> places;
+  std::transform(rest.begin(), rest.end(), std::back_inserter(places),
+                 [&](const Vec3& place) { return onMachine(place); });
+  const Vec3 from = onMachine(now_.pose.end);
+  const auto found = arcThrough(round, from, places, control_.arcTolerance, band_);
   if (!found) {
     return 0;
   }
@@ -234,7 +279,7 @@ std::size_t Moves::arc(std::span<const Vec3> rest, const Vec3& axis) {
   const auto rounded = [&](const Vec3& p) {
     return Vec3(block_.rounded(p.x()), block_.rounded(p.y()), block_.rounded(p.z()));
   };
-  const Vec3 start = rounded(*at_);
+  const Vec3 start = rounded(from);
   const Vec3 end = rounded(found->end);
   const Vec3 toCenter = rounded(found->center - start);
   const auto radial = [&](Vec3 v) {
@@ -248,60 +293,15 @@ std::size_t Moves::arc(std::span<const Vec3> rest, const Vec3& axis) {
   }
   block_.modal('p', planes.at(static_cast<std::size_t>(found->axis)));
   block_.modal('m', found->positive ? "G3" : "G2");
-  putAxes(found->end, axis, angles_);
+  putAxes({{rest[found->points - 1], now_.pose.axis}, now_.angles});
   for (int k = 0; k < 3; ++k) {
     if (k != found->axis) {
       block_.length(offsets.at(static_cast<std::size_t>(k)), toCenter(k));
     }
   }
-  putFeed();
+  putFeed(0.0);
   block_.end();
-  at_ = found->end;
   return found->points;
-}
-
-/// One location under a canned cycle: back to the clearance, not higher (G99).
-void Moves::hole(const Vec3& at) {
-  if (std::abs(angles_.tilt) > 0.0) {
-    return report(fail(diag::NgcCycle, std::string("under a tilted tool axis")));
-  }
-  if (!(feed_ && *feed_ > 0.0)) {
-    return report(fail(diag::NgcFeedMissing, at.x() / unit_, at.y() / unit_, at.z() / unit_));
-  }
-  const double clear = at.z() + cycle_->clearance * unit_;
-  if (!cycleOpen_) {
-    // The way to the first hole: at the height where the tool is, or at the clearance if higher.
-    block_.modal('m', "G0");
-    if (!at_ || at_->z() < clear) {
-      block_.changedLength('Z', clear);
-      block_.end();
-      block_.modal('m', "G0");
-    }
-    block_.changedLength('X', at.x());
-    block_.changedLength('Y', at.y());
-    block_.end();
-    block_.modal('p', "G17");
-    block_.end();
-  }
-  constexpr std::array codes = {"G81", "G82", "G83"};
-  block_.code("G99");
-  block_.code(codes.at(static_cast<std::size_t>(cycle_->kind)));
-  block_.length('X', at.x());
-  block_.length('Y', at.y());
-  block_.length('Z', at.z() - cycle_->depth * unit_);
-  block_.length('R', clear);
-  if (cycle_->kind == Cycle::Kind::dwell) {
-    block_.number('P', cycle_->dwell, secondsDecimals);
-  } else if (cycle_->kind == Cycle::Kind::peck) {
-    block_.length('Q', cycle_->step * unit_);
-  }
-  putFeed();
-  block_.end();
-  block_.forget('m');
-  block_.forgetAxes();
-  cycleOpen_ = true;
-  at_ = Vec3(at.x(), at.y(), clear);
-  sure_ = true;
 }
 
 }  // namespace arelem::backend::ngc

@@ -6,6 +6,7 @@
 
 #include "backend/ngc/block.h"
 #include "backend/ngc/cycle.h"
+#include "backend/robot/turned_move.h"
 #include "ir/diag/diagnostic.h"
 
 namespace arelem::backend::ngc {
@@ -13,8 +14,12 @@ namespace arelem::backend::ngc {
 /// The motion of a program: where the tool stands, at what feed, along what.
 class Moves {
  public:
-  Moves(BlockWriter& block, const Machine& machine, DiagnosticSink& sink)
-      : block_(block), machine_(machine), sink_(sink) {}
+  /// `turning` is null for a machine without turning axes.
+  Moves(BlockWriter& block,
+        const Control& control,
+        const robot::Turning* turning,
+        DiagnosticSink& sink)
+      : block_(block), control_(control), turning_(turning), sink_(sink) {}
 
   void setRecord(const cl::Record& record) { record_ = &record; }
   void setUnit(double millimeters) { unit_ = millimeters; }
@@ -28,35 +33,44 @@ class Moves {
   void move(const cl::Motion& motion);
 
  private:
-  enum class FeedMode { perMinute, perTurn };
+  enum class FeedMode { perMinute, perTurn, inverseTime };
 
   void points(const cl::Motion& motion);
-  void from(const Vec3& toolEnd, const Vec3& axis);
-  void hole(const Vec3& at);
-  void line(const Vec3& to, const Vec3& axis);
-  std::size_t arc(std::span<const Vec3> rest, const Vec3& axis);
-  void inverseTime(const Vec3& to, const Vec3& axis, const Angles& angles);
-  void putFeed();
-  void putAxes(const Vec3& toolEnd, const Vec3& axis, const Angles& angles);
+  void from(const robot::ToolPose& pose);
+  void line(const robot::ToolPose& to);
+  void straight(const robot::TurnedPlace& to);
+  [[nodiscard]] std::optional<std::vector<robot::TurnedPlace>> way(const robot::ToolPose& to);
+  std::size_t arc(std::span<const Vec3> rest);
+  void hole(const robot::ToolPose& at);
+  void approach(const robot::ToolPose& clear);
+  void cannedHole(const robot::ToolPose& at);
+  void drilledHole(const robot::ToolPose& at);
+  void closeCycle();
+  void putFeed(double length);
+  void putAxes(const robot::TurnedPlace& to);
+  [[nodiscard]] bool standsAt(const Vec3& linear, const robot::Angles& angles) const;
+  [[nodiscard]] bool feedIsKnown(const Vec3& to);
   [[nodiscard]] bool turnsAllowed(const Vec3& axis);
+  /// Where the linear axes stand for a place of the part, with the angles of now.
+  [[nodiscard]] Vec3 onMachine(const Vec3& place) const;
   void report(Failure failure);
 
   BlockWriter& block_;
-  const Machine& machine_;
+  const Control& control_;
+  const robot::Turning* turning_;
   DiagnosticSink& sink_;
   const cl::Record* record_ = nullptr;
   double unit_ = 1.0;
   double band_ = 0.0;  // mm
   double turns_ = 0.0;
   bool rapid_ = false;
-  std::optional<double> feed_;  // mm
+  std::optional<double> feed_;  // mm a minute or a turn, or moves a minute
   FeedMode feedMode_ = FeedMode::perMinute;
-  std::optional<Cycle> cycle_;
+  std::optional<Cycle> cycle_, lastCycle_;
   bool cycleOpen_ = false;
-  std::optional<Vec3> at_;
-  bool sure_ = false;  // the machine stands there: a move went to it
-  Vec3 axis_ = Vec3::UnitZ();
-  Angles angles_;
+  bool placed_ = false;  // there was a location
+  bool sure_ = false;    // the machine stands there: a move went to it
+  robot::TurnedPlace now_;
   std::optional<cl::SurfaceValue> surface_, run_;
   std::set<const DiagRow*> reported_;
 };

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "backend/ngc/moves.h"
+#include "backend/robot/machine.h"
 #include "ir/diag/ngc.h"
 
 namespace arelem::backend {
@@ -12,7 +13,7 @@ namespace arelem::backend {
 namespace {
 
 using ngc::BlockWriter;
-using ngc::Machine;
+using ngc::Control;
 
 constexpr int secondsDecimals = 3;
 constexpr int speedDecimals = 1;
@@ -33,17 +34,21 @@ double millimetersOf(Word unit) {
 
 class NgcWriter : public Writer {
  public:
-  NgcWriter(std::ostream& out, Machine machine, DiagnosticSink& sink)
-      : machine_(std::move(machine)),
+  NgcWriter(std::ostream& out,
+            Control control,
+            std::optional<robot::Turning> turning,
+            DiagnosticSink& sink)
+      : control_(std::move(control)),
+        turning_(std::move(turning)),
         sink_(sink),
-        block_(out, machine_),
-        moves_(block_, machine_, sink) {}
+        block_(out, control_),
+        moves_(block_, control_, turning_ ? &*turning_ : nullptr, sink) {}
 
   void accept(const cl::Record& record) override {
     record_ = &record;
     moves_.setRecord(record);
     if (ended_) {
-      return;
+      return behindEnd(record);
     }
     std::visit(*this, record.body);
   }
@@ -115,16 +120,20 @@ class NgcWriter : public Writer {
     if (!percent_) {
       block_.raw("%");
     }
-    block_.code(machine_.inches ? "G20" : "G21");
+    block_.code(control_.inches ? "G20" : "G21");
     for (const char* code : {"G40", "G49", "G80", "G90", "G91.1"}) {
       block_.code(code);
     }
     block_.modal('p', "G17");
     block_.modal('f', "G94");
     block_.end();
-    if (machine_.blend > 0.0) {
+    if (!control_.offset.empty()) {
+      line(control_.offset);
+    }
+    if (control_.blend > 0.0) {
       block_.code("G64");
-      block_.length('P', machine_.blend);
+      block_.length('P', control_.blend);
+      block_.length('Q', 0.5 * control_.blend);
     } else {
       block_.code("G61");
     }
@@ -135,7 +144,7 @@ class NgcWriter : public Writer {
     if (ended_) {
       return;
     }
-    line(machine_.end);
+    line(control_.end);
     ended_ = true;
   }
 
@@ -144,21 +153,34 @@ class NgcWriter : public Writer {
     block_.end();
   }
 
+  /// The program ended; a move that comes now would be lost.
+  void behindEnd(const cl::Record& record) {
+    const auto* motion = std::get_if<cl::Motion>(&record.body);
+    if (motion != nullptr && motion->kind != cl::Motion::Kind::from && !lost_) {
+      lost_ = true;
+      sink_.accept(diagnose(record.origin, diag::NgcAfterEnd));
+    }
+  }
+
   void comment(const std::string& text) {
-    const std::size_t most = machine_.lineLimit - 2;
+    const std::size_t most = control_.lineLimit - 2;
     if (text.size() > most) {
-      sink_.accept(diagnose(record_->origin, diag::NgcLineCut, text.size(), machine_.lineLimit));
+      sink_.accept(diagnose(record_->origin, diag::NgcLineCut, text.size(), control_.lineLimit));
     }
     block_.comment(text);
   }
 
   void insert(const std::string& text) {
-    std::string own = text.substr(0, machine_.lineLimit);
+    std::string own = text.substr(0, control_.lineLimit);
     if (own.size() < text.size()) {
-      sink_.accept(diagnose(record_->origin, diag::NgcLineCut, text.size(), machine_.lineLimit));
+      sink_.accept(diagnose(record_->origin, diag::NgcLineCut, text.size(), control_.lineLimit));
     }
     block_.raw(own);
-    // What it changed is not known.
+    forgetAll();
+  }
+
+  /// What a line of the program's own changed is not known.
+  void forgetAll() {
     for (const char group : {'m', 'p', 'f', 'F'}) {
       block_.forget(group);
     }
@@ -175,6 +197,17 @@ class NgcWriter : public Writer {
   static std::optional<double> firstNumber(const cl::Post& post) {
     for (const cl::Value& value : post.arguments) {
       if (const double* number = std::get_if<double>(&value)) {
+        return *number;
+      }
+    }
+    return std::nullopt;
+  }
+  /// The number behind a word.
+  static std::optional<double> after(const cl::Post& post, Word wanted) {
+    for (std::size_t i = 0; i + 1 < post.arguments.size(); ++i) {
+      const Word* word = std::get_if<Word>(&post.arguments[i]);
+      const double* number = std::get_if<double>(&post.arguments[i + 1]);
+      if (word != nullptr && *word == wanted && number != nullptr) {
         return *number;
       }
     }
@@ -205,6 +238,9 @@ class NgcWriter : public Writer {
         return tool(post);
       case Word::DELAY:
         return delay(post);
+      case Word::AUXFUN:
+      case Word::PREFUN:
+        return function(post);
       case Word::STOP:
         return line("M0");
       case Word::OPSTOP:
@@ -229,9 +265,16 @@ class NgcWriter : public Writer {
     if (has(post, "OFF")) {
       return line("M5");
     }
+    for (const std::string_view mode : {"SFM", "SMM", "ORIENT", "LOCK", "MAXRPM"}) {
+      if (has(post, mode)) {
+        sink_.accept(diagnose(record_->origin, diag::NgcSpindleMode, mode));
+        return;
+      }
+    }
     if (const auto turns = firstNumber(post)) {
-      moves_.setSpindle(*turns);
-      block_.number('S', *turns, speedDecimals);
+      moves_.setSpindle(std::abs(*turns));
+      block_.number('S', std::abs(*turns), speedDecimals);
+      counter_ = *turns < 0.0;
       running_ = true;
     }
     if (running_) {
@@ -244,6 +287,16 @@ class NgcWriter : public Writer {
     line(has(post, "OFF") ? "M9" : has(post, "MIST") ? "M7" : "M8");
   }
 
+  /// AUXFUN/n and PREFUN/n: the codes Mn and Gn of the control, as the program says.
+  void function(const cl::Post& post) {
+    const auto number = firstNumber(post);
+    if (!number || *number < 0.0 || *number > 999.0 || post.arguments.size() != 1) {
+      return ignored(fmt::format("{} without a code from 0 to 999", spell(post.word)));
+    }
+    line(fmt::format("{}{:g}", post.word == Word::AUXFUN ? 'M' : 'G', *number));
+    forgetAll();
+  }
+
   void tool(const cl::Post& post) {
     const auto number = firstNumber(post);
     if (!number || *number < 1.0 || *number != std::floor(*number)) {
@@ -251,9 +304,12 @@ class NgcWriter : public Writer {
     }
     const auto whole = static_cast<long long>(*number);
     line(fmt::format("T{} M6", whole));
-    if (machine_.toolLength) {
-      line(fmt::format("G43 H{}", whole));
+    if (control_.toolLength) {
+      line(fmt::format("G43 H{}",
+                       static_cast<long long>(after(post, Word::ADJUST).value_or(*number))));
     }
+    // Where the changer leaves the axes is not known.
+    block_.forgetAxes();
   }
 
   void delay(const cl::Post& post) {
@@ -272,22 +328,28 @@ class NgcWriter : public Writer {
                      std::max(0LL, static_cast<long long>(number) - 1)));
   }
 
-  Machine machine_;
+  Control control_;
+  std::optional<robot::Turning> turning_;
   DiagnosticSink& sink_;
   BlockWriter block_;
   ngc::Moves moves_;
   const cl::Record* record_ = nullptr;
   double unit_ = 1.0;
   double inner_ = 0.0, outer_ = 0.0;
-  bool started_ = false, percent_ = false, ended_ = false;
+  bool started_ = false, percent_ = false, ended_ = false, lost_ = false;
   bool running_ = false, counter_ = false;
   std::set<std::string> warned_;
 };
 
 }  // namespace
 
-std::unique_ptr<Writer> makeNgcWriter(std::ostream& out, const Context&, DiagnosticSink& sink) {
-  return std::make_unique<NgcWriter>(out, Machine{}, sink);
+std::unique_ptr<Writer> makeNgcWriter(std::ostream& out,
+                                      const Context& context,
+                                      DiagnosticSink& sink) {
+  const robot::Machine none;
+  const robot::Machine& machine = context.machine != nullptr ? *context.machine : none;
+  return std::make_unique<NgcWriter>(out, machine.control.value_or(Control{}), machine.turning,
+                                     sink);
 }
 
 }  // namespace arelem::backend

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "backend/robot/machine_table.h"
+#include "ir/diag/robot.h"
 
 namespace arelem::robot {
 
 namespace {
-constexpr double longest = 1e6;  // mm
-constexpr double fullTurn = 360.0;
+constexpr double longest = longestLength;
 
 class Reader {
  public:
@@ -23,14 +23,15 @@ class Reader {
     top.number("acceleration", machine_.acceleration, 1e-3, longest);
     top.number("interval", machine_.interval, 1e-3, 10.0);
     top.number("blend", machine_.blend, 1e-3, 1.0);
-    with(top, "frame", [&](Table& t) { frame(t); });
-    with(top, "scara", [&](Table& t) { scara(t); });
-    with(top, "pantograph", [&](Table& t) { pantograph(t); });
-    with(top, "elbow", [&](Table& t) { elbow(t); });
-    with(top, "tilt", [&](Table& t) { tilt(t); });
-    with(top, "vplus", [&](Table& t) { vplus(t); });
-    with(top, "envelope", [&](Table& t) { envelope(t); });
-    with(top, "g97", [&](Table& t) { g97(t); });
+    top.with("frame", [&](Table& t) { frame(t); });
+    top.with("scara", [&](Table& t) { scara(t); });
+    top.with("pantograph", [&](Table& t) { pantograph(t); });
+    top.with("elbow", [&](Table& t) { elbow(t); });
+    top.with("tilt", [&](Table& t) { tilt(t); });
+    top.with("vplus", [&](Table& t) { vplus(t); });
+    top.with("envelope", [&](Table& t) { envelope(t); });
+    top.with("g97", [&](Table& t) { g97(t); });
+    readControl(top, machine_);
     top.close();
     if (failure_) {
       return *std::move(failure_);
@@ -39,14 +40,6 @@ class Reader {
   }
 
  private:
-  template <class Function>
-  void with(Table& top, std::string_view key, Function&& function) {
-    if (const toml::table* found = top.table(key)) {
-      Table inner(*found, std::string(key) + ".", file_, failure_);
-      function(inner);
-      inner.close();
-    }
-  }
   void frame(Table& t) {
     std::array<double, 3> shift{};
     t.list("shift", shift, -longest, longest);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "backend/ngc/control.h"
+#include "backend/robot/turning.h"
 #include "ir/diag/result.h"
 #include "ir/space/vector.h"
 
@@ -109,6 +111,18 @@ struct G97Style {
   bool robopaint = false;                    ///< P and Q by Sen's equations (11) and (12)
 };
 
+/// What the time law (`arelem time`) may use: mm/s, mm/s2, mm/s3, mm by which corners may be
+/// rounded, seconds of a tool change.
+struct TimeLimits {
+  double velocity = 400.0;
+  double acceleration = 4000.0;
+  double jerk = 20000.0;
+  double corner = 0.01;
+  double toolChange = 10.0;
+};
+
+/// What there is of a machine: a robot, or a machine tool with its control. Parts that the file
+/// does not name are absent.
 struct Machine {
   std::string file;
   std::string name;
@@ -125,6 +139,9 @@ struct Machine {
   VplusStyle vplus;
   std::optional<Envelope> envelope;
   G97Style g97;
+  std::optional<backend::ngc::Control> control;  ///< how it reads RS-274
+  std::optional<Turning> turning;                ///< axes A, B, C of a machine tool
+  std::optional<TimeLimits> time;
 };
 
 /// Reads a machine file (TOML; docs/manual/machines.md). Errors: E0650 no TOML, E0651 an unknown

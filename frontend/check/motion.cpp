@@ -92,9 +92,8 @@ bool Motion::checkLocate(Word word, const Span& at, const std::vector<ir::Argume
   }
   if (numbers == list.size()) {
     const bool delta = word == Word::GODLTA;
-    const bool fits =
-        delta ? numbers >= 1 && numbers <= 4
-              : numbers >= 2 && numbers <= 10 && numbers != 5 && numbers != 8;
+    const bool fits = delta ? numbers >= 1 && numbers <= 4
+                            : numbers >= 2 && numbers <= 10 && numbers != 5 && numbers != 8;
     if (!fits) {
       context_.report(diagnose(at, diag::MotionCount, spell(word), numbers));
     }
@@ -106,8 +105,9 @@ bool Motion::checkLocate(Word word, const Span& at, const std::vector<ir::Argume
     context_.report(diagnose(first.span, diag::WordInMotion, spell(word), values_.describe(first)));
     return false;
   }
-  const bool place = *type == EntityType::point || *type == EntityType::vector ||
-                     (*type == EntityType::pattern && word == Word::GOTO);
+  const bool place =
+      *type == EntityType::point || *type == EntityType::vector ||
+      ((*type == EntityType::pattern || *type == EntityType::pathSpline) && word == Word::GOTO);
   const bool axisAfterNumbers = numbers == 3 && *type == EntityType::vector && word != Word::GODLTA;
   if (!place || (numbers != 0 && !axisAfterNumbers)) {
     context_.report(diagnose(first.span, diag::ArgumentType, spell(word), spell(*type)));

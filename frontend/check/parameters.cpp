@@ -14,7 +14,7 @@ using Kind = Node::Kind;
 bool isLarge(EntityType type) {
   return type == EntityType::tabulatedCylinder || type == EntityType::polyconic ||
          type == EntityType::ruledSurface || type == EntityType::pattern ||
-         type == EntityType::mesh;
+         type == EntityType::mesh || type == EntityType::pathSpline;
 }
 }  // namespace
 

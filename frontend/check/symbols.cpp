@@ -25,7 +25,7 @@ std::string classOf(const NameFacts& facts) {
 bool needsName(EntityType type) {
   return type == EntityType::tabulatedCylinder || type == EntityType::polyconic ||
          type == EntityType::ruledSurface || type == EntityType::pattern ||
-         type == EntityType::mesh;
+         type == EntityType::mesh || type == EntityType::pathSpline;
 }
 }  // namespace
 

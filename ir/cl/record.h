@@ -35,7 +35,9 @@ struct Text {
   Word word = Word::PPRINT;
   std::string text;
 };
-/// 3000: the circular surface (CIRCLE or CYLNDR) that the following points run along.
+/// 3000: the circular surface (CIRCLE or CYLNDR) or the path spline (BSPLIN) that the points of the
+/// next motion record and its continuations run along. On a spline every chord between successive
+/// points, and from the location before to the first of them, is within the tolerance of the curve.
 struct Surface {
   int role = 2;  ///< 1 part, 2 drive, 3 check surface
   int condition = 0;

@@ -39,6 +39,7 @@ constexpr std::array kinds = {
     Kind{"conic", conics},
     Kind{"tabcyl", bits({T::tabulatedCylinder})},
     Kind{"pattern", bits({T::pattern})},
+    Kind{"spline", bits({T::pathSpline})},
     Kind{"surface", conics | bits({T::line, T::plane, T::circle, T::cylinder, T::cone, T::sphere,
                                    T::torus, T::tabulatedCylinder})},
     Kind{"gun", bits({T::gun})},

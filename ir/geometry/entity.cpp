@@ -34,6 +34,7 @@ constexpr std::array rows = {
     TypeRow{EntityType::revolved, Word::REVOLV, 0},
     TypeRow{EntityType::mesh, Word::MESH, 0},
     TypeRow{EntityType::ruledSurface, Word::RLDSRF, 0},
+    TypeRow{EntityType::pathSpline, Word::BSPLIN, 0},
 };
 }  // namespace
 

@@ -36,7 +36,8 @@ enum class EntityType : std::uint8_t {
   revolved = 22,
   tabulatedCylinder = 50,
   mesh = 51,
-  ruledSurface = 53
+  ruledSurface = 53,
+  pathSpline = 54
 };
 
 [[nodiscard]] std::string_view spell(EntityType type);  ///< "POINT", "CYLNDR", ...
@@ -59,9 +60,10 @@ struct PatternShape {
 ///     (ax²+by²+cz²+d+2fyz+2gxz+2hxy+2px+2qy+2rz=0) · PATERN 3n coordinates
 ///   TABCYL n k m1..m9, then per interval u v a b len max min, then final u v · TORUS x y z i j k R
 ///   r GUN see runtime/spray/gun.h · REGION see runtime/region/region.h · REVOLV x y z i j k start
-///   stop (degrees), then a TABCYL · RLDSRF sub-forms one after another, see
-///   runtime/geometry/ruled_surface.h · MESH numbers of vertices and triangles, coordinates, vertex
-///   numbers, see runtime/geometry/triangle_mesh.h
+///   stop (degrees), then a TABCYL · BSPLIN closed m, the distinct knots, 3m coordinates of control
+///   points · RLDSRF sub-forms one after another, see runtime/geometry/ruled_surface.h · MESH
+///   numbers of vertices and triangles, coordinates, vertex numbers, see
+///   runtime/geometry/triangle_mesh.h
 struct Entity {
   EntityType type = EntityType::point;
   std::vector<double> canon;

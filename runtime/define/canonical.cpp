@@ -11,6 +11,7 @@
 #include "runtime/geometry/tabulated_cylinder.h"
 #include "runtime/region/region.h"
 #include "runtime/geometry/triangle_mesh.h"
+#include "runtime/spline/cubic.h"
 
 namespace arelem::define {
 
@@ -175,6 +176,10 @@ Result<bool> check(EntityType type, const Canon& canon) {
       return checkRegion(canon);
     case EntityType::revolved:
       return checkRevolved(canon);
+    case EntityType::pathSpline: {
+      const Result<spline::CubicSpline> curve = spline::CubicSpline::of(canon);
+      return curve ? Result<bool>(true) : Result<bool>(curve.failure());
+    }
     default:  // any numbers: programs also use LINE/CANON to keep four numbers
       return good;
   }

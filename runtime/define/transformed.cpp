@@ -167,6 +167,17 @@ Form moveMesh(const Entity& entity, const Matrix& m) {
   return {entity.type, mesh.canon()};
 }
 
+/// The knots stay, the control points move.
+Form moveSpline(const Entity& entity, const Matrix& m) {
+  geometry::Canon canon = entity.canon;
+  const auto points = static_cast<std::size_t>(canon[1]);
+  for (std::size_t i = canon.size() - 3 * points; i + 2 < canon.size(); i += 3) {
+    const Vec3 moved = m.apply({canon[i], canon[i + 1], canon[i + 2]});
+    std::copy(moved.begin(), moved.end(), canon.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return {entity.type, std::move(canon)};
+}
+
 Failure refuse(EntityType type) {
   return fail(diag::NotTransformable, spell(type),
               type == EntityType::tabulatedCylinder
@@ -207,6 +218,8 @@ Result<Form> move(const Entity& entity, const Matrix& m) {
       return moveRegion(entity, m);
     case EntityType::mesh:
       return moveMesh(entity, m);
+    case EntityType::pathSpline:
+      return moveSpline(entity, m);
     case EntityType::matrix:
     case EntityType::polyconic:
     case EntityType::tabulatedCylinder:

@@ -90,6 +90,7 @@ auto visitSurface(const Entity& entity, Use use, Other otherwise) {
     case EntityType::region:
     case EntityType::revolved:
     case EntityType::ruledSurface:
+    case EntityType::pathSpline:
       break;
   }
   return otherwise();

@@ -35,6 +35,11 @@ struct Locate {
   std::string name;  ///< of the point or pattern, "" when given by numbers
   int subscript = 0;
 };
+/// GOTO/spline: the tool goes to the start of the curve, if it is not there, and along it.
+struct FollowSpline {
+  EntityPtr curve;
+  std::optional<double> feed;
+};
 struct Startup {
   bool offset = false;               ///< OFFSET/ instead of GO/
   std::vector<SurfaceUse> surfaces;  ///< drive, part, check
@@ -113,6 +118,7 @@ struct CallChain {
 
 struct Action {
   using Body = std::variant<Locate,
+                            FollowSpline,
                             Startup,
                             Follow,
                             Direction,

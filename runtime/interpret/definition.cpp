@@ -24,7 +24,7 @@ bool isCanonical(const Items& items) {
 bool needsName(EntityType type) {
   return type == EntityType::pattern || type == EntityType::tabulatedCylinder ||
          type == EntityType::polyconic || type == EntityType::ruledSurface ||
-         type == EntityType::mesh;
+         type == EntityType::mesh || type == EntityType::pathSpline;
 }
 
 /// Whether the place may take an entity of this type now; reports why not.

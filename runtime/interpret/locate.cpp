@@ -72,8 +72,8 @@ class Reader {
     }
     for (const std::optional<Vec3>& v : {locate.axis, locate.side}) {
       if (v && isNull(*v)) {
-        Diagnostic d = diagnose(items_[next - 1].span, diag::NullVector, spell(word_), v->x(),
-                                v->y(), v->z());
+        Diagnostic d =
+            diagnose(items_[next - 1].span, diag::NullVector, spell(word_), v->x(), v->y(), v->z());
         labelOperands(d, items_);
         state_.report(std::move(d));
         return std::nullopt;
@@ -86,7 +86,8 @@ class Reader {
     return feed(std::move(locate), next);
   }
 
-  /// A direction as a vector or as three numbers at `next`, which moves on; none is there otherwise.
+  /// A direction as a vector or as three numbers at `next`, which moves on; none is there
+  /// otherwise.
   std::optional<Vec3> direction(std::size_t& next) {
     const EntityPtr* vector =
         next < items_.size() ? items_[next].entity(EntityType::vector) : nullptr;
@@ -148,6 +149,21 @@ class Reader {
   const Items& items_;
 };
 
+/// GOTO/spline[,feed].
+void gotoSpline(State& state, const Items& items) {
+  FollowSpline follow{*items[0].entity(EntityType::pathSpline), {}};
+  if (items.size() == 2 && items[1].number() != nullptr) {
+    follow.feed = *items[1].number();
+  } else if (items.size() != 1) {
+    Diagnostic d = diagnose(state.statement->span, diag::MotionArguments, spell(Word::GOTO),
+                            describe(items), "GOTO/ spline[,feed]");
+    labelOperands(d, items);
+    state.report(std::move(d));
+    return;
+  }
+  state.emit(std::move(follow));
+}
+
 void locateItems(State& state, Word word, const Items& items) {
   state.meetImplied(spell(word), false, true);
   state.warnOfSystem();
@@ -158,6 +174,10 @@ void locateItems(State& state, Word word, const Items& items) {
   }
   if (word == Word::GOTO && items[0].entity(EntityType::pattern) != nullptr) {
     gotoPattern(state, items);
+    return;
+  }
+  if (word == Word::GOTO && items[0].entity(EntityType::pathSpline) != nullptr) {
+    gotoSpline(state, items);
     return;
   }
   Reader reader(state, word, items);

@@ -12,6 +12,7 @@
 #include "runtime/motion/records.h"
 #include "runtime/motion/reporter.h"
 #include "runtime/motion/route.h"
+#include "runtime/motion/spline_path.h"
 #include "runtime/motion/startup.h"
 #include "runtime/run.h"
 
@@ -179,6 +180,29 @@ class Machine {
     fact(l.word == Word::GODLTA ? "GODLTA" : "GOTO", 1, (target - before).norm(), nullptr, since);
   }
 
+  void perform(const FollowSpline& f) {
+    const auto since = std::chrono::steady_clock::now();
+    needPosition();
+    auto path = motion::alongSpline(*f.curve, state_.band(motion::driveRole));
+    if (!path) {
+      report(path.takeFailure());
+      return;
+    }
+    const Vec3 before = state_.toolEnd;
+    const Vec3 start = path->front();
+    putFeed(f.feed);
+    if ((start - before).norm() > tolerance::sameSide || !state_.positioned) {
+      put(start, cl::Motion::Kind::go, f.curve->name, f.curve->subscript);
+    }
+    if (state_.output) {
+      motion::putSpline(writer_, *f.curve, *path, state_.axis, state_.multax);
+    }
+    const double length = (start - before).norm() + motion::lengthOf(*path);
+    moveTo((*path)[path->size() - 2]);
+    moveTo(path->back());
+    fact("GOTO", path->size() - 1, length, nullptr, since);
+  }
+
   void takeAutomaticPart() {
     if (state_.automaticPart) {
       motion::NamedSurface plane;
@@ -313,26 +337,10 @@ class Machine {
   void perform(const Parameter& p) {
     if (p.word == Word::CUTTER) {
       writer_.put(cl::Values{Word::CUTTER, p.values});
-      reportIf(motion::setCutter(state_, p, cutterIsUsed()));
+      reportIf(motion::setCutter(state_, p, motion::cutterIsUsed(actions_, index_)));
     } else {
       motion::setParameter(state_, p, writer_);
     }
-  }
-
-  /// Whether a startup or a motion along a surface stands between this CUTTER and the next.
-  [[nodiscard]] bool cutterIsUsed() const {
-    for (std::size_t i = index_ + 1; i < actions_.size(); ++i) {
-      const auto& body = actions_[i].body;
-      if (std::holds_alternative<Startup>(body) || std::holds_alternative<Follow>(body) ||
-          std::holds_alternative<Transfer>(body)) {
-        return true;
-      }
-      const auto* parameter = std::get_if<Parameter>(&body);
-      if (parameter != nullptr && parameter->word == Word::CUTTER) {
-        return false;
-      }
-    }
-    return false;
   }
 
   void perform(const Toggle& t) {

@@ -36,6 +36,15 @@ void moveCircle(cl::Surface& circle, const Affine& by) {
   c[6] *= std::cbrt(std::abs(by.linear.determinant()));
 }
 
+void moveSpline(cl::Surface& spline, const Affine& by) {
+  std::vector<double>& c = spline.surface.canon;
+  const auto points = static_cast<std::size_t>(c[1]);
+  for (std::size_t i = c.size() - 3 * points; i + 2 < c.size(); i += 3) {
+    Eigen::Map<Vec3> point(&c[i]);
+    point = by.point(point);
+  }
+}
+
 }  // namespace
 
 Affine Affine::fromRows(std::span<const double> m) {
@@ -66,7 +75,8 @@ void move(cl::Record& record, const Affine& by) {
   if (auto* motion = std::get_if<cl::Motion>(&record.body)) {
     moveMotion(*motion, by);
   } else if (auto* surface = std::get_if<cl::Surface>(&record.body)) {
-    moveCircle(*surface, by);
+    surface->surface.type == EntityType::pathSpline ? moveSpline(*surface, by)
+                                                    : moveCircle(*surface, by);
   }
 }
 

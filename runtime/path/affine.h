@@ -26,8 +26,9 @@ struct Affine {
   [[nodiscard]] Vec3 direction(const Vec3& v) const;
 };
 
-/// Moves what a record says about places: locations with their axes, and the circle of a 3000
-/// record, whose radius grows by the cube root of the determinant. All else stays.
+/// Moves what a record says about places: locations with their axes, the control points of a path
+/// spline, and the circle of a 3000 record, whose radius grows by the cube root of the determinant.
+/// All else stays.
 void move(cl::Record& record, const Affine& by);
 
 }  // namespace arelem::path

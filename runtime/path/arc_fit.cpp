@@ -72,8 +72,8 @@ class Stage : public ArcFitter {
  private:
   void take(const cl::Record& record, const cl::Motion& motion) {
     const bool continues = motion.kind == cl::Motion::Kind::continuation;
-    const bool plain = share_ > 0.0 && motion.kind != cl::Motion::Kind::from && !rapid_ && at_ &&
-                       !(continues ? keptWhole_ : surfaced_) && sameAxes(motion);
+    const bool plain = share_ > 0.0 && motion.kind != cl::Motion::Kind::from && !motion.withSide &&
+                       !rapid_ && at_ && !(continues ? keptWhole_ : surfaced_) && sameAxes(motion);
     if (!plain) {
       flush();
       keptWhole_ = true;

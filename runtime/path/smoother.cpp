@@ -8,102 +8,20 @@
 
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
-#include "runtime/smooth/smooth.h"
+#include "runtime/path/smooth_order.h"
 #include "runtime/spline/fit.h"
+#include "runtime/timing/machine_limits.h"
 
 namespace arelem::path {
 
 namespace {
 
-constexpr double defaultShare = 0.2;
 constexpr std::size_t numbersPerRecord = 240;
 constexpr int samplesOfASpan = 5;
 
-constexpr double mostPrecision = 1000.0;
-
-/// A word of the vocabulary or of none, as it is written; "" for a number.
-std::string_view spelling(const cl::Value& value) {
-  if (const Word* word = std::get_if<Word>(&value)) {
-    return spell(*word);
-  }
-  const std::string* text = std::get_if<std::string>(&value);
-  return text == nullptr ? std::string_view() : std::string_view(*text);
-}
 std::string_view nameOf(const cl::Post& post) {
   return post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign);
 }
-
-struct Order {
-  smooth::Options options;
-  double tolerance = 0.0;
-  double share = defaultShare;
-};
-
-/// Reads SMOOTH/tol [,METHOD,n] [,PRECIS,n] [,ACCUR,percent] [,SHARE,percent].
-class OrderReader {
- public:
-  explicit OrderReader(const std::vector<cl::Value>& values) : values_(values) {}
-
-  Result<Order> read() {
-    const double* tolerance = number(0);
-    if (tolerance == nullptr) {
-      return fail(diag::SmoothForm, std::string("no tolerance first"));
-    }
-    Order order;
-    order.tolerance = *tolerance;
-    if (!(*tolerance > 0.0) || !std::isfinite(*tolerance)) {
-      return fail(diag::SmoothTolerance, *tolerance);
-    }
-    for (std::size_t i = 1; i < values_.size(); ++i) {
-      if (auto failure = modifier(order, i)) {
-        return *std::move(failure);
-      }
-    }
-    order.options.tolerance = (1.0 - 2.0 * order.share) * order.tolerance;
-    return order;
-  }
-
- private:
-  [[nodiscard]] const double* number(std::size_t i) const {
-    return i < values_.size() ? std::get_if<double>(&values_[i]) : nullptr;
-  }
-
-  std::optional<Failure> modifier(Order& order, std::size_t& i) {
-    const std::string_view word = spelling(values_[i]);
-    const double* value = number(i + 1);
-    if (word.empty() || value == nullptr) {
-      return fail(diag::SmoothForm, fmt::format("parameter {} that fits no form", i + 1));
-    }
-    ++i;
-    if (word == "METHOD") {
-      if (*value != 1.0 && *value != 2.0) {
-        return fail(diag::SmoothForm, fmt::format("METHOD {}; there are 1 (the source's) and 2 "
-                                                  "(least curvature in the tube)",
-                                                  *value));
-      }
-      order.options.method = *value == 1.0 ? smooth::Method::source : smooth::Method::tube;
-    } else if (word == "PRECIS") {
-      order.options.precision = static_cast<int>(std::clamp(*value, 0.0, mostPrecision));
-    } else if (word == "ACCUR") {
-      order.options.accuracy = *value / 100.0;
-    } else if (word == "SHARE") {
-      order.share = *value / 100.0;
-      if (!(order.share > 0.0 && order.share < 0.5)) {
-        return fail(diag::SmoothForm,
-                    fmt::format("SHARE {}; it lies between 0 and 50 percent", *value));
-      }
-    } else {
-      return fail(diag::SmoothForm, fmt::format("`{}`", word));
-    }
-    if (order.options.precision < 1 ||
-        !(order.options.accuracy > 0.0 && order.options.accuracy < 1.0)) {
-      return fail(diag::SmoothSettings, order.options.precision, 100.0 * order.options.accuracy);
-    }
-    return std::nullopt;
-  }
-
-  const std::vector<cl::Value>& values_;
-};
 
 class Stage : public Smoother {
  public:
@@ -128,7 +46,12 @@ class Stage : public Smoother {
     }
     flush();
     if (name == "SMOOTH") {
-      command(record, *post);
+      return command(record, *post);  // no output has to know of it
+    }
+    if (name == "MACHLM") {
+      if (Result<timing::Limits> limits = timing::machineLimits(*post); !limits) {
+        sink_.accept(at(record.origin, limits.takeFailure()));
+      }
     }
     rapid_ = rapid_ || name == "RAPID";
     next_.accept(record);
@@ -145,10 +68,10 @@ class Stage : public Smoother {
  private:
   void command(const cl::Record& record, const cl::Post& post) {
     order_.reset();
-    if (post.arguments.size() == 1 && spelling(post.arguments[0]) == "NOMORE") {
+    if (endsSmoothing(post)) {
       return;
     }
-    Result<Order> order = OrderReader(post.arguments).read();
+    Result<SmoothOrder> order = readSmoothOrder(post);
     if (!order) {
       sink_.accept(at(record.origin, order.takeFailure()));
       return;
@@ -197,6 +120,10 @@ class Stage : public Smoother {
     std::optional<Vec3> axis;
     for (const cl::Record& record : held_) {
       const auto& motion = std::get<cl::Motion>(record.body);
+      if (motion.withSide) {
+        sink_.accept(at(record.origin, fail(diag::SmoothSide)));
+        return false;
+      }
       for (std::size_t i = 0; i + motion.stride() <= motion.coordinates.size();
            i += motion.stride()) {
         const Vec3 p(&motion.coordinates[i]);
@@ -225,10 +152,24 @@ class Stage : public Smoother {
     return true;
   }
 
-  bool replace(const std::vector<Vec3>& points, const std::optional<Vec3>& axis) {
+  /// The points of a closed path, the first one not repeated.
+  static Result<std::vector<Vec3>> ring(const std::vector<Vec3>& points) {
+    const double apart = (points.back() - points.front()).norm();
+    if (apart > tolerance::coincidence || points.size() < 4) {
+      return fail(diag::SmoothNotClosed, apart, points.size());
+    }
+    return std::vector<Vec3>(points.begin(), points.end() - 1);
+  }
+
+  bool replace(const std::vector<Vec3>& all, const std::optional<Vec3>& axis) {
     const cl::Record first = held_.front();
     const double share = order_->share * order_->tolerance;
-    const auto fitted = spline::followPolyline(points, share, false);
+    const Result<std::vector<Vec3>> points = order_->closed ? ring(all) : Result(all);
+    if (!points) {
+      sink_.accept(at(first.origin, points.failure()));
+      return false;
+    }
+    const auto fitted = spline::followPolyline(*points, share, order_->closed);
     if (!fitted) {
       sink_.accept(at(first.origin, fitted.failure()));
       return false;
@@ -240,8 +181,17 @@ class Stage : public Smoother {
     }
     note(first, *fitted, *result, share);
     const std::vector<Vec3> chords = spline::chordPoints(result->curve, share);
-    const bool shifted = (chords.front() - *at_).norm() > tolerance::coincidence;
-    put(first, std::span(chords).subspan(shifted ? 0 : 1), axis);
+    if ((chords.front() - *at_).norm() > tolerance::coincidence) {
+      put(first, std::span(chords).first(1), axis);
+    }
+    if (order_->keepSpline) {
+      cl::Record curve = first;
+      cl::Surface surface;
+      surface.surface = {EntityType::pathSpline, "", 0, result->curve.canon()};
+      curve.body = std::move(surface);
+      next_.accept(curve);
+    }
+    put(first, std::span(chords).subspan(1), axis);
     at_ = chords.back();
     return true;
   }
@@ -252,7 +202,7 @@ class Stage : public Smoother {
             double share) {
     const auto old = curvatureFigures(before, samplesOfASpan);
     const auto now = curvatureFigures(after.curve, samplesOfASpan);
-    facts_.push_back({record.isn, old.most, now.most, old.mean, now.mean, before.length(),
+    facts_.push_back({record.origin, old.most, now.most, old.mean, now.mean, before.length(),
                       after.curve.length(), after.deviation + 2.0 * share});
   }
 
@@ -280,7 +230,7 @@ class Stage : public Smoother {
   cl::RecordSink& next_;
   DiagnosticSink& sink_;
   const InterruptFlag* interrupted_;
-  std::optional<Order> order_;
+  std::optional<SmoothOrder> order_;
   Span commandOrigin_;
   bool rapid_ = false;
   std::optional<Vec3> at_;  // the location before what is held

@@ -10,7 +10,7 @@ namespace arelem::path {
 
 /// What SMOOTH did to one sequence of cut vectors.
 struct SmoothFact {
-  int isn = 0;
+  Span origin;                               ///< the statement of its first cut vector
   double mostBefore = 0.0, mostAfter = 0.0;  ///< curvature, per part unit
   double meanBefore = 0.0, meanAfter = 0.0;
   double lengthBefore = 0.0, lengthAfter = 0.0;

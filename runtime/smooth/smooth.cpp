@@ -3,12 +3,16 @@
 #include <cmath>
 
 #include "ir/diag/spline.h"
+#include "runtime/timing/plan.h"
+#include "runtime/timing/spline_limits.h"
 
 namespace arelem::smooth {
 
 namespace {
 /// Halvings of each knot interval when the deviation is certified.
 constexpr int certificateHalvings = 2;
+/// Pieces of each knot interval in the time law.
+constexpr int samplesOfASpan = 6;
 }  // namespace
 
 Smoothed guarded(const spline::CubicSpline& original,
@@ -37,8 +41,23 @@ Result<Smoothed> smooth(const spline::CubicSpline& curve, const Options& options
   if (!(options.accuracy > 0.0 && options.accuracy < 1.0) || options.precision < 1) {
     return fail(diag::SmoothSettings, options.precision, 100.0 * options.accuracy);
   }
-  return options.method == Method::source ? sourceMethod(curve, options)
-                                          : tubeMethod(curve, options);
+  switch (options.method) {
+    case Method::source:
+      return sourceMethod(curve, options);
+    case Method::tube:
+      return tubeMethod(curve, options);
+    case Method::time:
+      return timeMethod(curve, options);
+  }
+  return Smoothed{curve, 0.0, 0};
+}
+
+double machiningTime(const spline::CubicSpline& curve, const timing::Limits& limits) {
+  timing::SpeedLimits path;
+  path.freeEnds = true;
+  timing::appendCurve(path, curve, samplesOfASpan, limits.velocity, limits.acceleration);
+  path.corners.push_back(limits.velocity);
+  return timing::Plan(std::move(path), limits).duration();
 }
 
 }  // namespace arelem::smooth

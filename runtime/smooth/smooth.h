@@ -2,13 +2,15 @@
 #include "ir/diag/result.h"
 #include "ir/limits.h"
 #include "runtime/spline/cubic.h"
+#include "runtime/timing/transition.h"
 
 /// SMOOTH: paths of less curvature inside a tube round the given one.
 namespace arelem::smooth {
 
 enum class Method : std::uint8_t {
   source,  ///< the algorithm of Naseath, chapter 3
-  tube     ///< convex minimisation of curvature inside the tube
+  tube,    ///< convex minimisation of curvature inside the tube: the largest one falls most
+  time     ///< the same with weights of the time that curvature costs
 };
 
 struct Options {
@@ -19,7 +21,9 @@ struct Options {
       0.01;  ///< source: ends when so little of the tolerance is left, as a share of it
   /// source: ends where no point moves by more; both: bound on the work.
   int mostIterations = 200;
-  bool fixedEnds = true;  ///< tube: the ends of an open curve stay. The source moves them.
+  bool fixedEnds = true;  ///< tube, time: the ends of an open curve stay. The source moves them.
+  /// time: of the machine, in the part unit; its velocity may be the feed.
+  timing::Limits limits{400.0, 4000.0, 20000.0};
   const InterruptFlag* interrupted = nullptr;
 };
 
@@ -29,10 +33,10 @@ struct Smoothed {
   int iterations = 0;
 };
 
-/// The control points move; the knots stay, and `tube` adds one in the middle of each interval
-/// first. Every point of the new curve is within the tolerance of the point of the given curve at
-/// the same parameter, certified by the Bezier points of the difference. Errors: a tolerance or
-/// accuracy that is not positive, precision below 1.
+/// The control points move; the knots stay, and `tube` and `time` add one in the middle of each
+/// interval first. Every point of the new curve is within the tolerance of the point of the given
+/// curve at the same parameter, certified by the Bezier points of the difference. Errors: a
+/// tolerance or accuracy that is not positive, precision below 1.
 [[nodiscard]] Result<Smoothed> smooth(const spline::CubicSpline& curve, const Options& options);
 
 /// Moves the control points back towards those of `original`, all by one factor, until the
@@ -43,5 +47,9 @@ struct Smoothed {
 
 [[nodiscard]] Smoothed sourceMethod(const spline::CubicSpline& curve, const Options& options);
 [[nodiscard]] Smoothed tubeMethod(const spline::CubicSpline& curve, const Options& options);
+[[nodiscard]] Smoothed timeMethod(const spline::CubicSpline& curve, const Options& options);
+
+/// Time of a machine along a curve that it enters and leaves at the speed that the curve allows.
+[[nodiscard]] double machiningTime(const spline::CubicSpline& curve, const timing::Limits& limits);
 
 }  // namespace arelem::smooth

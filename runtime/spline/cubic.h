@@ -84,6 +84,7 @@ class CubicSpline {
  private:
   [[nodiscard]] std::size_t spanOf(double t) const;
   [[nodiscard]] double inside(double t) const;
+  [[nodiscard]] Nearest polished(Nearest best, const Vec3& p) const;
 
   bool closed_ = false;
   std::vector<Vec3> control_;

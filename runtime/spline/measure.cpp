@@ -11,6 +11,7 @@ namespace arelem::spline {
 namespace {
 
 constexpr int deepestHalving = 40;
+constexpr int mostPolishing = 8;
 /// A search for the nearest point stops at pieces this small, relative to the curve.
 constexpr double nearestShare = 1e-9;
 
@@ -86,6 +87,27 @@ CubicSpline::Nearest CubicSpline::nearest(const Vec3& p) const {
         open.push({bound, half});
       }
     }
+  }
+  return polished(best, p);
+}
+
+/// Newton's method on the foot of the perpendicular: the search above leaves the parameter known to
+/// the root of its accuracy only.
+CubicSpline::Nearest CubicSpline::polished(Nearest best, const Vec3& p) const {
+  for (int i = 0; i < mostPolishing; ++i) {
+    const Derivatives d = derivatives(best.t);
+    const Vec3 off = d.point - p;
+    const double slope = d.first.squaredNorm() + off.dot(d.second);
+    if (!(slope > 0.0)) {
+      break;
+    }
+    const double t = inside(best.t - off.dot(d.first) / slope);
+    const Vec3 point = at(t);
+    const double distance = (point - p).norm();
+    if (!(distance < best.distance)) {
+      break;
+    }
+    best = {t, point, distance};
   }
   return best;
 }

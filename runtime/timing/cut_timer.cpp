@@ -5,6 +5,8 @@
 
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
+#include "runtime/timing/machine_limits.h"
+#include "runtime/timing/spline_follower.h"
 #include "runtime/timing/spline_limits.h"
 
 namespace arelem::timing {
@@ -14,6 +16,8 @@ namespace {
 constexpr double secondsOfAMinute = 60.0;
 constexpr double millimetersOfAnInch = 25.4;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
+/// Of a CIRCLE or CYLNDR: center, axis, radius.
+constexpr std::size_t arcNumbers = 7;
 
 double millimetersOf(Word unit) {
   switch (unit) {
@@ -131,31 +135,27 @@ class CutTimer::Path {
     perTurn_ = has(post, {Word::IPR, Word::MMPR});
     const bool inches = has(post, {Word::IPM, Word::IPR});
     const bool millimeters = has(post, {Word::MMPM, Word::MMPR});
-    feed_ = *value * (inches ? millimetersOfAnInch : millimeters ? 1.0 : unit_);
+    const bool perSecond = has(post, {Word::MMPS});
+    inverse_ = has(post, {Word::INVERS});
+    feed_ = *value * (inches                    ? millimetersOfAnInch
+                      : millimeters || inverse_ ? 1.0
+                      : perSecond               ? secondsOfAMinute
+                                                : unit_);
   }
 
+  /// Wrong ones were reported where the statement came in.
   void limits(const cl::Post& post) {
-    std::array<double, 3> values{};
-    bool good = post.arguments.size() == values.size();
-    for (std::size_t i = 0; i < values.size() && good; ++i) {
-      const double* number = std::get_if<double>(&post.arguments[i]);
-      good = number != nullptr && *number > 0.0 && std::isfinite(*number);
-      values[i] = good ? *number : 0.0;
+    if (const Result<Limits> read = machineLimits(post)) {
+      plan();
+      machine_.limits = *read;
     }
-    if (!good) {
-      sink_.accept(at(record_->origin, fail(diag::MachineLimits,
-                                            fmt::format("{} parameters, or one that is no number "
-                                                        "greater than 0",
-                                                        post.arguments.size()))));
-      return;
-    }
-    plan();
-    machine_.limits = {values[0], values[1], values[2]};
   }
 
   /// mm/s of a cutting move; 0 with a report when there is none.
   double cuttingSpeed(const Vec3& to) {
-    const double perMinute = perTurn_ ? feed_ * turns_ : feed_;
+    const double perMinute = perTurn_   ? feed_ * turns_
+                             : inverse_ ? feed_ * (to - *at_).norm()
+                                        : feed_;
     if (!(perMinute > 0.0) && !feedReported_) {
       sink_.accept(at(record_->origin,
                       fail(diag::FeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_)));
@@ -174,6 +174,10 @@ class CutTimer::Path {
     const bool continues = motion.kind == cl::Motion::Kind::continuation;
     if (!continues) {
       run_ = std::exchange(surface_, std::nullopt);
+      follower_.reset();
+      if (run_ && run_->type == EntityType::pathSpline) {
+        follower_ = SplineFollower::of(run_->canon);
+      }
     }
     for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
       line(unit_ * Vec3(&motion.coordinates[i]));
@@ -199,9 +203,11 @@ class CutTimer::Path {
     }
     double limit = speed;
     bool inArc = false;
-    if (run_ && !rapid_) {
-      const double radius = distanceFromAxis(to);
-      limit = std::min(limit, curveSpeed(1.0 / radius, machine_.limits.acceleration));
+    const bool round = run_ && (follower_ || run_->canon.size() == arcNumbers);
+    if (round && !rapid_) {
+      const double curvature =
+          follower_ ? follower_->curvatureTo(to / unit_) / unit_ : 1.0 / distanceFromAxis(to);
+      limit = std::min(limit, curveSpeed(curvature, machine_.limits.acceleration));
       inArc = arcBefore_;
       arcBefore_ = true;
     } else {
@@ -271,7 +277,8 @@ class CutTimer::Path {
   double unit_ = 1.0;  // mm
   double feed_ = 0.0;  // mm a minute or a turn
   bool perTurn_ = false;
-  double turns_ = 0.0;  // of the spindle, a minute
+  bool inverse_ = false;  // feed_ counts moves a minute
+  double turns_ = 0.0;    // of the spindle, a minute
   bool rapid_ = false;
   bool rapidBefore_ = false;
   bool feedReported_ = false;
@@ -280,6 +287,7 @@ class CutTimer::Path {
   std::optional<Vec3> direction_;  // of the last move; none: the tool stands
   std::optional<cl::SurfaceValue> surface_;
   std::optional<cl::SurfaceValue> run_;
+  std::optional<SplineFollower> follower_;
 };
 
 CutTimer::CutTimer(const Machine& machine, DiagnosticSink& sink)

@@ -1,4 +1,5 @@
 """RS-274 outputs, judged by the interpreter of LinuxCNC: every canonical call against the CL."""
+import math
 import pathlib
 import re
 import sys
@@ -98,16 +99,105 @@ class Features(NgcCase):
         self.assertIn(("SET_SPINDLE_SPEED", ["0", "1200.0000"]), calls)
         self.assertEqual(paths.compare(paths.canonical_moves(calls), self.records(text), RESOLUTION, 0.0), [])
 
-    def test_canned_cycles(self):
-        text = ("CUTTER/6\nSPINDL/1000,CLW\nFROM/0,0,50\nRAPID\nGOTO/0,0,20\nCYCLE/DRILL,8,MMPM,90,2\nGOTO/10,0,0\n"
-                "GOTO/20,5,0\nCYCLE/OFF\nCYCLE/DRILL,4,MMPM,80,2,DWELL,.5\nGOTO/30,0,0\nCYCLE/OFF\n"
-                "CYCLE/DEEP,9,MMPM,70,2,STEP,4\nGOTO/40,0,0\nCYCLE/OFF\nRAPID\nGOTO/0,0,50\nFINI\n")
-        calls = self.interpret(text, "--dialect", "cl")
-        bottoms = [m for m in paths.canonical_moves(calls) if m.feed is not None]
-        ends = [(m.end, m.feed) for m in bottoms]
-        for hole in (((10, 0, -8), 90), ((20, 5, -8), 90), ((30, 0, -4), 80), ((40, 0, -4 + 2), 70), ((40, 0, -9), 70)):
-            self.assertIn(hole, [(tuple(round(x, 4) for x in e), f) for e, f in ends])
+    CYCLES = ("CUTTER/6\nSPINDL/1000,CLW\nFROM/0,0,50\nRAPID\nGOTO/0,0,20\nCYCLE/DRILL,8,MMPM,90,2\nGOTO/10,0,0\n"
+              "GOTO/20,5,0\nCYCLE/OFF\nCYCLE/DRILL,4,MMPM,80,2,DWELL,.5\nGOTO/30,0,0\nCYCLE/OFF\n"
+              "CYCLE/DEEP,9,MMPM,70,2,STEP,4\nGOTO/40,0,0\nCYCLE/OFF\nCYCLE/BRKCHP,9,MMPM,60,2,STEP,4\nGOTO/50,0,0\n"
+              "CYCLE/OFF\nCYCLE/BORE,6,MMPM,50,2\nGOTO/60,0,0\nCYCLE/OFF\nRAPID\nGOTO/0,0,50\nFINI\n")
+    # Hole bottoms, and for the boring cycle the way out again at the feed.
+    HOLES = (((10, 0, -8), 90), ((20, 5, -8), 90), ((30, 0, -4), 80), ((40, 0, -4), 70), ((40, 0, -8), 70),
+             ((40, 0, -9), 70), ((50, 0, -9), 60), ((60, 0, -6), 50), ((60, 0, 2), 50))
+
+    def check_holes(self, calls):
+        moves = paths.canonical_moves(calls)
+        for place, feed in self.HOLES:
+            near = [m for m in moves if m.feed is not None and paths.distance(m.end, place) < 3]
+            self.assertTrue(any(abs(m.feed - feed) < 1e-3 and m.end[:2] == place[:2] for m in near), (place, feed))
+        bottoms = [m.end for m in moves if m.feed is not None]
+        for place in (h[0] for h in self.HOLES if h[0] not in ((40, 0, -4), (40, 0, -8))):
+            self.assertTrue(any(paths.distance(place, b) < 1e-4 for b in bottoms), place)
+        for move in moves:  # never across a hole below its clearance, never rapid into fresh material
+            if move.end[:2] != move.start[:2]:
+                self.assertGreaterEqual(min(move.start[2], move.end[2]), 2 - 1e-9, move.end)
         self.assertIn(("DWELL", ["0.5000"]), calls)
+
+    def test_canned_cycles(self):
+        self.check_holes(self.interpret(self.CYCLES, "--dialect", "cl"))
+        text = (self.folder / "part.ngc").read_text()
+        for code in ("G81", "G82", "G83", "G73", "G85"):
+            self.assertIn(code + " ", text)
+
+    def test_cycles_one_by_one(self):
+        self.write("plain.toml", "[control]\ncycles = false\n")
+        self.check_holes(self.interpret(self.CYCLES, "--dialect", "cl", "--machine", "plain.toml"))
+        self.assertNotRegex((self.folder / "part.ngc").read_text(), r"G8[1-9]|G73")
+
+    def test_inches_line_numbers_and_blend(self):
+        self.write("inch.toml", "[control]\nunits = 'inch'\nline_numbers = true\nblend = 0.02\nend = 'M30'\noffset = 'G55'\n")
+        moves = paths.canonical_moves(self.interpret(ROUND, "--machine", "inch.toml"))
+        self.assertEqual(paths.compare(moves, self.records(ROUND), 4e-4, 0.0025), [])  # 1e-5 inch, printed with 1e-4
+        text = (self.folder / "part.ngc").read_text()
+        for words in ("G20 ", "G55\n", "M30\n", "G64 P0.00079 Q0.00039", "\nN10 "):
+            self.assertIn(words, text)
+
+    def test_arcs_in_three_planes_and_helix(self):
+        def ring(u, v, w, rise):
+            points = []
+            for i in range(41):
+                p, a = [0.0, 0.0, 0.0], 0.07 * i
+                p[u], p[v], p[w] = 15 * math.cos(a), 15 * math.sin(a), rise * i
+                points.append(p)
+            return points
+        for (u, v, w), plane in zip(((0, 1, 2), (2, 0, 1), (1, 2, 0)), ("G17", "G18", "G19")):
+            for rise in (0.0, 0.05):
+                points = ring(u, v, w, rise)
+                axis = [0, 0, 0]
+                axis[w] = 1
+                say = lambda word, numbers: word + "/" + ",".join(f"{x:.9f}" for x in numbers) + "\n"
+                text = ("CUTTER/6\nTOLER/.02\nFROM/0,0,90\nFEDRAT/200\n" + say("GOTO", points[0]) + say("CIRCLE", [0, 0, 0, *axis, 15]) +
+                        "".join(say("GOTO", p) for p in points[1:]) + "FINI\n")
+                with self.subTest(plane, rise=rise):
+                    moves = paths.canonical_moves(self.interpret(text, "--dialect", "cl"))
+                    self.assertIn(plane, (self.folder / "part.ngc").read_text())
+                    self.assertTrue(any(m.arc is not None for m in moves))
+                    source = self.write("cl.apt", text)
+                    self.assertExit(0, "compile", source, "--dialect", "cl", "--to", "json", "-o", "-")
+                    self.assertEqual(paths.compare(moves, paths.cl_locations(self.out), RESOLUTION, 0.0021), [])
+
+    def test_feed_modes(self):
+        text = ("CUTTER/6\nSPINDL/500,CLW\nFROM/0,0,0\nFEDRAT/100,MMPM\nGOTO/10,0,0\nFEDRAT/.2,MMPR\nGOTO/20,0,0\nFEDRAT/5,MMPS\n"
+                "GOTO/30,0,0\nFEDRAT/4,INVERS\nGOTO/50,0,0\nFEDRAT/2,IPM\nGOTO/60,0,0\nFINI\n")
+        self.interpret(text, "--dialect", "cl")
+        program = (self.folder / "part.ngc").read_text()
+        for line in ("X10.0000 Y0.0000 Z0.0000 F100.0000", "X20.0000 G95 F0.2000", "X30.0000 G94 F300.0000", "X50.0000 G93 F4.0000",
+                     "X60.0000 G94 F50.8000"):
+            self.assertIn(line + "\n", program)
+
+    def test_codes_of_the_control_and_tool_offsets(self):
+        calls = self.interpret("CUTTER/6\nLOADTL/3,ADJUST,4\nFROM/0,0,50\nFEDRAT/100\nGOTO/1,0,0\nAUXFUN/8\nPREFUN/61\n"
+                               "INSERT M9\nGOTO/2,0,0\nFINI\n", "--dialect", "cl")
+        program = (self.folder / "part.ngc").read_text()
+        self.assertIn("T3 M6\nG43 H4\n", program)
+        names = [name for name, _ in calls]
+        self.assertIn("FLOOD_ON", names)
+        self.assertIn("FLOOD_OFF", names)
+
+    def test_outputs_switch_with_the_next_move(self):
+        calls = self.interpret("CUTTER/6\nFROM/0,0,50\nFEDRAT/100\nGOTO/1,0,0\nSPRAY/ON,2\nGOTO/2,0,0\nSPRAY/OFF,2\nGOTO/3,0,0\nFINI\n",
+                               "--dialect", "cl")
+        names = [name for name, _ in calls]
+        self.assertIn("SET_MOTION_OUTPUT_BIT", names)
+        self.assertIn("CLEAR_MOTION_OUTPUT_BIT", names)
+
+    def test_refusals(self):
+        head = "CUTTER/6\nFROM/0,0,50\n"
+        for code, text in (("E0671", "GOTO/1,0,0\n"), ("E0674", "FEDRAT/.1,MMPR\nGOTO/1,0,0\n"),
+                           ("E0669", "FEDRAT/9\nGOTO/1,0,0\nEND\nGOTO/2,0,0\n"), ("E0688", "FEDRAT/9\nGOTO/1E9,0,0\n"),
+                           ("E0670", "SPINDL/100,SFM\n"), ("E0673", "FEDRAT/9\nCYCLE/TAP,9,MMPM,80,2\nGOTO/1,0,0\n")):
+            with self.subTest(code):
+                source = self.write("p.apt", head + text + "FINI\n")
+                self.assertEqual(self.run_arelem("compile", source, "--dialect", "cl", "--to", "ngc", "-o", "p.ngc"), 6)
+                self.assertIn(f"error[{code}]", self.err)
+                self.assertFalse((self.folder / "p.ngc").exists())
 
 
 if __name__ == "__main__":

@@ -46,6 +46,8 @@ CANON = {
     "REGION": "unit normal i j k, number of boundaries, then of each the number of corners and their x y z; holes run clockwise",
     "REVOLV": "x y z and unit direction i j k of the axis, first and last angle (degrees), then the numbers of the TABCYL",
     "MESH": "numbers of vertices and of triangles, x y z of each vertex, three vertex numbers (from 1) of each triangle",
+    "BSPLIN": "0 (open) or 1 (closed), number m of control points, the different knots, x y z of each control point (closed: from "
+              "the last one on)",
     "TYPE": "those of the type",
 }
 ABOUT = {
@@ -61,6 +63,8 @@ ABOUT = {
     "MESH": "Triangles whose normals, by the order of their corners, stand on the positive side. Drive, part and check surface as "
             "any other; each edge belongs to one triangle or two. Cut vectors are proven over all triangles below them. Lengths "
             "are in the unit of the program.",
+    "BSPLIN": "A cubic B-spline that a tool follows with GOTO/spline. Open ones begin and end in their end points, closed ones go "
+              "round; curvature is continuous. [Smooth paths](../smoothing.md).",
     "TYPE": "Canonical input for every type, and copies with some numbers replaced.",
 }
 CLASSES = {

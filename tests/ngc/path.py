@@ -30,19 +30,22 @@ PLANES = {"CANON_PLANE_XY": (0, 1, 2), "CANON_PLANE_XZ": (2, 0, 1), "CANON_PLANE
 
 
 def canonical_moves(calls):
-    moves, at, feed, plane = [], (0.0, 0.0, 0.0), 0.0, PLANES["CANON_PLANE_XY"]
+    """Lengths in mm, feeds in mm a minute."""
+    moves, at, feed, plane, unit = [], (0.0, 0.0, 0.0), 0.0, PLANES["CANON_PLANE_XY"], 1.0
     for name, words in calls:
         if name == "SELECT_PLANE":
             plane = PLANES[words[0]]
+        elif name == "USE_LENGTH_UNITS":
+            unit = 25.4 if words[0] == "CANON_UNITS_INCHES" else 1.0
         elif name == "SET_FEED_RATE":
-            feed = float(words[0])
+            feed = float(words[0]) * unit
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
             numbers = [float(w) for w in words]
-            end = tuple(numbers[:3])
+            end = tuple(unit * x for x in numbers[:3])
             moves.append(Move(at, end, numbers[3:], feed if name == "STRAIGHT_FEED" else None))
             at = end
         elif name == "ARC_FEED":
-            first, second, c1, c2, turns, third = (float(w) for w in words[:6])
+            first, second, c1, c2, turns, third = (float(w) * unit for w in words[:6])
             u, v, w = plane
             end = [0.0, 0.0, 0.0]
             end[u], end[v], end[w] = first, second, third
@@ -74,7 +77,7 @@ def cl_locations(text):
             if record["word"] == "RAPID":
                 rapid = True
             elif record["word"] == "FEDRAT":
-                feed = next(a for a in record["args"] if not isinstance(a, str))
+                feed = next(a for a in record["args"] if not isinstance(a, str)) * (60 if "MMPS" in record["args"] else 1)
             elif record["word"] == "CYCLE":
                 numbers = [a for a in record["args"] if not isinstance(a, str)]
                 hole = (abs(numbers[0]), numbers[2]) if numbers else None

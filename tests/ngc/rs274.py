@@ -9,7 +9,7 @@ import re
 import shutil
 import subprocess
 
-PACKAGES = ("linuxcnc-uspace", "libboost-python1.74.0")
+PACKAGE = "linuxcnc-uspace"
 CALL = re.compile(r"^\s*\d+ \S+\s+([A-Z_0-9]+)\((.*)\)\s*$")
 
 
@@ -17,19 +17,35 @@ class Unavailable(Exception):
     """Why there is no interpreter."""
 
 
+def _packages():
+    """The package and the library of it that a small system lacks, whose name has a version."""
+    told = subprocess.run(["apt-cache", "depends", PACKAGE], capture_output=True, text=True, timeout=120).stdout
+    return [PACKAGE, *sorted(set(re.findall(r"Depends: (libboost-python[\d.]+)", told)))]
+
+
+def _download(folder):
+    """The error text, "" when all is there."""
+    packages = _packages()
+    done = subprocess.run(["apt-get", "download", *packages], cwd=folder, capture_output=True, text=True, timeout=600)
+    complete = done.returncode == 0 and len(packages) > 1 and len(list(folder.glob("*.deb"))) >= len(packages)
+    return "" if complete else f"apt-get download {' '.join(packages)} failed: {done.stderr.strip()[-200:]}"
+
+
 def _unpack(folder):
     marker = folder / "complete"
     if marker.exists():
         return
     folder.mkdir(parents=True, exist_ok=True)
-    for tool in ("apt-get", "dpkg"):
+    for tool in ("apt-get", "apt-cache", "dpkg"):
         if shutil.which(tool) is None:
-            raise Unavailable(f"no {tool} here to fetch {' '.join(PACKAGES)}")
-    done = subprocess.run(["apt-get", "download", *PACKAGES], cwd=folder, capture_output=True, text=True, timeout=600)
-    archives = sorted(folder.glob("*.deb"))
-    if done.returncode or len(archives) < len(PACKAGES):
-        raise Unavailable(f"apt-get download {' '.join(PACKAGES)} failed: {done.stderr.strip()[-200:]}")
-    for archive in archives:
+            raise Unavailable(f"no {tool} here to fetch {PACKAGE}")
+    trouble = _download(folder)
+    if trouble and os.geteuid() == 0:  # a new system has no lists of packages yet
+        subprocess.run(["apt-get", "update", "-qq"], capture_output=True, timeout=600)
+        trouble = _download(folder)
+    if trouble:
+        raise Unavailable(trouble)
+    for archive in sorted(folder.glob("*.deb")):
         subprocess.run(["dpkg", "-x", archive, folder / "root"], check=True, timeout=300)
         archive.unlink()
     marker.touch()

@@ -1,0 +1,161 @@
+// Canned cycles, and their moves one by one where the control cannot do them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "backend/ngc/moves.h"
+#include "ir/diag/ngc.h"
+#include "ir/limits.h"
+#include "ir/space/tolerance.h"
+
+namespace arelem::backend::ngc {
+
+namespace {
+using robot::ToolPose;
+using robot::TurnedPlace;
+
+constexpr int secondsDecimals = 3;
+/// A cycle written out has at most so many pecks a hole.
+constexpr double mostPecks = 10000.0;
+}  // namespace
+
+void Moves::closeCycle() {
+  if (cycleOpen_) {
+    block_.code("G80");
+    block_.end();
+    block_.forget('m');
+    block_.forgetAxes();
+  }
+  cycleOpen_ = false;
+}
+
+void Moves::cycle(const cl::Post& post) {
+  const Word* first = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
+  if (first != nullptr && *first == Word::OFF) {
+    cycle_.reset();
+    return closeCycle();
+  }
+  if (first != nullptr && *first == Word::ON) {
+    cycle_ = lastCycle_;
+    if (!cycle_) {
+      report(fail(diag::NgcCycle, std::string("/ON has no cycle before it")));
+    }
+    return;
+  }
+  Result<Cycle> read = readCycle(post);
+  if (!read) {
+    return report(read.takeFailure());
+  }
+  if (read->kind == Cycle::Kind::peck && read->depth / read->step > mostPecks) {
+    return report(fail(diag::NgcCycle, fmt::format("has {:.6g} pecks a hole; {:.6g} is the most",
+                                                   read->depth / read->step, mostPecks)));
+  }
+  closeCycle();
+  cycle_ = *read;
+  lastCycle_ = cycle_;
+  if (cycle_->feed) {
+    cl::Post feedPost{Word::FEDRAT, "", {*cycle_->feed}};
+    if (cycle_->feedHasUnit) {
+      feedPost.arguments.emplace_back(cycle_->feedUnit);
+    }
+    feed(feedPost);
+  }
+}
+
+/// One location under a cycle: drilled along the tool axis, back to the clearance, not higher.
+void Moves::hole(const ToolPose& at) {
+  if (!feedIsKnown(at.end)) {
+    return;
+  }
+  if (feedMode_ == FeedMode::inverseTime) {
+    return report(fail(diag::NgcCycle, std::string("needs a feed; an inverse time is none")));
+  }
+  const bool turned = (at.axis - now_.pose.axis).norm() > tolerance::symmetric;
+  if (turned) {
+    closeCycle();
+  }
+  if (!cycleOpen_) {
+    approach({at.end + cycle_->clearance * unit_ * at.axis, at.axis});
+  }
+  const Vec3 along = onMachine(at.end + at.axis) - onMachine(at.end);
+  const bool upright = (along - Vec3::UnitZ()).norm() <= tolerance::symmetric;
+  if (control_.cycles && upright) {
+    cannedHole(at);
+  } else {
+    drilledHole(at);
+  }
+}
+
+/// The way to the first hole: across at the height where the tool is, or at the clearance if that
+/// is higher; straight where the tool turns.
+void Moves::approach(const ToolPose& clear) {
+  const bool wasRapid = std::exchange(rapid_, true);
+  const double above = (now_.pose.end - clear.end).dot(clear.axis);
+  const bool same = placed_ && (now_.pose.axis - clear.axis).norm() <= tolerance::symmetric;
+  if (same) {
+    if (above < 0.0) {
+      line({now_.pose.end - above * clear.axis, clear.axis});
+    }
+    line({clear.end + std::max(above, 0.0) * clear.axis, clear.axis});
+  } else {
+    line(clear);
+  }
+  rapid_ = wasRapid;
+}
+
+void Moves::cannedHole(const ToolPose& at) {
+  constexpr std::array codes = {"G81", "G82", "G83", "G73", "G85", "G89"};
+  const Vec3 place = onMachine(at.end);
+  const double clear = place.z() + cycle_->clearance * unit_;
+  block_.modal('p', "G17");
+  block_.end();
+  block_.code("G99");
+  block_.code(codes.at(static_cast<std::size_t>(cycle_->kind)));
+  block_.length('X', place.x());
+  block_.length('Y', place.y());
+  block_.length('Z', place.z() - cycle_->depth * unit_);
+  block_.length('R', clear);
+  if (cycle_->kind == Cycle::Kind::dwell || cycle_->kind == Cycle::Kind::boreDwell) {
+    block_.number('P', cycle_->dwell, secondsDecimals);
+  } else if (cycle_->kind == Cycle::Kind::peck || cycle_->kind == Cycle::Kind::chip) {
+    block_.length('Q', cycle_->step * unit_);
+  }
+  putFeed(0.0);
+  block_.end();
+  block_.forget('m');
+  block_.forgetAxes();
+  cycleOpen_ = true;
+  now_.pose = {at.end + cycle_->clearance * unit_ * at.axis, at.axis};
+  placed_ = sure_ = true;
+}
+
+void Moves::drilledHole(const ToolPose& at) {
+  const Vec3 clear = at.end + cycle_->clearance * unit_ * at.axis;
+  const auto go = [&](const Vec3& end, bool rapid) {
+    const bool before = std::exchange(rapid_, rapid);
+    line({end, at.axis});
+    rapid_ = before;
+  };
+  const bool pecks = cycle_->kind == Cycle::Kind::peck || cycle_->kind == Cycle::Kind::chip;
+  const double step = pecks ? cycle_->step : cycle_->depth;
+  go(clear, true);
+  for (double depth = 0.0; depth < cycle_->depth;) {
+    if (depth > 0.0) {
+      // Back into the hole as far above its bottom as the clearance, if the hole is that deep.
+      go(clear, true);
+      go(at.end - std::max(depth - cycle_->clearance, -cycle_->clearance) * unit_ * at.axis, true);
+    }
+    depth = std::min(depth + step, cycle_->depth);
+    go(at.end - depth * unit_ * at.axis, false);
+  }
+  const bool dwells = cycle_->kind == Cycle::Kind::dwell || cycle_->kind == Cycle::Kind::boreDwell;
+  if (dwells) {
+    block_.code("G4");
+    block_.number('P', cycle_->dwell, secondsDecimals);
+    block_.end();
+  }
+  const bool bores = cycle_->kind == Cycle::Kind::bore || cycle_->kind == Cycle::Kind::boreDwell;
+  go(clear, !bores);
+}
+
+}  // namespace arelem::backend::ngc

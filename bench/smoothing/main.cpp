@@ -1,0 +1,183 @@
+// Measures SMOOTH and the time law: the methods against each other on the source's noisy line and
+// square, the growth of the computing time, and the moves that the time law takes a second. Prints
+// tables in Markdown. docs/manual/smoothing.md says what they mean.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "runtime/smooth/smooth.h"
+#include "runtime/spline/fit.h"
+#include "runtime/timing/cut_timer.h"
+#include "runtime/timing/spline_limits.h"
+
+namespace {
+
+using namespace arelem;
+using spline::CubicSpline;
+
+constexpr timing::Limits machine{400.0, 4000.0, 20000.0};
+constexpr int repeats = 9;
+
+/// Median of some runs, in seconds of one processor.
+double seconds(const std::function<void()>& work, int runs = repeats) {
+  std::vector<double> times;
+  for (int i = 0; i < runs; ++i) {
+    const std::clock_t start = std::clock();
+    work();
+    times.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
+  return times[static_cast<std::size_t>(runs / 2)];
+}
+
+/// Naseath's test case 5: a straight line of 100 mm with two points 0.2 mm off it.
+CubicSpline noisyLine() {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 28; ++i) {
+    const double x = 100.0 / 27.0 * i;
+    points.emplace_back(x, 0.0, 0.0);
+    if (i == 9 || i == 18) {
+      points.emplace_back(x + 0.37, 0.2, 0.0);
+    }
+  }
+  return *spline::interpolate(points, false);
+}
+
+/// Naseath's test case 6: five legs of 24 mm at right angles.
+CubicSpline square() {
+  std::vector<Vec3> points{Vec3::Zero()};
+  for (int leg = 0; leg < 5; ++leg) {
+    const bool up = leg == 1;
+    const bool down = leg == 3;
+    for (int i = 0; i < 5; ++i) {
+      points.push_back(points.back() + 4.8 * (up     ? Vec3(0, 1, 0)
+                                              : down ? Vec3(0, -1, 0)
+                                                     : Vec3(1, 0, 0)));
+    }
+  }
+  return *spline::interpolate(points, false);
+}
+
+double machiningTime(const CubicSpline& curve) {
+  timing::SpeedLimits path;
+  path.freeEnds = true;
+  timing::appendCurve(path, curve, 50, machine.velocity, machine.acceleration);
+  path.corners.push_back(machine.velocity);
+  return timing::Plan(std::move(path), machine).duration();
+}
+
+struct Published {
+  double radius, improvement, computing;
+};
+
+void compare(const char* name, const CubicSpline& curve, const std::vector<Published>& published) {
+  const auto before = curvatureFigures(curve, 50);
+  const double time = machiningTime(curve);
+  fmt::print("| {} | | before | {:.4f} | {:.4f} | {:.3f} | {:.4f} | | |\n", name, before.most,
+             before.mean, curve.length(), time);
+  for (const Published& row : published) {
+    fmt::print("| | {} | source, published | | | | | {:.1f} % | {:.0f} ms |\n", row.radius,
+               row.improvement, row.computing * 1e3);
+    for (const smooth::Method method :
+         {smooth::Method::source, smooth::Method::tube, smooth::Method::time}) {
+      smooth::Options options;
+      options.tolerance = row.radius;
+      options.method = method;
+      options.limits = machine;
+      const auto result = smooth::smooth(curve, options);
+      const double spent = seconds([&] { static_cast<void>(smooth::smooth(curve, options)); });
+      const auto after = curvatureFigures(result->curve, 50);
+      const double now = machiningTime(result->curve);
+      fmt::print(
+          "| | {} | METHOD, {} | {:.4f} | {:.4f} | {:.3f} | {:.4f} | {:.1f} % | {:.2f} ms |\n",
+          row.radius, static_cast<int>(method) + 1, after.most, after.mean, result->curve.length(),
+          now, 100.0 * (1.0 - now / time), spent * 1e3);
+    }
+  }
+}
+
+void compareMethods() {
+  fmt::print(
+      "| case | tolerance | method | largest curvature | mean | length | time, s | less time | "
+      "computing |\n|---|---|---|--:|--:|--:|--:|--:|--:|\n");
+  compare("noisy line", noisyLine(),
+          {{0.025, 2.76, 0.231}, {0.125, 20.58, 0.339}, {0.25, 75.09, 0.851}});
+  compare("square", square(), {{0.025, 2.45, 0.237}, {0.125, 10.83, 0.160}, {0.25, 16.43, 0.741}});
+}
+
+/// A wavy path in space of so many control points.
+CubicSpline wave(std::size_t points) {
+  std::vector<Vec3> control;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double x = 0.5 * static_cast<double>(i);
+    control.emplace_back(x, std::sin(0.3 * x) + (i * 7919 % 101) * 1e-3, 0.2 * std::cos(0.11 * x));
+  }
+  return *CubicSpline::uniform(std::move(control), false);
+}
+
+void growthOfSmoothing() {
+  fmt::print(
+      "\n| control points | METHOD, 1 | a second | METHOD, 2 | a second | METHOD, 3 | a second |\n"
+      "|--:|--:|--:|--:|--:|--:|--:|\n");
+  for (const std::size_t count : {1'000, 10'000, 100'000, 1'000'000}) {
+    const CubicSpline curve = wave(count);
+    std::string row = fmt::format("| {} |", count);
+    for (const smooth::Method method :
+         {smooth::Method::source, smooth::Method::tube, smooth::Method::time}) {
+      smooth::Options options;
+      options.tolerance = 0.05;
+      options.method = method;
+      options.limits = machine;
+      const double spent = seconds([&] { static_cast<void>(smooth::smooth(curve, options)); }, 1);
+      row += fmt::format(" {:.3f} s | {:.0f} |", spent, static_cast<double>(count) / spent);
+    }
+    fmt::print("{}\n", row);
+  }
+}
+
+void growthOfTheTimeLaw() {
+  fmt::print("\n| moves | seconds | a second |\n|--:|--:|--:|\n");
+  for (const std::size_t count : {1'000, 10'000, 100'000, 1'000'000}) {
+    std::vector<cl::Record> records;
+    cl::Record feed;
+    feed.body = cl::Post{Word::FEDRAT, "", {6000.0}};
+    records.push_back(feed);
+    const CubicSpline curve = wave(1000);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = curve.end() * static_cast<double>(i % 10000) / 10000.0;
+      const Vec3 p = curve.at(t) + Vec3(0, static_cast<double>(i / 10000) * 5.0, 0);
+      cl::Record record;
+      cl::Motion motion;
+      motion.kind = i == 0 ? cl::Motion::Kind::from : cl::Motion::Kind::go;
+      motion.coordinates = {p.x(), p.y(), p.z()};
+      record.body = motion;
+      records.push_back(std::move(record));
+    }
+    const double spent = seconds(
+        [&] {
+          CollectingSink sink;
+          timing::CutTimer timer({machine, 0.01, 10.0}, sink);
+          for (const cl::Record& record : records) {
+            timer.accept(record);
+          }
+          static_cast<void>(timer.finish());
+        },
+        3);
+    fmt::print("| {} | {:.4f} | {:.0f} |\n", count, spent, static_cast<double>(count) / spent);
+  }
+}
+
+}  // namespace
+
+int main() {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  compareMethods();
+  growthOfSmoothing();
+  growthOfTheTimeLaw();
+}

@@ -1,0 +1,117 @@
+"""RS-274 for five axes: the interpreter's calls, by forward kinematics, against the CL."""
+import json
+import unittest
+
+import numpy
+from arelem_run import PROJECT
+from test_ngc import NgcCase
+
+import path as paths
+import turning
+from examples import REFUSED
+
+RESOLUTION = 2e-3  # 1e-4 degrees of an axis at half a meter, and the last digits
+MACHINES = ["mill5_table_table", "mill5_head_head", "mill5_head_table"]
+# A dome cut with the tool square to it, and a row of holes square to its edge.
+DOME = """PARTNO DOME
+UNITS/MM
+CUTTER/6
+MULTAX/ON
+FROM/0,0,200,0,0,1
+FEDRAT/500
+RAPID,GOTO/0,0,70,0,0,1
+""" + "".join(f"GOTO/{50 * i:.9f},{50 * j:.9f},{50 * k:.9f},{i:.9f},{j:.9f},{k:.9f}\n" for i, j, k in (
+    (numpy.sin(0.05 * n) * numpy.cos(0.25 * n), numpy.sin(0.05 * n) * numpy.sin(0.25 * n), numpy.cos(0.05 * n))
+    for n in range(1, 24))) + "FINI\n"
+
+
+def poses(records):
+    """(place, axis, rapid) of each location behind FROM."""
+    rapid, out = False, []
+    for line in records.splitlines():
+        record = json.loads(line)
+        if record["kind"] == "POST" and record["word"] == "RAPID":
+            rapid = True
+        elif record["kind"] in ("GOTO", "CONT"):
+            out += [(p[:3], p[3:6] if len(p) > 3 else (0, 0, 1), rapid) for p in record["points"]]
+            rapid = False
+    return out
+
+
+def off_segment(p, a, b):
+    return paths.to_segment(tuple(p), tuple(a), tuple(b))
+
+
+class Turning(NgcCase):
+    def compare(self, text, name):
+        machine = turning.Machine(PROJECT / "stdlib" / f"{name}.machine.toml")
+        calls = self.interpret(text, "--machine", f"{name}.machine.toml")
+        source = self.write("cl.apt", text)
+        self.assertExit(0, "compile", source, "--to", "json", "-o", "-")
+        wanted = poses(self.out)
+        reached, at, before = 0, None, None
+        for move in paths.canonical_moves(calls):
+            self.assertIsNone(move.arc)
+            self.assertTrue(machine.in_range(move.axes), move.axes)
+            end, axis = machine.pose(move.end, move.axes)
+            goal, goal_axis, rapid = wanted[reached]
+            # On the way the tool end keeps to the straight line, with all axes moving evenly.
+            if at is not None:
+                for s in (0.25, 0.5, 0.75, 1.0):
+                    place, _ = machine.pose([a + s * (b - a) for a, b in zip(before.end, move.end)],
+                                            [a + s * (b - a) for a, b in zip(before.axes, move.axes)])
+                    self.assertLess(off_segment(place, at, goal), machine.tolerance + RESOLUTION, move.end)
+            before = move
+            if numpy.linalg.norm(end - goal) < RESOLUTION and numpy.linalg.norm(axis - goal_axis) < 1e-5:
+                self.assertEqual(move.feed is None, rapid)
+                reached, at = reached + 1, goal
+                while reached < len(wanted) and numpy.allclose(wanted[reached][0], goal, atol=1e-5) and \
+                        numpy.allclose(wanted[reached][1], goal_axis, atol=1e-8):
+                    reached += 1
+        self.assertEqual(reached, len(wanted), f"{name}: location {wanted[min(reached, len(wanted) - 1)]} is not reached")
+
+    def test_dome(self):
+        for name in MACHINES:
+            with self.subTest(name):
+                self.compare(DOME, name)
+
+    def test_tilted_guns_of_the_examples(self):
+        for example, (code, _) in REFUSED.items():
+            if code == "E0672":
+                with self.subTest(example):
+                    self.compare((PROJECT / "examples" / example).read_text(), "mill5_table_table")
+
+    def test_holes_square_to_a_slope(self):
+        text = ("CUTTER/6\nMULTAX/ON\nSPINDL/900,CLW\nFROM/0,0,90,0,0,1\nRAPID\nGOTO/0,0,60,0,0,1\nCYCLE/DRILL,8,MMPM,90,2\n"
+                "GOTO/10,0,20,.6,0,.8\nGOTO/10,12,20,.6,0,.8\nCYCLE/OFF\nRAPID\nGOTO/0,0,90,0,0,1\nFINI\n")
+        machine = turning.Machine(PROJECT / "stdlib" / "mill5_table_table.machine.toml")
+        calls = self.interpret(text, "--machine", "mill5_table_table.machine.toml")
+        bottoms = [machine.pose(m.end, m.axes) for m in paths.canonical_moves(calls) if m.feed is not None]
+        for y in (0, 12):  # 8 mm along the tool axis
+            goal = numpy.array([10 - 8 * 0.6, y, 20 - 8 * 0.8])
+            self.assertTrue(any(numpy.linalg.norm(end - goal) < 1e-3 and numpy.allclose(axis, (0.6, 0, 0.8), atol=1e-5)
+                                for end, axis in bottoms), bottoms)
+
+    def test_arc_on_a_turned_table(self):
+        axis, u, v = numpy.array((0.6, 0, 0.8)), numpy.array((0.8, 0, -0.6)), numpy.array((0, 1, 0))
+        points = [20 * (numpy.cos(a) * u + numpy.sin(a) * v) for a in numpy.linspace(0, 2.8, 60)]
+        say = lambda word, numbers: word + "/" + ",".join(f"{x:.9f}" for x in numbers) + "\n"
+        text = ("CUTTER/6\nMULTAX/ON\nFROM/0,0,90,0,0,1\nFEDRAT/200\nRAPID\n" + say("GOTO", [*points[0], *axis]) +
+                say("CIRCLE", [0, 0, 0, *axis, 20]) + "".join(say("GOTO", [*p, *axis]) for p in points[1:]) + "FINI\n")
+        machine = turning.Machine(PROJECT / "stdlib" / "mill5_table_table.machine.toml")
+        calls = self.interpret(text, "--dialect", "cl", "--machine", "mill5_table_table.machine.toml")
+        moves = paths.canonical_moves(calls)
+        self.assertLess(sum(m.feed is not None for m in moves), 4)
+        for move in (m for m in moves if m.arc is not None):
+            for place in move.samples(40):
+                end, tool = machine.pose(place, move.axes)
+                self.assertAlmostEqual(numpy.linalg.norm(end), 20, delta=3e-3)
+                self.assertAlmostEqual(end @ axis, 0, delta=3e-3)
+                self.assertTrue(numpy.allclose(tool, axis, atol=1e-5))
+        self.assertTrue(any(m.arc is not None for m in moves))
+        end, _ = machine.pose(moves[-1].end, moves[-1].axes)
+        self.assertTrue(numpy.allclose(end, points[-1], atol=RESOLUTION))
+
+
+if __name__ == "__main__":
+    unittest.main()
