@@ -19,6 +19,7 @@ struct Compilation {
   runtime::ProgressCall progress;  ///< of long searches; may be empty
   SourceMap sources;
   BufferId main;
+  std::vector<std::string> filesRead;  ///< data files that definitions named
   DiagnosticLog log;
   ir::Program program;
   runtime::Evaluation evaluation;

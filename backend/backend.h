@@ -54,6 +54,7 @@ struct Target {
   bool binary = false;
   bool readsBack = false;   ///< there is a reader for it
   bool needsMotion = true;  ///< false: made from program and context alone
+  bool takesCurves = false;  ///< arcs and splines as they are; else cut vectors in their place
   std::unique_ptr<Writer> (*make)(std::ostream& out,
                                   const Context& context,
                                   DiagnosticSink& sink) = nullptr;

@@ -31,6 +31,7 @@ struct Options {
   files::Files files;                          ///< data files that definitions name
   bool history = false;                        ///< keep every definition: Evaluation::history
   ProgressCall progress;                       ///< may be empty
+  bool axesFollow = false;  ///< an axis that is not z is written without MULTAX: CL files
 };
 
 /// One item of what PRINT and TITLES ask for, in order of execution.

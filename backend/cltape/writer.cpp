@@ -89,7 +89,10 @@ class TapeWriter : public Writer {
              const cl::Motion& motion,
              int sub,
              std::span<const double> numbers) {
-    char* place = header(record, 5000, sub, numbers.size() + 2, numbers.size() + 2);
+    const cl::TypeCode code = motion.way == cl::Motion::Way::straight
+                                  ? cl::TypeCode{5000, sub}
+                                  : cl::typeCode(record.body);
+    char* place = header(record, code.type, code.sub, numbers.size() + 2, numbers.size() + 2);
     place = writeLittle(place, tape::nameWord(motion.name));
     place = writeLittle(place, tape::numberWord(motion.subscript));
     double bad = 0.0;

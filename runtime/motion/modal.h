@@ -25,6 +25,8 @@ void setParameter(State& state, const runtime::Parameter& p, RecordWriter& write
 /// MULTAX, NOPS, AUTOPS, 3DCALC, 2DCALC, NDTEST, GOUGCK.
 void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer);
 /// The words that hold for one motion have been used.
+/// The tool goes straight to a place; a move that is not along its axis is the forward direction.
+void moveTo(State& state, const Vec3& toolEnd);
 void forgetOneShots(State& state);
 
 }  // namespace arelem::motion
