@@ -4,15 +4,14 @@
 #include <iostream>
 #include <thread>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include "app/messages.h"
 #include "app/output_file.h"
 #include "app/sha256.h"
 #include "app/source_file.h"
 #include "app/spray_progress.h"
 #include "app/worker.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "ir/diag/render_text.h"
 
@@ -128,18 +127,17 @@ ExitCode runBatch(const std::vector<PlannedJob>& plans,
   const std::size_t asked = choice.jobs.value_or(1);
   const auto progress = progressOnTerminal();
   ExitCode code = ExitCode::ok;
-  const auto results = runWorkers(
-      inputs, options, asked == 0 ? processors : asked, interrupted,
-      [&](std::size_t index, const JobResult& result) {
-        if (progress && !result.messages.empty()) {
-          std::cerr << "\r\x1b[K";
-        }
-        std::cerr << result.messages;
-        code = worse(code, result.code);
-        if (progress) {
-          progress("jobs", index + 1, inputs.size());
-        }
-      });
+  const auto results = runWorkers(inputs, options, asked == 0 ? processors : asked, interrupted,
+                                  [&](std::size_t index, const JobResult& result) {
+                                    if (progress && !result.messages.empty()) {
+                                      std::cerr << "\r\x1b[K";
+                                    }
+                                    std::cerr << result.messages;
+                                    code = worse(code, result.code);
+                                    if (progress) {
+                                      progress("jobs", index + 1, inputs.size());
+                                    }
+                                  });
   if (!settings.quiet) {
     printTable(results);
   }

@@ -2,10 +2,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "app/output_plan.h"
 #include "app/settings.h"
+#include <CLI/CLI.hpp>
 
 namespace arelem::app {
 

@@ -14,7 +14,8 @@ InputFormat formatOf(std::string_view bytes) {
     return InputFormat::tape;
   }
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && bytes[first] == '{' ? InputFormat::json : InputFormat::text;
+  return first != std::string_view::npos && bytes[first] == '{' ? InputFormat::json
+                                                                : InputFormat::text;
 }
 
 bool readRecords(Compilation& job,

@@ -9,10 +9,10 @@ namespace arelem::app {
 
 /// A move of a CL file: where the tool goes and how.
 struct ClMove {
-  Vec3 end = Vec3::Zero();       ///< part unit of the file
+  Vec3 end = Vec3::Zero();  ///< part unit of the file
   Vec3 axis = Vec3::UnitZ();
-  std::optional<Vec3> center;    ///< of an arc
-  double feed = 0.0;             ///< of the last FEDRAT; 0 before any
+  std::optional<Vec3> center;  ///< of an arc
+  double feed = 0.0;           ///< of the last FEDRAT; 0 before any
   bool rapid = false;
   cl::Motion::Way way = cl::Motion::Way::straight;
   Span origin;

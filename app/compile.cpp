@@ -179,15 +179,14 @@ ExitCode compileOne(const PlannedJob& plan,
     writeRunReport(job, plan.report, options.settings.verbose);
   }
   if (!options.depfile.empty() && job.log.errors() == 0 && !interrupted) {
-    writeDepfile(job, plan,
-                 options.machine.empty() ? std::vector<std::string>{}
-                                         : std::vector{options.machine},
-                 options.depfile);
+    writeDepfile(
+        job, plan,
+        options.machine.empty() ? std::vector<std::string>{} : std::vector{options.machine},
+        options.depfile);
   }
   job.log.print(job.sources, job.main, options.settings);
   if (options.tally >= 0) {
-    writeTally(options.tally, job.log.errors(), job.log.warnings(),
-                                 job.motion.cutVectors);
+    writeTally(options.tally, job.log.errors(), job.log.warnings(), job.motion.cutVectors);
   }
   if (options.settings.verbose && !options.settings.quiet) {
     printSummary(plan, job, outputs);
@@ -237,8 +236,8 @@ int runCompile(const Invocation& invocation) {
   }
   const InterruptFlag& interrupted = invocation.interrupt.flag();
   if (options.batch.jobs || !options.batch.manifest.empty()) {
-    const std::vector<std::string> words = optionsOnly(
-        app, invocation.words, {"-j", "--jobs", "--manifest", "-v", "--verbose"});
+    const std::vector<std::string> words =
+        optionsOnly(app, invocation.words, {"-j", "--jobs", "--manifest", "-v", "--verbose"});
     return static_cast<int>(runBatch(jobs, words, options.batch, options.outputs.folder,
                                      options.settings, interrupted));
   }

@@ -2,13 +2,12 @@
 #include <iostream>
 #include <numbers>
 
-#include <Eigen/Geometry>
-
 #include "app/cl_input.h"
 #include "app/cl_moves.h"
 #include "app/command.h"
 #include "app/options.h"
 #include "app/source_file.h"
+#include <Eigen/Geometry>
 
 #include "ir/diag/render_text.h"
 #include "ir/space/tolerance.h"
@@ -102,10 +101,10 @@ class Comparison {
     } else if (onlyA_ + onlyB_ > 0) {
       out << "one file goes on where the other ends\n";
     }
-    out << fmt::format("{}: {} moves, {}: {} moves; {} differ, {} only in the first, {} only in "
-                       "the second\n",
-                       a_.name, a_.path.moves.size(), b_.name, b_.path.moves.size(), differing_,
-                       onlyA_, onlyB_);
+    out << fmt::format(
+        "{}: {} moves, {}: {} moves; {} differ, {} only in the first, {} only in "
+        "the second\n",
+        a_.name, a_.path.moves.size(), b_.name, b_.path.moves.size(), differing_, onlyA_, onlyB_);
   }
 
  private:
@@ -138,8 +137,8 @@ class Comparison {
       return d;
     }
     constexpr double degrees = 180.0 / std::numbers::pi;
-    const double turned = degrees * std::atan2(left.axis.cross(right.axis).norm(),
-                                               left.axis.dot(right.axis));
+    const double turned =
+        degrees * std::atan2(left.axis.cross(right.axis).norm(), left.axis.dot(right.axis));
     if (!(turned <= allowed_.degrees)) {
       d.what = fmt::format("tool axes {:.6g} degrees apart", turned);
     } else if (left.way != right.way || left.rapid != right.rapid) {
@@ -189,8 +188,7 @@ ExitCode readSide(Side& side, const std::string& path, const InterruptFlag& inte
   if (!bytes) {
     side.job.log.accept(bytes.takeFailure());
   } else {
-    static_cast<void>(
-        readRecords(side.job, path, *std::move(bytes), side.path, interrupted));
+    static_cast<void>(readRecords(side.job, path, *std::move(bytes), side.path, interrupted));
   }
   side.job.log.print(side.job.sources, side.job.main, side.job.settings);
   return side.job.log.exitCode();

@@ -56,9 +56,10 @@ int runDump(const Invocation& invocation) {
     log.print({}, {}, settings);
     return static_cast<int>(log.exitCode());
   }
-  return static_cast<int>(formatOf(*bytes) == InputFormat::tape ? dumpTape(file, *std::move(bytes), settings)
-                                                : dumpProgram(file, *std::move(bytes), settings,
-                                                              invocation.interrupt.flag()));
+  return static_cast<int>(
+      formatOf(*bytes) == InputFormat::tape
+          ? dumpTape(file, *std::move(bytes), settings)
+          : dumpProgram(file, *std::move(bytes), settings, invocation.interrupt.flag()));
 }
 
 }  // namespace arelem::app

@@ -68,8 +68,8 @@ bool load(Compilation& job,
 bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) {
   const Stopwatch watch(job.seconds.evaluate);
   job.evaluation = runtime::evaluate(
-      job.program,
-      {job.settings.limits, &interrupted, dataFiles(job), history, job.progress}, job.log);
+      job.program, {job.settings.limits, &interrupted, dataFiles(job), history, job.progress},
+      job.log);
   return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
 }
 
@@ -82,9 +82,9 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const bool straight = path::needsChords(job.evaluation.actions);
   runtime::Options options{job.settings.limits, &interrupted, {}, false, {}};
   options.axesFollow = job.program.dialect == spell(frontend::Dialect::cl);
-  job.motion = runtime::execute(
-      job.evaluation.actions, options,
-      straight ? static_cast<cl::RecordSink&>(*chords) : *smoother, job.log);
+  job.motion =
+      runtime::execute(job.evaluation.actions, options,
+                       straight ? static_cast<cl::RecordSink&>(*chords) : *smoother, job.log);
   smoother->finish();
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;

@@ -16,9 +16,9 @@ constexpr std::array stateWords = {
     Word::CUTCOM, Word::CYCLE,  Word::DELAY,  Word::STOP,   Word::OPSTOP, Word::END,
     Word::TRACUT, Word::COPY,   Word::INDEX,  Word::CLRSRF, Word::SELCTL};
 /// The same of words of CAM systems.
-constexpr std::array<std::string_view, 11> stateOfSystems = {
-    "CIRCLE", "MOVARC", "NURBS",  "KNOT",   "CNTRL", "CSYS",
-    "TRNTYP", "TLDATA", "SMOOTH", "MACHLM", "LOAD"};
+constexpr std::array<std::string_view, 11> stateOfSystems = {"CIRCLE", "MOVARC", "NURBS",  "KNOT",
+                                                             "CNTRL",  "CSYS",   "TRNTYP", "TLDATA",
+                                                             "SMOOTH", "MACHLM", "LOAD"};
 
 struct Count {
   std::uint64_t understood = 0, passed = 0, reported = 0;
@@ -117,7 +117,7 @@ void printWordCounts(std::ostream& out, const Compilation& job) {
     }
   }
   for (const auto& [buffer, offset] : reported.rest()) {
-    ++counts[wordAt(job.sources.text({buffer}), offset)].reported;
+    ++counts[wordAt(job.sources.text(BufferId{buffer}), offset)].reported;
   }
   for (const auto& [word, count] : counts) {
     print(out, word, count.understood, "understood");

@@ -119,8 +119,8 @@ class Pool {
     worker.tally.reset(std::tmpfile());
     std::vector<std::string> words = {"arelem", "compile"};
     words.insert(words.end(), options_.begin(), options_.end());
-    words.insert(words.end(), {"--tally", fmt::format("{}", tallyDescriptor), "--",
-                               results_[index].input});
+    words.insert(words.end(),
+                 {"--tally", fmt::format("{}", tallyDescriptor), "--", results_[index].input});
     if (!worker.messages || !worker.tally || !spawn(worker, words)) {
       results_[index].code = ExitCode::internalError;
       results_[index].messages = "arelem: error: no process can be started for the job\n";

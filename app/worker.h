@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "app/exit_code.h"
+#include <CLI/CLI.hpp>
 
 #include "ir/limits.h"
 

@@ -71,7 +71,8 @@ struct Evaluation {
   /// With Options::history each definition of an entity as it was executed, nested ones and those
   /// that replaced an earlier one too; scalars stand where they got their first value.
   std::vector<Defined> history;
-  std::vector<std::shared_ptr<const spray::Sprayed>> sprayed;  ///< what each SPRAY statement amounts to
+  std::vector<std::shared_ptr<const spray::Sprayed>>
+      sprayed;       ///< what each SPRAY statement amounts to
   std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::vector<Ignored> ignored;
   /// How often each definition form was used, by FormId.

@@ -21,7 +21,8 @@ struct Cycle {
 };
 
 /// Reads the positional and the keyworded forms: DRILL, FACE, REAM, BORE (G81, or G82 with DWELL)
-/// and DEEP, BRKCHP (G83 with STEP or INCR), with the words of NX, SolidWorks CAM, Creo and CATIA. Errors: other cycles, a number that is missing.
+/// and DEEP, BRKCHP (G83 with STEP or INCR), with the words of NX, SolidWorks CAM, Creo and CATIA.
+/// Errors: other cycles, a number that is missing.
 [[nodiscard]] Result<Cycle> readCycle(const cl::Post& post);
 
 }  // namespace arelem::backend::ngc

@@ -66,7 +66,8 @@ void Moves::cycle(const cl::Post& post) {
     cycleOpen_ = false;
     return;
   }
-  const auto* text = post.arguments.empty() ? nullptr : std::get_if<std::string>(&post.arguments[0]);
+  const auto* text =
+      post.arguments.empty() ? nullptr : std::get_if<std::string>(&post.arguments[0]);
   if ((first != nullptr && *first == Word::ON) || (text != nullptr && *text == "INIT")) {
     return;
   }

@@ -116,7 +116,8 @@ std::vector<std::pair<std::size_t, std::size_t>> itemsOf(std::string_view text,
   std::size_t from = begin;
   for (std::size_t i = begin; i < end; ++i) {
     const std::size_t first = text.find_first_not_of(" \t", from);
-    const bool splits = isBlank(text[i]) && first < i && wholeNumber(text.substr(first, i - first)) &&
+    const bool splits = isBlank(text[i]) && first < i &&
+                        wholeNumber(text.substr(first, i - first)) &&
                         text.find_first_not_of(" \t", i) < end;
     if (splits) {
       items.emplace_back(from, i);
@@ -127,11 +128,8 @@ std::vector<std::pair<std::size_t, std::size_t>> itemsOf(std::string_view text,
   return items;
 }
 
-std::vector<ir::Argument> rawArguments(const RawText& raw,
-                                       std::size_t i,
-                                       bool splits,
-                                       BufferId buffer,
-                                       Values& values) {
+std::vector<ir::Argument> rawArguments(
+    const RawText& raw, std::size_t i, bool splits, BufferId buffer, Values& values) {
   std::vector<ir::Argument> list;
   while (i < raw.text.size()) {
     const std::size_t next = std::min(raw.text.find(',', i + 1), raw.text.size());
@@ -225,7 +223,6 @@ bool ProgramReader::lowerClMotion(const StatementText& statement, Frame& frame) 
   }
   return false;
 }
-
 
 /// Post statements and statements with unknown words pass with their parameters as they stand:
 /// numbers, words, and everything else as text. False leaves the statement to the parser.

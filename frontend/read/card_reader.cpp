@@ -143,8 +143,8 @@ void CardReader::next(StatementText& statement, bool fastLane) {
                                           : statement.spanOf(0, statement.text.size());
 }
 
-/// A comment that amounts to a statement is cut down to it; of others all lines are passed over, and
-/// the result is false.
+/// A comment that amounts to a statement is cut down to it; of others all lines are passed over,
+/// and the result is false.
 bool CardReader::openComment(Line& line) {
   const auto comment = structuredComment(line.text);
   if (!comment) {

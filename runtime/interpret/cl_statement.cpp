@@ -61,8 +61,7 @@ class ArcReader {
         ++next_;
       } else if (item.is(Word::CLW) || item.is(Word::CW) || isText(item, "CLOCKWISE")) {
         arc.axis = -arc.axis.value_or(Vec3::Zero());
-      } else if (!(item.is(Word::CCLW) || item.is(Word::CCW) ||
-                   isText(item, "COUNTERCLOCKWISE"))) {
+      } else if (!(item.is(Word::CCLW) || item.is(Word::CCW) || isText(item, "COUNTERCLOCKWISE"))) {
         return false;
       }
     }
@@ -83,12 +82,12 @@ bool arcStatement(State& state, std::string_view word, const Items& items) {
   ArcReader reader(state, items);
   if (const std::optional<Arc> arc = reader.read()) {
     if (reader.describesTool()) {
-      state.ignore("what follows the radius of CIRCLE", "it describes the tool that follows the arc");
+      state.ignore("what follows the radius of CIRCLE",
+                   "it describes the tool that follows the arc");
     }
     state.emit(*arc);
   } else {
-    state.report(
-        diagnose(state.statement->span, diag::ArcForm, word, describe(items), arcForms));
+    state.report(diagnose(state.statement->span, diag::ArcForm, word, describe(items), arcForms));
   }
   return true;
 }
@@ -130,8 +129,8 @@ void checkFeedUnits(State& state, std::string_view word, const Items& items) {
     const bool imperial = *unit == Word::IPM || *unit == Word::IPR;
     if ((inches && metric) || (!inches && imperial)) {
       if (!state.toldOfUnits) {
-        state.report(diagnose(state.statement->span, diag::MixedUnits, spell(*unit),
-                              spell(*state.unit)));
+        state.report(
+            diagnose(state.statement->span, diag::MixedUnits, spell(*unit), spell(*state.unit)));
       }
       state.toldOfUnits = true;
     }

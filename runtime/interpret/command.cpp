@@ -1,8 +1,7 @@
 #include "runtime/interpret/command.h"
 
-#include "runtime/interpret/cl_statement.h"
-
 #include "ir/diag/interpret.h"
+#include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/printing.h"
 
 namespace arelem::runtime::interpret {
@@ -51,6 +50,7 @@ void units(State& state, const ir::Command& command) {
         unit != nullptr &&
         (*unit == Word::MM || *unit == Word::CM || *unit == Word::INCHES || *unit == Word::FEET)) {
       state.context.millimeters = millimetersOf(*unit);
+      state.unit = *unit;
       state.emit(Pass{cl::Units{*unit}});
       return;
     }

@@ -72,8 +72,8 @@ class Reader {
     }
     for (const std::optional<Vec3>& v : {locate.axis, locate.side}) {
       if (v && isNull(*v)) {
-        Diagnostic d = diagnose(items_[next - 1].span, diag::NullVector, spell(word_), v->x(),
-                                v->y(), v->z());
+        Diagnostic d =
+            diagnose(items_[next - 1].span, diag::NullVector, spell(word_), v->x(), v->y(), v->z());
         labelOperands(d, items_);
         state_.report(std::move(d));
         return std::nullopt;
@@ -86,7 +86,8 @@ class Reader {
     return feed(std::move(locate), next);
   }
 
-  /// A direction as a vector or as three numbers at `next`, which moves on; none is there otherwise.
+  /// A direction as a vector or as three numbers at `next`, which moves on; none is there
+  /// otherwise.
   std::optional<Vec3> direction(std::size_t& next) {
     const EntityPtr* vector =
         next < items_.size() ? items_[next].entity(EntityType::vector) : nullptr;

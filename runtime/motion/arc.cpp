@@ -77,10 +77,11 @@ double totalSweep(const runtime::Arc& arc, double between, std::vector<Failure>&
 cl::Surface surfaceOf(const Vec3& center, const Vec3& axis, double radius) {
   constexpr int drive = 2;
   constexpr double upright = 1.0 - 1e-15;
-  const auto type =
-      std::abs(axis.z()) >= upright ? EntityType::circle : EntityType::cylinder;
-  return {drive, 0, {type, "", 0, {center.x(), center.y(), center.z(), axis.x(), axis.y(),
-                                   axis.z(), radius}}};
+  const auto type = std::abs(axis.z()) >= upright ? EntityType::circle : EntityType::cylinder;
+  return {
+      drive,
+      0,
+      {type, "", 0, {center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z(), radius}}};
 }
 }  // namespace
 
@@ -98,8 +99,7 @@ Result<ArcMove> arcMove(const runtime::Arc& arc,
   const double last = circle.radial(end).norm();
   const double radius = arc.radius.value_or(first);
   const double off = std::max(std::abs(first - radius), std::abs(last - radius));
-  if (!(radius > tolerance::coincidence) ||
-      off > worst + worstShare * radius) {
+  if (!(radius > tolerance::coincidence) || off > worst + worstShare * radius) {
     return fail(diag::ArcEnds, first, last, radius);
   }
   if (arc.turns < 0 || arc.turns > mostTurns) {

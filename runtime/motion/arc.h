@@ -20,9 +20,9 @@ struct ArcMove {
     Vec3 end = Vec3::Zero();
   };
   std::vector<Piece> pieces;
-  double length = 0.0;             ///< of the path, part unit
-  Vec3 tangent = Vec3::Zero();     ///< direction of motion at the end
-  std::vector<Failure> warnings;   ///< ends off the circle, a stated angle that does not fit
+  double length = 0.0;            ///< of the path, part unit
+  Vec3 tangent = Vec3::Zero();    ///< direction of motion at the end
+  std::vector<Failure> warnings;  ///< ends off the circle, a stated angle that does not fit
 };
 
 /// The arc from `start` to `end`. Both may lie off the circle by what the digits of a file take

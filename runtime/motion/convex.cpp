@@ -115,8 +115,9 @@ std::optional<std::vector<Vec3>> ConvexPolygon::inset(double distance) const {
   if (polygon.size() < 3) {
     return std::nullopt;
   }
-  const auto first = std::min_element(polygon.begin(), polygon.end(),
-                                      [](const Corner& a, const Corner& b) { return a.side < b.side; });
+  const auto first =
+      std::min_element(polygon.begin(), polygon.end(),
+                       [](const Corner& a, const Corner& b) { return a.side < b.side; });
   std::rotate(polygon.begin(), first, polygon.end());
   std::vector<Vec3> places;
   for (const Corner& corner : polygon) {

@@ -23,11 +23,11 @@ constexpr std::size_t mostPasses = 100'000;
 
 /// The eight numbers by their names.
 struct Numbers {
-  double reach = 0.0;               ///< Re
+  double reach = 0.0;                  ///< Re
   double general = 0.0, finish = 0.0;  ///< c, f: steps in radii of the cutter
-  bool adapts = true;               ///< o = 0
-  bool walls = false;               ///< p = 1, 3: the points are corners of the wall
-  bool projects = false;            ///< p = 2, 3: they are projected on the part surface
+  bool adapts = true;                  ///< o = 0
+  bool walls = false;                  ///< p = 1, 3: the points are corners of the wall
+  bool projects = false;               ///< p = 2, 3: they are projected on the part surface
 };
 
 Result<Numbers> numbersOf(const runtime::Pocket& pocket, double radius) {
@@ -120,8 +120,17 @@ class Passes {
       if (!half || endsAt(*half)) {
         break;
       }
-      distance += sharpens(*half, full->size()) ? smallStep(*half, step) : step;
-      full = polygon_.inset(distance);
+      const std::size_t sides = full->size();
+      full = polygon_.inset(distance + step);
+      if (sharpens(*half, sides)) {
+        distance += smallStep(*half, step);
+        full = polygon_.inset(distance);
+      } else if (full && sharpens(*full, half->size())) {
+        distance += step / 2.0 + smallStep(*full, step);
+        full = polygon_.inset(distance);
+      } else {
+        distance += step;
+      }
       if (!full) {
         passes_.push_back(*half);  // what is left in the middle is more than the cutter reaches
       }
@@ -155,14 +164,14 @@ class Passes {
   }
 
   /// Whether sides have vanished and left a sharper corner than any before.
-  [[nodiscard]] bool sharpens(const std::vector<Vec3>& half, std::size_t sides) const {
-    return numbers_.adapts && half.size() < sides && sharpestSine(half) < sine_;
+  [[nodiscard]] bool sharpens(const std::vector<Vec3>& corners, std::size_t sides) const {
+    return numbers_.adapts && corners.size() < sides && sharpestSine(corners) < sine_;
   }
 
   /// The next pass is where the sharper corner leaves nothing, and from there on the steps are
   /// smaller.
-  double smallStep(const std::vector<Vec3>& half, double step) {
-    sine_ = sharpestSine(half);
+  double smallStep(const std::vector<Vec3>& corners, double step) {
+    sine_ = sharpestSine(corners);
     const double small = std::min(step, 2.0 * numbers_.reach * sine_);
     adapt(sine_);
     return small / 2.0;

@@ -63,10 +63,7 @@ void RecordWriter::add(const Vec3& toolEnd, const Vec3& axis) {
   }
 }
 
-void RecordWriter::putCurve(cl::Motion::Way way,
-                            const Vec3& end,
-                            const Vec3& axis,
-                            bool withAxis) {
+void RecordWriter::putCurve(cl::Motion::Way way, const Vec3& end, const Vec3& axis, bool withAxis) {
   startPoints(cl::Motion::Kind::go, "", 0, withAxis);
   std::get<cl::Motion>(points_.body).way = way;
   add(end, axis);
