@@ -179,10 +179,10 @@ ExitCode compileOne(const PlannedJob& plan,
     writeRunReport(job, plan.report, options.settings.verbose);
   }
   if (!options.depfile.empty() && job.log.errors() == 0 && !interrupted) {
-    writeDepfile(
-        job, plan,
-        options.machine.empty() ? std::vector<std::string>{} : std::vector{options.machine},
-        options.depfile);
+    const std::string& machine = options.machine.file;
+    writeDepfile(job, plan,
+                 machine.empty() ? std::vector<std::string>{} : std::vector{machine},
+                 options.depfile);
   }
   job.log.print(job.sources, job.main, options.settings);
   if (options.tally >= 0) {
