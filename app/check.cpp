@@ -5,6 +5,7 @@
 #include "app/options.h"
 #include "app/pipeline.h"
 #include "app/report.h"
+#include "app/word_counts.h"
 
 namespace arelem::app {
 
@@ -16,6 +17,7 @@ struct Tally {
 ExitCode checkOne(const std::string& path,
                   const Settings& settings,
                   const std::string& report,
+                  bool words,
                   const InterruptFlag& interrupted,
                   Tally& tally) {
   Compilation job(settings);
@@ -24,6 +26,9 @@ ExitCode checkOne(const std::string& path,
   }
   if (!report.empty() && !interrupted) {
     writeRunReport(job, report, false);
+  }
+  if (words && !interrupted) {
+    printWordCounts(std::cout, job);
   }
   job.log.print(job.sources, job.main, settings);
   ++tally.files;
@@ -39,9 +44,13 @@ int runCheck(const Invocation& invocation) {
   Settings settings;
   std::vector<std::string> files;
   std::string report;
+  bool words = false;
   app.add_option("FILE", files, "part programs; - is standard input")->required();
   app.add_option("--report", report, "what the program uses, as JSON; for one file")
       ->type_name("FILE");
+  app.add_flag("--words", words,
+               "how often each word begins a statement, and what became of it: understood, passed "
+               "on, reported");
   addSourceOptions(app, settings);
   addMessageOptions(app, settings);
   if (const auto code = parse(app, invocation.words)) {
@@ -56,7 +65,7 @@ int runCheck(const Invocation& invocation) {
   Tally tally;
   for (const std::string& file : files) {
     if (!interrupted) {
-      result = worse(result, checkOne(file, settings, report, interrupted, tally));
+      result = worse(result, checkOne(file, settings, report, words, interrupted, tally));
     }
   }
   if (!settings.quiet && settings.format != DiagnosticFormat::json) {

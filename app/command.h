@@ -25,6 +25,7 @@ struct Command {
 
 int runCheck(const Invocation& invocation);
 int runCompile(const Invocation& invocation);
+int runDiff(const Invocation& invocation);
 int runDump(const Invocation& invocation);
 int runExplain(const Invocation& invocation);
 int runFormat(const Invocation& invocation);

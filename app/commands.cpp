@@ -16,6 +16,7 @@ std::span<const Command> commands() {
       Command{"dump", "the inside of a part program or CL file as text", runDump},
       Command{"spray", "passes, times, paint, cost and film of SPRAY statements", runSpray},
       Command{"verify", "reads an output again and compares it with its part program", runVerify},
+      Command{"diff", "compares two CL files move by move", runDiff},
       Command{"time", "how long a machine takes for the path of a part program", runTime},
       Command{"repl", "computes statements as they are typed", runRepl},
       Command{"fmt", "lays part programs out anew, with the same meaning", runFormat},

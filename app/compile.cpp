@@ -2,7 +2,10 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/batch.h"
+#include "app/cl_input.h"
 #include "app/command.h"
+#include "app/depfile.h"
 #include "app/machine.h"
 #include "app/options.h"
 #include "app/output_plan.h"
@@ -10,8 +13,10 @@
 #include "app/path_options.h"
 #include "app/pipeline.h"
 #include "app/report.h"
+#include "app/source_file.h"
 #include "app/spray_progress.h"
 #include "app/stopwatch.h"
+#include "app/worker.h"
 
 #include "runtime/path/arc_fit.h"
 
@@ -26,6 +31,9 @@ struct CompileOptions {
   int decimals = -1;
   MachineChoice machine;
   double fitShare = 0.0;
+  std::string depfile;
+  BatchChoice batch;
+  int tally = -1;  ///< descriptor of --tally: this is the worker of a batch
 };
 
 void addOptions(CLI::App& app, CompileOptions& options) {
@@ -51,6 +59,18 @@ void addOptions(CLI::App& app, CompileOptions& options) {
   app.add_flag("--keep-going", options.keepGoing,
                "after motion errors write what there is to FILE.partial");
   app.add_flag("--force", options.outputs.force, "binary formats may go to a terminal");
+  app.add_option("-j,--jobs", options.batch.jobs,
+                 "compiles so many programs at once, each in a process of its own; 0: as many as "
+                 "there are processors")
+      ->type_name("N");
+  app.add_option("--manifest", options.batch.manifest,
+                 "inputs and outputs of a batch with their SHA-256, as JSON; default: "
+                 "manifest.json in the folder of --out-dir")
+      ->type_name("FILE");
+  app.add_option("--depfile", options.depfile,
+                 "a rule for make and ninja: what the outputs were made from; for one program")
+      ->type_name("FILE");
+  app.add_option("--tally", options.tally)->group("");
   addFitOption(app, options.fitShare);
   addSourceOptions(app, options.settings);
   addMessageOptions(app, options.settings);
@@ -166,19 +186,53 @@ void produce(Compilation& job,
   }
 }
 
+/// From the records of a tape or a json file to other formats.
+void rewrite(Compilation& job,
+             OutputSet& outputs,
+             const PlannedJob& plan,
+             std::string bytes,
+             const CompileOptions& options,
+             const InterruptFlag& interrupted) {
+  backend::Context context = backendContext(job);
+  context.program = nullptr;
+  context.decimals = options.decimals;
+  if (!outputs.open(plan.outputs, context)) {
+    return;
+  }
+  const auto fitter = path::makeArcFitter(outputs, options.fitShare);
+  const bool whole = readRecords(job, plan.input, std::move(bytes), *fitter, interrupted);
+  fitter->finish();
+  if (whole || (options.keepGoing && !interrupted)) {
+    static_cast<void>(outputs.close(!whole));
+  }
+}
+
 ExitCode compileOne(const PlannedJob& plan,
                     const CompileOptions& options,
                     const InterruptFlag& interrupted) {
   Compilation job(options.settings);
   job.progress = progressOnTerminal();
   OutputSet outputs(job.log);
-  if (load(job, plan.input, interrupted) && evaluate(job, interrupted)) {
+  if (Result<std::string> bytes = readBytes(plan.input, options.settings.limits); !bytes) {
+    job.log.accept(bytes.takeFailure());
+  } else if (formatOf(*bytes) != InputFormat::text) {
+    rewrite(job, outputs, plan, *std::move(bytes), options, interrupted);
+  } else if (load(job, plan.input, *std::move(bytes), interrupted) && evaluate(job, interrupted)) {
     produce(job, outputs, plan, options, interrupted);
   }
   if (!plan.report.empty() && !interrupted) {
     writeRunReport(job, plan.report, options.settings.verbose);
   }
+  if (!options.depfile.empty() && job.log.errors() == 0 && !interrupted) {
+    const std::string& machine = options.machine.file;
+    writeDepfile(job, plan,
+                 machine.empty() ? std::vector<std::string>{} : std::vector{machine},
+                 options.depfile);
+  }
   job.log.print(job.sources, job.main, options.settings);
+  if (options.tally >= 0) {
+    writeTally(options.tally, job.log.errors(), job.log.warnings(), job.motion.cutVectors);
+  }
   if (options.settings.verbose && !options.settings.quiet) {
     printSummary(plan, job, outputs);
   }
@@ -209,6 +263,10 @@ int runCompile(const Invocation& invocation) {
   if (const auto code = parse(app, invocation.words)) {
     return *code;
   }
+  if (!options.depfile.empty() && options.inputs.size() != 1) {
+    printUsageError("compile", "`--depfile` is for one program");
+    return static_cast<int>(ExitCode::wrongUse);
+  }
   std::vector<PlannedJob> jobs;
   if (const auto refusal = planOutputs(options.inputs, options.outputs, jobs)) {
     if (refusal->code == ExitCode::wrongUse) {
@@ -222,6 +280,12 @@ int runCompile(const Invocation& invocation) {
     return static_cast<int>(ExitCode::outputNotWritten);
   }
   const InterruptFlag& interrupted = invocation.interrupt.flag();
+  if (options.batch.jobs || !options.batch.manifest.empty()) {
+    const std::vector<std::string> words =
+        optionsOnly(app, invocation.words, {"-j", "--jobs", "--manifest", "-v", "--verbose"});
+    return static_cast<int>(runBatch(jobs, words, options.batch, options.outputs.folder,
+                                     options.settings, interrupted));
+  }
   ExitCode result = ExitCode::ok;
   for (const PlannedJob& job : jobs) {
     if (!interrupted) {

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "app/cl_input.h"
 #include "app/command.h"
 #include "app/options.h"
 #include "app/pipeline.h"
@@ -11,12 +12,6 @@
 namespace arelem::app {
 
 namespace {
-/// The header of a tape's first record holds small 32-bit numbers, so its first bytes have zeros; a
-/// text has none.
-bool looksLikeTape(std::string_view bytes) {
-  return bytes.substr(0, 16).find('\0') != std::string_view::npos;
-}
-
 ExitCode dumpTape(const std::string& path, std::string bytes, const Settings& settings) {
   SourceMap sources;
   const BufferId main = sources.add(displayName(path), "");
@@ -61,9 +56,10 @@ int runDump(const Invocation& invocation) {
     log.print({}, {}, settings);
     return static_cast<int>(log.exitCode());
   }
-  return static_cast<int>(looksLikeTape(*bytes) ? dumpTape(file, *std::move(bytes), settings)
-                                                : dumpProgram(file, *std::move(bytes), settings,
-                                                              invocation.interrupt.flag()));
+  return static_cast<int>(
+      formatOf(*bytes) == InputFormat::tape
+          ? dumpTape(file, *std::move(bytes), settings)
+          : dumpProgram(file, *std::move(bytes), settings, invocation.interrupt.flag()));
 }
 
 }  // namespace arelem::app

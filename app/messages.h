@@ -20,6 +20,8 @@ class DiagnosticLog : public DiagnosticSink {
   /// A failure that has no place in a text.
   void accept(Failure failure);
 
+  /// Those kept since the last print.
+  [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
   [[nodiscard]] std::size_t errors() const { return errors_; }
   [[nodiscard]] std::size_t warnings() const { return warnings_; }
   /// What was kept since the last print.

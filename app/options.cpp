@@ -136,8 +136,10 @@ std::optional<int> parse(CLI::App& app, std::vector<std::string> words) {
     printUsageError(command, error.what());
     return static_cast<int>(ExitCode::wrongUse);
   }
-  if (!app.remaining().empty()) {
-    printUsageError(command, unknownOption(app, app.remaining()));
+  std::vector<std::string> remaining = app.remaining();
+  std::erase(remaining, "--");  // the mark itself, behind which all words are inputs
+  if (!remaining.empty()) {
+    printUsageError(command, unknownOption(app, remaining));
     return static_cast<int>(ExitCode::wrongUse);
   }
   return std::nullopt;

@@ -19,6 +19,9 @@ bool OutputSet::open(const std::vector<PlannedOutput>& outputs, const backend::C
     Open opened;
     opened.file = *std::move(file);
     opened.writer = output.target->make(opened.file->stream(), context, watch_);
+    if (!output.target->takesCurves) {
+      opened.chords = path::makeChordStage(*opened.writer, watch_);
+    }
     open_.push_back(std::move(opened));
   }
   return true;
@@ -26,7 +29,7 @@ bool OutputSet::open(const std::vector<PlannedOutput>& outputs, const backend::C
 
 void OutputSet::accept(const cl::Record& record) {
   for (const Open& output : open_) {
-    output.writer->accept(record);
+    output.chords ? output.chords->accept(record) : output.writer->accept(record);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "app/output_plan.h"
 
 #include "backend/backend.h"
+#include "runtime/path/chords.h"
 
 namespace arelem::app {
 
@@ -34,6 +35,7 @@ class OutputSet : public cl::RecordSink {
   struct Open {
     std::unique_ptr<OutputFile> file;
     std::unique_ptr<backend::Writer> writer;
+    std::unique_ptr<path::ChordStage> chords;  ///< before writers that take no curves
     std::uint64_t bytes = 0;
   };
   /// Passes on what writers say and remembers whether one of them met an error.

@@ -6,6 +6,8 @@
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "runtime/path/chords.h"
+#include "runtime/path/curve_needs.h"
 #include "runtime/path/smoother.h"
 #include "runtime/path/transform.h"
 
@@ -25,8 +27,9 @@ frontend::Options frontendOptions(const Settings& settings, const InterruptFlag&
   return options;
 }
 /// Data files lie beside the part program or in the library path.
-files::Files dataFiles(const Compilation& job) {
+files::Files dataFiles(Compilation& job) {
   files::Files found;
+  found.opened = &job.filesRead;
   found.folders.push_back(std::filesystem::path(job.sources.name(job.main)).parent_path().string());
   found.folders.insert(found.folders.end(), job.settings.libraryPath.begin(),
                        job.settings.libraryPath.end());
@@ -76,9 +79,13 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
+  const auto chords = path::makeChordStage(*smoother, job.log);
+  const bool straight = path::needsChords(job.evaluation.actions);
+  runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}, false};
+  options.axesFollow = job.program.dialect == spell(frontend::Dialect::cl);
   job.motion =
-      runtime::execute(job.evaluation.actions,
-                       {job.settings.limits, &interrupted, {}, false, {}, {}}, *smoother, job.log);
+      runtime::execute(job.evaluation.actions, options,
+                       straight ? static_cast<cl::RecordSink&>(*chords) : *smoother, job.log);
   smoother->finish();
   job.smoothed = smoother->facts();
   transformer->finish();

@@ -22,6 +22,7 @@ struct Compilation {
   runtime::DefinitionCall defined;  ///< told of each definition; may be empty
   SourceMap sources;
   BufferId main;
+  std::vector<std::string> filesRead;  ///< data files that definitions named
   DiagnosticLog log;
   ir::Program program;
   runtime::Evaluation evaluation;

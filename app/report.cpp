@@ -6,6 +6,7 @@
 
 #include "app/output_file.h"
 #include "app/spray_report.h"
+#include "app/statement_word.h"
 #include "app/version.h"
 
 #include "backend/report/report.h"
@@ -13,34 +14,6 @@
 namespace arelem::app {
 
 namespace {
-/// How a kind of statement is called in the counts.
-struct KindName {
-  std::string operator()(const ir::Assign&) const { return "assignment"; }
-  std::string operator()(const ir::Define&) const { return "definition"; }
-  std::string operator()(const ir::Branch&) const { return "IF"; }
-  std::string operator()(const ir::Jump&) const { return "JUMPTO"; }
-  std::string operator()(const ir::Call&) const { return "CALL"; }
-  std::string operator()(const ir::Obtain&) const { return "OBTAIN"; }
-  std::string operator()(const ir::Text& text) const { return std::string(spell(text.word)); }
-  std::string operator()(const ir::Locate& locate) const { return std::string(spell(locate.word)); }
-  std::string operator()(const ir::LocateNumbers& locate) const {
-    return std::string(spell(locate.word));
-  }
-  std::string operator()(const ir::Startup& startup) const {
-    return startup.offset ? "OFFSET" : "GO";
-  }
-  std::string operator()(const ir::Follow& follow) const {
-    constexpr std::array words = {"GOLFT", "GORGT", "GOFWD", "GOBACK", "GOUP", "GODOWN"};
-    return words.at(static_cast<std::size_t>(follow.heading));
-  }
-  std::string operator()(const ir::Transfer&) const { return "TRANTO"; }
-  std::string operator()(const ir::Fini&) const { return "FINI"; }
-  std::string operator()(const ir::Command& command) const {
-    return std::string(spell(command.word));
-  }
-  std::string operator()(const ir::ForeignCommand& command) const { return command.word; }
-};
-
 bool followsSurfaces(const std::string& statement) {
   return statement.starts_with("GO") && statement != "GOTO" && statement != "GODLTA";
 }
@@ -129,7 +102,7 @@ backend::Report reportOf(const Compilation& job, bool timing) {
   }
   for (const ir::Block& block : job.program.blocks) {
     for (const ir::Statement& statement : block.statements) {
-      ++report.statements[std::visit(KindName{}, statement.body)];
+      ++report.statements[statementWord(statement.body)];
     }
   }
   report.features = featuresOf(job);

@@ -35,7 +35,7 @@ struct Context {
   const ir::Program* program = nullptr;  ///< null when the records were read from a file
   std::vector<EntityPtr> entities;       ///< in order of definition
   std::vector<ListingItem> printed;
-  std::string_view deck;  ///< what PUNCH wrote
+  std::string_view deck;                    ///< what PUNCH wrote
   const robot::Machine* machine = nullptr;  ///< of --machine; null without
   int decimals =
       -1;  ///< of lengths in text targets, 1 to 15; -1: as many as read back to the same double
@@ -52,8 +52,9 @@ struct Target {
   std::string_view summary;
   std::vector<std::string_view> suffixes;  ///< with the dot; the first is the default
   bool binary = false;
-  bool readsBack = false;   ///< there is a reader for it
-  bool needsMotion = true;  ///< false: made from program and context alone
+  bool readsBack = false;    ///< there is a reader for it
+  bool needsMotion = true;   ///< false: made from program and context alone
+  bool takesCurves = false;  ///< arcs and splines as they are; else cut vectors in their place
   std::unique_ptr<Writer> (*make)(std::ostream& out,
                                   const Context& context,
                                   DiagnosticSink& sink) = nullptr;

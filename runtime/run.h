@@ -38,6 +38,7 @@ struct Options {
   bool history = false;                        ///< keep every definition: Evaluation::history
   ProgressCall progress;                       ///< may be empty
   DefinitionCall defined;                      ///< may be empty
+  bool axesFollow = false;  ///< an axis that is not z is written without MULTAX: CL files
 };
 
 /// One item of what PRINT and TITLES ask for, in order of execution.

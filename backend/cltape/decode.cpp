@@ -108,6 +108,19 @@ Decoded values(Word word, Words words) {
   return cl::Body(cl::Values{word, std::move(*list)});
 }
 
+/// Class 15000: arcs and splines, which end in one location.
+Decoded curve(int sub, Words words, const DecodeState& state) {
+  using Way = cl::Motion::Way;
+  constexpr int go = static_cast<int>(cl::Motion::Kind::go);
+  Decoded result = motion(go, words, state);
+  auto* body = std::get_if<cl::Motion>(&result.body);
+  if (body == nullptr || body->points() != 1) {
+    return malformed("an arc ends in one location");
+  }
+  body->way = sub == 5 ? Way::counterclockwise : sub == 7 ? Way::clockwise : Way::spline;
+  return result;
+}
+
 /// Class 6000.
 Decoded parameter(int sub, Words words) {
   switch (sub) {
@@ -181,6 +194,9 @@ Decoded decodeClass(int type, int sub, Words words, DecodeState& state) {
                                               : Decoded(raw(type, sub, words));
     case 6000:
       return parameter(sub, words);
+    case 15000:
+      return sub == 5 || sub == 7 || sub == 8 ? curve(sub, words, state)
+                                              : Decoded(raw(type, sub, words));
     case 14000:
       return sub == 0 && words.empty() ? Decoded(cl::Body(cl::Fini{}))
                                        : malformed("FINI has no words");

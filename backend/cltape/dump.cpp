@@ -36,7 +36,10 @@ class Describer {
   }
   void operator()(const cl::Motion& motion) {
     constexpr std::array<std::string_view, 4> words = {"FROM", "", "GOTO", "CONT"};
-    line_ += words[static_cast<std::size_t>(motion.kind) - 3];
+    line_ += motion.way == cl::Motion::Way::spline      ? "SPLINE"
+             : motion.way == cl::Motion::Way::clockwise ? "ARC CLW"
+             : motion.isArc()                           ? "ARC CCLW"
+                              : words[static_cast<std::size_t>(motion.kind) - 3];
     name(motion.name, motion.subscript);
     for (std::size_t i = 0; i < motion.coordinates.size(); ++i) {
       line_ += i % motion.stride() == 0 ? (i == 0 ? "  " : "; ") : " ";

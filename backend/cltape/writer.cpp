@@ -60,8 +60,8 @@ class TapeWriter : public Writer {
       const tape::TapeWord on = withAxis_ ? 1 : 0;
       write(record, 9000, 2, &on, 1);
     }
-    const std::vector<double>& numbers = motion.withSide ? withoutSides(record, motion)
-                                                         : motion.coordinates;
+    const std::vector<double>& numbers =
+        motion.withSide ? withoutSides(record, motion) : motion.coordinates;
     std::size_t from = 0;
     int sub = static_cast<int>(motion.kind);
     do {
@@ -79,7 +79,8 @@ class TapeWriter : public Writer {
       toldOfSides_ = true;
     }
     sixes_.clear();
-    for (std::size_t i = 0; i + motion.stride() <= motion.coordinates.size(); i += motion.stride()) {
+    for (std::size_t i = 0; i + motion.stride() <= motion.coordinates.size();
+         i += motion.stride()) {
       sixes_.insert(sixes_.end(), &motion.coordinates[i], &motion.coordinates[i] + 6);
     }
     return sixes_;
@@ -89,7 +90,9 @@ class TapeWriter : public Writer {
              const cl::Motion& motion,
              int sub,
              std::span<const double> numbers) {
-    char* place = header(record, 5000, sub, numbers.size() + 2, numbers.size() + 2);
+    const cl::TypeCode code = motion.way == cl::Motion::Way::straight ? cl::TypeCode{5000, sub}
+                                                                      : cl::typeCode(record.body);
+    char* place = header(record, code.type, code.sub, numbers.size() + 2, numbers.size() + 2);
     place = writeLittle(place, tape::nameWord(motion.name));
     place = writeLittle(place, tape::numberWord(motion.subscript));
     double bad = 0.0;

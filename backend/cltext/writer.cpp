@@ -1,6 +1,7 @@
 #include "backend/cltext/writer.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -24,11 +25,22 @@ class TextWriter : public Writer {
     record_ = &record;
     std::visit(*this, record.body);
   }
-  void finish() override { buffer_.finish(); }
+  void finish() override {
+    flushCircle();
+    buffer_.finish();
+  }
 
   void operator()(const cl::Motion& motion) {
     if (!writable(motion.coordinates)) {
       return;
+    }
+    if (motion.way == cl::Motion::Way::spline) {
+      return;  // the last CNTRL has said it
+    }
+    if (motion.isArc()) {
+      arc(motion.way == cl::Motion::Way::clockwise);
+    } else {
+      flushCircle();
     }
     const std::string_view word = motion.kind == cl::Motion::Kind::from ? "FROM" : "GOTO";
     const std::size_t stride = motion.stride();
@@ -69,9 +81,10 @@ class TextWriter : public Writer {
     }
     buffer_.append('\n');
   }
+  /// Whether it is an arc tells the location behind it.
   void operator()(const cl::Surface& body) {
-    line_.begin(spell(body.surface.type), true);
-    lengths(body.surface.canon);
+    flushCircle();
+    circle_ = body.surface;
   }
   void operator()(const cl::Switch& body) { bare(spell(body.word), true); }
   void operator()(const cl::Values& body) {
@@ -103,6 +116,27 @@ class TextWriter : public Writer {
   }
 
  private:
+  /// The surface that cut vectors run along is a comment.
+  void flushCircle() {
+    if (circle_) {
+      line_.begin(circle_->type == EntityType::cylinder ? "CYLNDR" : "CIRCLE", true);
+      lengths(circle_->canon);
+      circle_.reset();
+    }
+  }
+  /// CIRCLE / x, y, z, i, j, k, r and the GOTO of the end: counter-clockwise about the axis.
+  void arc(bool clockwise) {
+    if (!circle_) {
+      return;
+    }
+    std::vector<double> numbers = circle_->canon;
+    for (std::size_t i = 3; clockwise && i < 6 && i < numbers.size(); ++i) {
+      numbers[i] = numbers[i] == 0.0 ? 0.0 : -numbers[i];
+    }
+    line_.begin("CIRCLE");
+    lengths(numbers);
+    circle_.reset();
+  }
   void bare(std::string_view word, bool comment) {
     line_.begin(word, comment);
     line_.end();
@@ -185,6 +219,7 @@ class TextWriter : public Writer {
   StatementWriter line_;
   DiagnosticSink& sink_;
   const cl::Record* record_ = nullptr;
+  std::optional<cl::SurfaceValue> circle_;  ///< read and not written yet
   bool refused_ = false;
 };
 }  // namespace

@@ -40,7 +40,18 @@ bool hand(const json& row, cl::RecordSink& records) {
     if (!readPoints(row.at("points"), motion)) {
       return false;
     }
+    if (row.contains("way")) {
+      const std::string way = row["way"].get<std::string>();
+      motion.way = way == "SPLINE" ? cl::Motion::Way::spline
+                   : way == "CLW"  ? cl::Motion::Way::clockwise
+                                   : cl::Motion::Way::counterclockwise;
+    }
     record.body = std::move(motion);
+  } else if (kind == "SURFACE") {
+    cl::Surface surface;
+    surface.surface.type = row.at("surf") == "CIRCLE" ? EntityType::circle : EntityType::cylinder;
+    surface.surface.canon = row.at("canon").get<std::vector<double>>();
+    record.body = std::move(surface);
   }
   records.accept(record);
   return true;

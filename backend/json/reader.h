@@ -6,9 +6,9 @@
 
 namespace arelem::backend {
 
-/// Reads the motion records of a `json` output: one record a line, or one object whose `cl` is the
-/// list of records. Of other records only their statement number is kept (as cl::Card). False after
-/// a fault, which is reported with its line.
+/// Reads the motion records of a `json` output and the circles before them: one record a line, or
+/// one object whose `cl` is the list of records. Of other records only their statement number is
+/// kept (as cl::Card). False after a fault, which is reported with its line.
 bool readJsonRecords(std::string_view text,
                      std::string_view file,
                      cl::RecordSink& records,

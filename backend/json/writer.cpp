@@ -28,6 +28,12 @@ std::string_view roleName(int role) {
   }
 }
 
+std::string_view wayName(cl::Motion::Way way) {
+  return way == cl::Motion::Way::spline      ? "SPLINE"
+         : way == cl::Motion::Way::clockwise ? "CLW"
+                                             : "CCLW";
+}
+
 /// Appends the fields that follow `kind`, each with a comma before it.
 class FieldWriter {
  public:
@@ -65,6 +71,9 @@ class FieldWriter {
     const bool from = motion.kind == cl::Motion::Kind::from;
     kind(from ? "FROM" : motion.kind == cl::Motion::Kind::go ? "GOTO" : "CONT");
     named(motion.name, "subscript", motion.subscript);
+    if (motion.way != cl::Motion::Way::straight) {
+      text("way", wayName(motion.way));
+    }
     key("points");
     line_ += '[';
     const std::size_t stride = motion.stride();

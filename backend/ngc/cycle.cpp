@@ -1,5 +1,6 @@
 #include "backend/ngc/cycle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ir/diag/ngc.h"
@@ -14,7 +15,7 @@ class Reader {
 
   Result<Cycle> read() {
     const std::string type = spelling(0);
-    if (type == "DEEP") {
+    if (type == "DEEP" || type == "DEEP2") {
       cycle_.kind = Cycle::Kind::peck;
     } else if (type == "BRKCHP") {
       cycle_.kind = Cycle::Kind::chip;
@@ -69,7 +70,18 @@ class Reader {
       }
       return true;
     }
+    if (word == "DEEP") {  // NX: DRILL,DEEP
+      cycle_.kind = Cycle::Kind::peck;
+    }
+    if (word == "DEEP" || word == "MANUAL" || word == "AUTO" || word == "G98" || word == "G99") {
+      ++next_;  // how far it goes back at the end: never less than the clearance
+      return true;
+    }
     const double* value = number(next_ + 1);
+    if (word == "RTRCTO" && value == nullptr) {
+      ++next_;
+      return true;
+    }
     if (value == nullptr) {
       return false;
     }
@@ -82,14 +94,19 @@ class Reader {
     if (word == "DEPTH" || word == "FEDTO") {
       cycle_.depth = value;
       hasDepth_ = true;
-    } else if (word == "CLEAR") {
+    } else if (word == "CLEAR" || word == "RAPTO") {
       cycle_.clearance = value;
       hasClearance_ = true;
+    } else if (word == "RTRCTO" || word == "RETURN") {
+      retract_ = value;
     } else if (word == "DWELL") {
       cycle_.dwell = value;
       hasDwell_ = true;
-    } else if (word == "STEP" || word == "INCR") {
+    } else if (word == "STEP" || word == "INCR" || word == "1STPECK" || word == "PECKING") {
       cycle_.step = value;
+      cycle_.kind = cycle_.kind == Cycle::Kind::chip ? cycle_.kind : Cycle::Kind::peck;
+    } else if (word == "SUBPECK") {
+      cycle_.step = std::min(cycle_.step, value);
     } else if (unknown_.empty()) {
       unknown_ = word;
     }
@@ -113,6 +130,7 @@ class Reader {
     if (!unknown_.empty()) {
       return fail(diag::NgcCycle, "has `" + unknown_ + "`, which no canned cycle takes");
     }
+    cycle_.clearance = std::max(cycle_.clearance, retract_);
     cycle_.depth = std::abs(cycle_.depth);  // some systems write the way down, some its length
     if (!(cycle_.depth > 0.0) || !(cycle_.clearance > 0.0)) {
       return fail(diag::NgcCycle, fmt::format("has depth {} and clearance {}; both are above 0",
@@ -140,6 +158,7 @@ class Reader {
   const std::vector<cl::Value>& values_;
   std::size_t next_ = 1;
   Cycle cycle_;
+  double retract_ = 0.0;  ///< height of the way to the next hole
   bool hasDepth_ = false;
   bool hasDwell_ = false;
   bool hasClearance_ = false;

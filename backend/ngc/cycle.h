@@ -22,7 +22,8 @@ struct Cycle {
 
 /// Reads the positional and the keyworded forms: DRILL, FACE (G81, or G82 with DWELL), DEEP (G83)
 /// and BRKCHP (G73) with STEP or INCR, BORE and REAM (G85, or G89 with DWELL: the tool feeds out
-/// again). Errors: other cycles, a number that is missing.
+/// again), with the words of NX, SolidWorks CAM, Creo and CATIA. Errors: other cycles, a number that
+/// is missing.
 [[nodiscard]] Result<Cycle> readCycle(const cl::Post& post);
 
 }  // namespace arelem::backend::ngc

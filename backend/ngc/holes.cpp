@@ -42,6 +42,11 @@ void Moves::cycle(const cl::Post& post) {
     }
     return;
   }
+  const auto* text =
+      post.arguments.empty() ? nullptr : std::get_if<std::string>(&post.arguments[0]);
+  if (text != nullptr && *text == "INIT") {
+    return;  // Fusion's head of a cycle that follows
+  }
   Result<Cycle> read = readCycle(post);
   if (!read) {
     return report(read.takeFailure());

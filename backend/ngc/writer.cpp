@@ -6,6 +6,7 @@
 
 #include "backend/ngc/moves.h"
 #include "backend/robot/machine.h"
+#include "ir/cl/vendor.h"
 #include "ir/diag/ngc.h"
 
 namespace arelem::backend {
@@ -31,6 +32,9 @@ double millimetersOf(Word unit) {
       return 1.0;
   }
 }
+
+/// OUTTOL before any statement, part unit.
+constexpr double defaultBand = 0.0005;
 
 class NgcWriter : public Writer {
  public:
@@ -68,11 +72,14 @@ class NgcWriter : public Writer {
   void operator()(const cl::Units& body) {
     unit_ = millimetersOf(body.unit);
     moves_.setUnit(unit_);
+    outer_ = toleranceRead_ ? outer_ : defaultBand * unit_;
+    moves_.setBand(inner_ + outer_);
   }
   void operator()(const cl::Values& body) {
     const double value = body.values.empty() ? 0.0 : std::abs(body.values.front()) * unit_;
     inner_ = body.word == Word::INTOL ? value : inner_;
     outer_ = body.word == Word::OUTTOL ? value : outer_;
+    toleranceRead_ = toleranceRead_ || body.word != Word::CUTTER;
     moves_.setBand(inner_ + outer_);
   }
   void operator()(const cl::Text& body) {
@@ -98,6 +105,9 @@ class NgcWriter : public Writer {
     const std::string_view name = post.foreign.empty() ? spell(post.word) : post.foreign;
     if (name == "SMOOTH" || name == "MACHLM") {
       return;  // done before, or for others
+    }
+    if (const auto apt = cl::inApt(post)) {
+      return word(*apt);
     }
     if (!post.foreign.empty()) {
       return ignored(post.foreign);
@@ -335,7 +345,8 @@ class NgcWriter : public Writer {
   ngc::Moves moves_;
   const cl::Record* record_ = nullptr;
   double unit_ = 1.0;
-  double inner_ = 0.0, outer_ = 0.0;
+  double inner_ = 0.0, outer_ = defaultBand;
+  bool toleranceRead_ = false;
   bool started_ = false, percent_ = false, ended_ = false, lost_ = false;
   bool running_ = false, counter_ = false;
   std::set<std::string> warned_;

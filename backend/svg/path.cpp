@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "backend/text/clean.h"
+#include "ir/cl/vendor.h"
 
 namespace arelem::backend::svg {
 
@@ -79,6 +80,9 @@ void PathCollector::accept(const cl::Record& record) {
 
 void PathCollector::command(const cl::Post& post) {
   if (!post.foreign.empty()) {
+    if (const auto cutter = cl::cutterOf(post)) {
+      diameter_ = std::abs(cutter->front());
+    }
     return;
   }
   rapid_ = rapid_ || post.word == Word::RAPID;

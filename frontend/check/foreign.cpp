@@ -1,10 +1,13 @@
 // Dialect cl: statements of CAM systems, whose words and texts need not be in the vocabulary.
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <optional>
 
 #include "frontend/check/program_reader.h"
 #include "frontend/read/characters.h"
 #include "frontend/read/encoding.h"
+#include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
 
@@ -79,29 +82,154 @@ ir::Argument rawArgument(
 /// Words that pass with their parameters as they stand; a modifier at the head is another system's
 /// word of its own.
 bool passes(Word word) {
+  if (word == Word::CUTTER) {
+    return true;
+  }
   const WordClass c = row(word).wordClass;
   return c == WordClass::postWithParameters || c == WordClass::postWithoutParameters ||
          c == WordClass::transformation || c == WordClass::modifier;
+}
+
+bool allNumbers(const std::vector<ir::Argument>& list) {
+  return std::all_of(list.begin(), list.end(), [](const ir::Argument& a) {
+    return std::holds_alternative<ir::ExprId>(a.value);
+  });
 }
 
 /// CIRCLE/ x, y, z, i, j, k, r and more numbers: the parser takes it. Other CIRCLE statements of
 /// CAM systems (without a radius, with a word for the direction) pass as they stand.
 bool isArcRecord(const std::vector<ir::Argument>& list) {
   constexpr std::size_t fewest = 7;
-  return list.size() >= fewest && std::all_of(list.begin(), list.end(), [](const auto& a) {
-           return std::holds_alternative<ir::ExprId>(a.value);
-         });
+  return list.size() >= fewest && allNumbers(list);
 }
 
 /// UNIT/MM of SolidWorks CAM is UNITS/MM.
 bool isUnit(Word word, const std::vector<ir::Argument>& list) {
   return word == Word::UNIT && list.size() == 1 && std::holds_alternative<Word>(list[0].value);
 }
+
+/// `25.0 25.0 DWELL`: CAMWorks leaves out commas. A blank behind a number separates.
+std::vector<std::pair<std::size_t, std::size_t>> itemsOf(std::string_view text,
+                                                         std::size_t begin,
+                                                         std::size_t end) {
+  std::vector<std::pair<std::size_t, std::size_t>> items;
+  std::size_t from = begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::size_t first = text.find_first_not_of(" \t", from);
+    const bool splits = isBlank(text[i]) && first < i &&
+                        wholeNumber(text.substr(first, i - first)) &&
+                        text.find_first_not_of(" \t", i) < end;
+    if (splits) {
+      items.emplace_back(from, i);
+      from = i;
+    }
+  }
+  items.emplace_back(from, end);
+  return items;
+}
+
+std::vector<ir::Argument> rawArguments(
+    const RawText& raw, std::size_t i, bool splits, BufferId buffer, Values& values) {
+  std::vector<ir::Argument> list;
+  while (i < raw.text.size()) {
+    const std::size_t next = std::min(raw.text.find(',', i + 1), raw.text.size());
+    if (splits) {
+      for (const auto& [begin, end] : itemsOf(raw.text, i + 1, next)) {
+        list.push_back(rawArgument(raw, begin, end, buffer, values));
+      }
+    } else {
+      list.push_back(rawArgument(raw, i + 1, next, buffer, values));
+    }
+    i = next;
+  }
+  return list;
+}
+
+/// Reads numbers separated by commas, and the text behind them.
+bool takeNumbers(std::string_view& text, std::span<double> numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0 && !text.starts_with(',')) {
+      return false;
+    }
+    text.remove_prefix(i > 0 ? 1 : 0);
+    const std::size_t end = std::min(text.find_first_of(",)"), text.size());
+    const auto number = wholeNumber(text.substr(0, end));
+    if (!number) {
+      return false;
+    }
+    numbers[i] = *number;
+    text.remove_prefix(end);
+  }
+  return true;
+}
+
+bool takeText(std::string_view& text, std::string_view expected) {
+  const bool there = text.starts_with(expected);
+  text.remove_prefix(there ? expected.size() : 0);
+  return there;
+}
+
+/// The arc of CATIA, TLON,GOFWD/(CIRCLE/x,y,z,r),ON,[n,INTOF,](LINE/x,y,z,ex,ey,ez): the line ends
+/// where the arc does, and the plane follows from INDIRV.
+struct CatiaArc {
+  std::array<double, 4> circle{};
+  std::array<double, 6> line{};
+};
+std::optional<CatiaArc> catiaArc(std::string_view text) {
+  CatiaArc arc;
+  takeText(text, "TLON,");
+  if (!takeText(text, "GOFWD/(CIRCLE/") || !takeNumbers(text, arc.circle) ||
+      !takeText(text, "),ON,")) {
+    return std::nullopt;
+  }
+  std::array<double, 1> nth{};
+  if (!text.starts_with('(') && !(takeNumbers(text, nth) && takeText(text, ",INTOF,"))) {
+    return std::nullopt;
+  }
+  const bool whole = takeText(text, "(LINE/") && takeNumbers(text, arc.line) && text == ")";
+  return whole ? std::optional(arc) : std::nullopt;
+}
+
+/// GOTO/ with five numbers: two of an axis are no axis.
+std::optional<ir::LocateNumbers> fiveNumbers(std::string_view text) {
+  std::array<double, 5> numbers{};
+  if (!takeText(text, "GOTO/") || !takeNumbers(text, numbers) || !text.empty()) {
+    return std::nullopt;
+  }
+  ir::LocateNumbers locate{Word::GOTO, 3, {}};
+  std::copy_n(numbers.begin(), 3, locate.numbers.begin());
+  return locate;
+}
 }  // namespace
+
+/// Statements of CAM systems that are APT in another sense; false for all others.
+bool ProgramReader::lowerClMotion(const StatementText& statement, Frame& frame) {
+  const Span& at = statement.span;
+  if (const auto arc = catiaArc(statement.text)) {
+    std::vector<ir::Argument> circle;
+    for (const double number : arc->circle) {
+      circle.push_back({frame.values.number(number, at), at});
+    }
+    frame.block.emit(ir::Command{Word::CIRCLE, true, std::move(circle)});
+    ir::LocateNumbers end{Word::GOTO, 3, {}};
+    std::copy_n(arc->line.begin() + 3, 3, end.numbers.begin());
+    frame.block.emit(end);
+    return true;
+  }
+  if (const auto locate = fiveNumbers(statement.text)) {
+    context_.report(diagnose(at, diag::HalfAnAxis));
+    frame.block.emit(*locate);
+    return true;
+  }
+  return false;
+}
 
 /// Post statements and statements with unknown words pass with their parameters as they stand:
 /// numbers, words, and everything else as text. False leaves the statement to the parser.
 bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {
+  if (lowerClMotion(statement, frame)) {
+    return true;
+  }
   const std::size_t headEnd = std::min(statement.text.find_first_of("/,=("), statement.text.size());
   const char after = headEnd < statement.text.size() ? statement.text[headEnd] : '\0';
   const auto word = context_.vocabulary.find(std::string_view(statement.text).substr(0, headEnd));
@@ -115,15 +243,13 @@ bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {
     return false;
   }
   const RawText text = joined(statement, context_.sources);
-  std::size_t i = std::min(text.text.find_first_of("/,"), text.text.size());
+  const std::size_t i = std::min(text.text.find_first_of("/,"), text.text.size());
   const std::string head = upperCase(std::string_view(text.text).substr(0, i), true);
-  std::vector<ir::Argument> list;
-  while (i < text.text.size()) {
-    const std::size_t next = std::min(text.text.find(',', i + 1), text.text.size());
-    list.push_back(rawArgument(text, i + 1, next, buffer_, frame.values));
-    i = next;
+  std::vector<ir::Argument> list = rawArguments(text, i, word.has_value(), buffer_, frame.values);
+  while (word == Word::CUTTER && !list.empty() && list.back().span.length == 0) {
+    list.pop_back();  // CAMWorks ends CUTTER with a comma
   }
-  if (arc && isArcRecord(list)) {
+  if ((arc && isArcRecord(list)) || (word == Word::CUTTER && !allNumbers(list))) {
     return false;
   }
   if (list.size() == 1 && list[0].span.length == 0) {

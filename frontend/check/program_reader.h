@@ -78,6 +78,7 @@ class ProgramReader {
   void checkUncalled();
 
   // foreign.cpp
+  bool lowerClMotion(const StatementText& statement, Frame& frame);
   bool lowerForeign(const StatementText& statement, Frame& frame);
 
   // deck.cpp

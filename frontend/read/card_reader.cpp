@@ -9,6 +9,7 @@
 #include "frontend/read/columns.h"
 #include "frontend/read/encoding.h"
 #include "frontend/read/fast_lane.h"
+#include "frontend/read/structured_comment.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/diag/frontend.h"
 
@@ -121,6 +122,11 @@ void CardReader::next(StatementText& statement, bool fastLane) {
   statement.offsets.clear();
   statement.pieces.clear();
   reportedOther_ = false;
+  if (options_.takes(&DialectRules::freeWidth) && !openComment(line)) {
+    statement.kind = StatementText::Kind::empty;
+    statement.span = {buffer_, offset, 0};
+    return;
+  }
   if (readFixed(line, statement)) {
     return;
   }
@@ -135,6 +141,23 @@ void CardReader::next(StatementText& statement, bool fastLane) {
       statement.text.empty() ? StatementText::Kind::empty : StatementText::Kind::tokens;
   statement.span = statement.text.empty() ? Span{buffer_, offset, 0}
                                           : statement.spanOf(0, statement.text.size());
+}
+
+/// A comment that amounts to a statement is cut down to it; of others all lines are passed over,
+/// and the result is false.
+bool CardReader::openComment(Line& line) {
+  const auto comment = structuredComment(line.text);
+  if (!comment) {
+    return true;
+  }
+  if (comment->statement) {
+    line = {line.text.substr(*comment->statement), line.offset + *comment->statement};
+    return true;
+  }
+  for (bool more = comment->continues; more && readLine(line);) {
+    more = endsInDollar(line.text);
+  }
+  return false;
 }
 
 bool CardReader::readFixed(const Line& line, StatementText& statement) {
@@ -242,11 +265,10 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
       append(statement, c.upper, line.offset + i);
       lowerCase = lowerCase || c.upper != field[i];
     } else if (c.kind == CharClass::dollar) {
-      std::size_t second = i + 1;
-      while (second < field.size() && isBlank(field[second])) {
-        ++second;
-      }
-      const bool comment = second < field.size() && field[second] == '$';
+      const std::size_t second = field.find_first_not_of(" \t", i + 1);
+      const bool adjacent = second == i + 1;
+      const bool comment = second != std::string_view::npos && field[second] == '$' &&
+                           (adjacent || !options_.takes(&DialectRules::freeWidth));
       ending = comment ? CardEnd::done : CardEnd::continued;
       reporter_.used(comment ? ir::Feature::LX_03 : ir::Feature::LX_02);
       break;

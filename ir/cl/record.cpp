@@ -13,7 +13,18 @@ struct CodeOf {
   }
   TypeCode operator()(const Text& text) const { return ofWord(text.word); }
   TypeCode operator()(const Surface& surface) const { return {3000, surface.role}; }
-  TypeCode operator()(const Motion& motion) const { return {5000, static_cast<int>(motion.kind)}; }
+  TypeCode operator()(const Motion& motion) const {
+    switch (motion.way) {
+      case Motion::Way::counterclockwise:
+        return {15000, 5};
+      case Motion::Way::clockwise:
+        return {15000, 7};
+      case Motion::Way::spline:
+        return {15000, 8};
+      default:
+        return {5000, static_cast<int>(motion.kind)};
+    }
+  }
   TypeCode operator()(const Switch& s) const { return ofWord(s.word); }
   TypeCode operator()(const Values& values) const { return ofWord(values.word); }
   TypeCode operator()(const Multax&) const { return {9000, 2}; }

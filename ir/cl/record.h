@@ -46,6 +46,11 @@ struct Surface {
 /// 5000: 3 FROM, 5 GOTO or the first points of a sequence, 6 its continuation. At most 240 numbers.
 struct Motion {
   enum class Kind : std::uint8_t { from = 3, go = 5, continuation = 6 };
+  /// How the tool comes to the location: straight; along the circle of the cl::Surface before,
+  /// counter-clockwise or clockwise about its axis, rising evenly (to where it started: a whole
+  /// turn); along the cubic B-spline whose knots and control points are the posts KNOT and CNTRL
+  /// before. All but the first have one location in a record, which stands on a tape as type 15000.
+  enum class Way : std::uint8_t { straight, counterclockwise, clockwise, spline };
   Kind kind = Kind::go;
   std::string name;  ///< point, drive surface or pattern; "" when unnamed
   int subscript = 0;
@@ -55,8 +60,10 @@ struct Motion {
   bool withSide = false;
   /// x y z, x y z i j k or x y z i j k u v w, one location after another.
   std::vector<double> coordinates;
+  Way way = Way::straight;
   [[nodiscard]] std::size_t stride() const { return withSide ? 9U : withAxis ? 6U : 3U; }
   [[nodiscard]] std::size_t points() const { return coordinates.size() / stride(); }
+  [[nodiscard]] bool isArc() const { return way == Way::counterclockwise || way == Way::clockwise; }
 };
 /// 6000/1 CUT, DNTCUT; 6000/2 2DCALC, 3DCALC, NDTEST.
 struct Switch {

@@ -32,6 +32,9 @@ Result<std::string> read(const Files& files, std::string_view name) {
   if (!in.read(text.data(), static_cast<std::streamsize>(size))) {
     return fail(diag::DataFileUnreadable, name, "reading failed");
   }
+  if (files.opened != nullptr) {
+    files.opened->push_back(found.path.string());
+  }
   return text;
 }
 

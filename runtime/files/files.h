@@ -13,6 +13,7 @@ namespace arelem::files {
 struct Files {
   std::vector<std::string> folders;       ///< that of the part program first; "" is the current one
   std::uint64_t largest = 2'000'000'000;  ///< bytes of one file (`--max-bytes N`)
+  std::vector<std::string>* opened = nullptr;  ///< gets the path of each file that is read
 };
 
 /// The bytes of the file. Errors: E0730 outside the folders, E0731 unreadable, E0732 too large.

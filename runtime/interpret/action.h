@@ -40,6 +40,14 @@ struct FollowSpline {
   EntityPtr curve;
   std::optional<double> feed;
 };
+/// CIRCLE and MOVARC of CL files: the tool goes to the next GOTO along an arc.
+struct Arc {
+  Vec3 center = Vec3::Zero();  ///< its part along the axis does not count
+  std::optional<Vec3> axis;    ///< the arc turns counter-clockwise about it; none: from INDIRV
+  std::optional<double> radius;
+  std::optional<double> sweepDegrees;  ///< ANGLE
+  int turns = 0;                       ///< TIMES: whole turns beside the arc
+};
 struct Startup {
   bool offset = false;               ///< OFFSET/ instead of GO/
   std::vector<SurfaceUse> surfaces;  ///< drive, part, check
@@ -119,6 +127,7 @@ struct CallChain {
 struct Action {
   using Body = std::variant<Locate,
                             FollowSpline,
+                            Arc,
                             Startup,
                             Follow,
                             Direction,

@@ -1,6 +1,7 @@
 #include "runtime/interpret/command.h"
 
 #include "ir/diag/interpret.h"
+#include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/printing.h"
 
 namespace arelem::runtime::interpret {
@@ -49,6 +50,7 @@ void units(State& state, const ir::Command& command) {
         unit != nullptr &&
         (*unit == Word::MM || *unit == Word::CM || *unit == Word::INCHES || *unit == Word::FEET)) {
       state.context.millimeters = millimetersOf(*unit);
+      state.unit = *unit;
       state.emit(Pass{cl::Units{*unit}});
       return;
     }
@@ -75,30 +77,11 @@ void inputOutput(State& state, const ir::Command& command) {
   }
 }
 
-/// CIRCLE/ x, y, z, i, j, k, r of CL files: the circle along which the next locations lie. Systems
-/// add more numbers, of the tool and the tolerance.
+/// The arc record of CL files.
 void arcRecord(State& state, const ir::Command& command) {
-  constexpr std::size_t numbers = 7;
-  const auto items = evaluate(state, command.arguments, Use::motion);
-  if (!items) {
-    return;
+  if (const auto items = evaluate(state, command.arguments, Use::motion)) {
+    arcStatement(state, spell(command.word), *items);
   }
-  cl::SurfaceValue circle{EntityType::circle, "", 0, {}};
-  for (std::size_t i = 0; i < numbers && i < items->size(); ++i) {
-    if (const double* number = (*items)[i].number()) {
-      circle.canon.push_back(*number);
-    }
-  }
-  if (circle.canon.size() != numbers) {
-    state.report(diagnose(state.statement->span, diag::CommandForm, "CIRCLE", describe(*items),
-                          "CIRCLE/x,y,z,i,j,k,r"));
-    return;
-  }
-  if (items->size() > numbers) {
-    state.ignore("what follows the radius of CIRCLE", "it describes the tool that follows the arc");
-  }
-  constexpr int drive = 2;
-  state.emit(Pass{cl::Surface{drive, 0, std::move(circle)}});
 }
 
 void other(State& state, const ir::Command& command) {

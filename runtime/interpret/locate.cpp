@@ -198,7 +198,10 @@ void execute(State& state, const ir::LocateNumbers& numbers) {
     locate.point = {n[0], n[1], n[2]};
     if (numbers.count == 6) {
       locate.axis = Vec3(n[3], n[4], n[5]);
-      if (isNull(*locate.axis)) {
+      if (isNull(*locate.axis) && state.program.dialect == "cl") {
+        state.ignore("a tool axis 0, 0, 0", "it is no direction: the axis before is kept");
+        locate.axis.reset();
+      } else if (isNull(*locate.axis)) {
         state.report(diagnose(state.statement->span, diag::NullVector, spell(numbers.word), n[3],
                               n[4], n[5]));
         return;

@@ -1,4 +1,5 @@
 #include "ir/diag/interpret.h"
+#include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/command.h"
 
 namespace arelem::runtime::interpret {
@@ -162,7 +163,9 @@ void post(State& state, const ir::Command& command) {
   if (!items || !checkTransformation(state, word, *items)) {
     return;
   }
-  if (row(word).wordClass == WordClass::postWithoutParameters && !items->empty()) {
+  checkFeedUnits(state, name, *items);
+  const bool later = state.program.dialect == "cl";  // its systems give parameters to all words
+  if (row(word).wordClass == WordClass::postWithoutParameters && !items->empty() && !later) {
     state.report(diagnose(state.statement->span, diag::PostParameters, name, items->size()));
   }
   if (auto arguments = values(state, name, word, *items)) {
@@ -176,9 +179,10 @@ void post(State& state, const ir::Command& command) {
 
 void execute(State& state, const ir::ForeignCommand& command) {
   const auto items = evaluate(state, command.arguments, Use::motion);
-  if (!items) {
+  if (!items || arcStatement(state, command.word, *items)) {
     return;
   }
+  frameStatement(state, command.word, *items);
   if (auto arguments = values(state, command.word, std::nullopt, *items)) {
     state.emit(Pass{cl::Post{Word::END, command.word, *std::move(arguments)}});
   }

@@ -1,14 +1,16 @@
 #include <chrono>
-#include <unordered_map>
 
 #include "ir/diag/limits.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/motion/cl_curves.h"
 #include "runtime/motion/direction.h"
 #include "runtime/motion/follow.h"
 #include "runtime/motion/implied_check.h"
+#include "runtime/motion/look_ahead.h"
 #include "runtime/motion/modal.h"
 #include "runtime/motion/motion_output.h"
+#include "runtime/motion/pocket.h"
 #include "runtime/motion/records.h"
 #include "runtime/motion/reporter.h"
 #include "runtime/motion/route.h"
@@ -27,13 +29,11 @@ class Machine {
           const Options& options,
           cl::RecordSink& records,
           DiagnosticSink& sink)
-      : actions_(actions), options_(options), writer_(records), reporter_(writer_, sink) {
-    for (std::size_t i = 0; i < actions.size(); ++i) {
-      if (const auto* label = std::get_if<Label>(&actions[i].body)) {
-        labels_.emplace(label->key, i);
-      }
-    }
-  }
+      : actions_(actions),
+        options_(options),
+        writer_(records),
+        reporter_(writer_, sink),
+        labels_(actions) {}
 
   MotionOutcome run() {
     std::uint64_t steps = 0;
@@ -49,6 +49,10 @@ class Machine {
       const Action& action = actions_[index_];
       if (std::holds_alternative<Label>(action.body)) {
         continue;
+      }
+      if (curves_.endsSpline(action)) {
+        showAxis();
+        finishCurve(curves_.goAlong());
       }
       writer_.begin(action);
       std::visit([&](const auto& body) { perform(body); }, action.body);
@@ -81,6 +85,7 @@ class Machine {
     if (!state_.output) {
       return;
     }
+    showAxis();
     writer_.startPoints(kind, name, subscript, state_.multax);
     writer_.add(toolEnd, state_.axis);
     writer_.finishPoints();
@@ -97,22 +102,37 @@ class Machine {
         l.subscript);
   }
 
+  void showAxis() {
+    if (options_.axesFollow) {
+      motion::showAxis(state_, writer_);
+    }
+  }
+
+  // ---- arcs and splines of CL files
+  // -------------------------------------------------------------------------
+
+  void perform(const Arc& arc) { reportIf(curves_.begin(arc)); }
+
+  void finishCurve(std::optional<Result<motion::CurveFact>> curve) {
+    if (!curve) {
+      return;
+    }
+    if (!*curve) {
+      return report(curve->takeFailure());
+    }
+    for (Failure& warning : (*curve)->warnings) {
+      report(std::move(warning));
+    }
+    fact((*curve)->statement, 1, (*curve)->length, nullptr, std::chrono::steady_clock::now());
+  }
+
   void putFeed(const std::optional<double>& feed) {
     if (feed) {
       writer_.putFeed(*feed);
     }
   }
 
-  void moveTo(const Vec3& toolEnd) {
-    const Vec3 step = toolEnd - state_.toolEnd;
-    const bool axial =
-        step.cross(state_.axis).norm() <= tolerance::nullDirection * (1.0 + step.norm());
-    if (!axial) {
-      state_.forward = state_.lastAcross = step;
-    }
-    state_.toolEnd = toolEnd;
-    state_.positioned = true;
-  }
+  void moveTo(const Vec3& toolEnd) { motion::moveTo(state_, toolEnd); }
 
   void needPosition() {
     if (!state_.positioned && !warnedNoFrom_) {
@@ -164,6 +184,13 @@ class Machine {
       putPlace(l);
       fact("FROM", 0, first ? 0.0 : (state_.toolEnd - before).norm(), nullptr, since);
       return;
+    }
+    if (curves_.waits()) {
+      if (l.word == Word::GOTO && state_.positioned) {
+        showAxis();
+        return finishCurve(curves_.goAlong(l));
+      }
+      reportIf(curves_.drop());
     }
     const Vec3 before = state_.toolEnd;
     Vec3 target = l.point;
@@ -306,18 +333,8 @@ class Machine {
   }
 
   void jump(std::uint64_t key) {
-    // The next place with this label, or, where there is none ahead, the last one behind.
-    const auto [first, last] = labels_.equal_range(key);
-    std::optional<std::size_t> ahead, behind;
-    for (auto i = first; i != last; ++i) {
-      if (i->second > index_) {
-        ahead = std::min(ahead.value_or(i->second), i->second);
-      } else {
-        behind = std::max(behind.value_or(i->second), i->second);
-      }
-    }
-    if (ahead || behind) {
-      index_ = ahead ? *ahead : *behind;
+    if (const auto place = labels_.from(key, index_)) {
+      index_ = *place;
     } else {
       report(fail(diag::TransferTarget));
     }
@@ -359,9 +376,22 @@ class Machine {
     }
   }
 
-  void perform(const Pass& p) { writer_.put(p.body); }
+  void perform(const Pass& p) {
+    curves_.look(p.body);
+    writer_.put(p.body);
+  }
   void perform(const Label&) {}
-  void perform(const Pocket&) { report(fail(diag::MotionUnsupported, std::string("POCKET"))); }
+  void perform(const Pocket& p) {
+    const auto since = std::chrono::steady_clock::now();
+    needPosition();
+    const auto path = motion::pocketPath(p, state_);
+    if (!path) {
+      return report(path.failure());
+    }
+    const auto vectors = state_.output ? motion::putPocket(*path, p, state_, writer_) : 0;
+    moveTo(path->passes.back().back());
+    fact("POCKET", vectors, path->length, nullptr, since);
+  }
   void perform(const Fini&) {
     writer_.put(cl::Fini{});
     stop_ = true;
@@ -372,11 +402,12 @@ class Machine {
   motion::RecordWriter writer_;
   motion::MotionOutput output_{writer_};
   motion::Reporter reporter_;
-  std::unordered_multimap<std::uint64_t, std::size_t> labels_;
+  motion::Labels labels_;
   std::size_t index_ = 0;
   bool stop_ = false;
   bool warnedNoFrom_ = false;
   State state_;
+  motion::ClCurves curves_{state_, writer_};
   EntityPtr lastDrive_;
   MotionOutcome outcome_;
 };

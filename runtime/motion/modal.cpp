@@ -158,6 +158,17 @@ void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer
   }
 }
 
+void moveTo(State& state, const Vec3& toolEnd) {
+  const Vec3 step = toolEnd - state.toolEnd;
+  const bool axial =
+      step.cross(state.axis).norm() <= tolerance::nullDirection * (1.0 + step.norm());
+  if (!axial) {
+    state.forward = state.lastAcross = step;
+  }
+  state.toolEnd = toolEnd;
+  state.positioned = true;
+}
+
 void forgetOneShots(State& state) {
   state.direction = {};
   state.surfaceVector = {};

@@ -24,6 +24,8 @@ void setCutterOption(State& state, const runtime::CutterOption& option, RecordWr
 void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer);
 /// MULTAX, NOPS, AUTOPS, 3DCALC, 2DCALC, NDTEST, GOUGCK.
 void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer);
+/// The tool goes straight to a place; a move that is not along its axis is the forward direction.
+void moveTo(State& state, const Vec3& toolEnd);
 /// The words that hold for one motion have been used.
 void forgetOneShots(State& state);
 

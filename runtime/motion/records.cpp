@@ -46,6 +46,7 @@ void RecordWriter::startPoints(cl::Motion::Kind kind,
   motion.subscript = subscript;
   motion.withAxis = withAxis;
   motion.withSide = false;
+  motion.way = cl::Motion::Way::straight;
   motion.coordinates.clear();
 }
 
@@ -60,6 +61,13 @@ void RecordWriter::add(const Vec3& toolEnd, const Vec3& axis) {
   for (int i = 0; motion.withAxis && i < 3; ++i) {
     motion.coordinates.push_back(plain(axis[i]));
   }
+}
+
+void RecordWriter::putCurve(cl::Motion::Way way, const Vec3& end, const Vec3& axis, bool withAxis) {
+  startPoints(cl::Motion::Kind::go, "", 0, withAxis);
+  std::get<cl::Motion>(points_.body).way = way;
+  add(end, axis);
+  finishPoints();
 }
 
 void RecordWriter::putPose(const runtime::Locate& locate, const Vec3& axis, const Vec3& side) {

@@ -19,6 +19,8 @@ class RecordWriter {
   void startPoints(cl::Motion::Kind kind, const std::string& name, int subscript, bool withAxis);
   void add(const Vec3& toolEnd, const Vec3& axis);
   void finishPoints();
+  /// The end of an arc or a spline.
+  void putCurve(cl::Motion::Way way, const Vec3& end, const Vec3& axis, bool withAxis);
   /// One location with the direction of the tool's own x axis.
   void putPose(const runtime::Locate& locate, const Vec3& axis, const Vec3& side);
   [[nodiscard]] std::uint64_t count() const { return count_; }

@@ -1,5 +1,6 @@
 #include "runtime/path/affine.h"
 
+#include <array>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -11,6 +12,10 @@ namespace arelem::path {
 namespace {
 
 void moveMotion(cl::Motion& motion, const Affine& by) {
+  using Way = cl::Motion::Way;
+  if (motion.isArc() && by.linear.determinant() < 0.0) {  // a mirror turns it round
+    motion.way = motion.way == Way::clockwise ? Way::counterclockwise : Way::clockwise;
+  }
   const std::size_t stride = motion.stride();
   for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
     Eigen::Map<Vec3> point(&motion.coordinates[i]);
@@ -19,6 +24,21 @@ void moveMotion(cl::Motion& motion, const Affine& by) {
       Eigen::Map<Vec3> direction(&motion.coordinates[i + k]);
       direction = by.direction(direction);
     }
+  }
+}
+
+/// CNTRL/x,y,z of a spline.
+void moveControl(cl::Post& post, const Affine& by) {
+  std::array<double*, 3> places{};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = i < post.arguments.size() ? std::get_if<double>(&post.arguments[i]) : nullptr;
+    if (places[i] == nullptr) {
+      return;
+    }
+  }
+  const Vec3 moved = by.point({*places[0], *places[1], *places[2]});
+  for (int i = 0; i < 3; ++i) {
+    *places[static_cast<std::size_t>(i)] = moved[i];
   }
 }
 
@@ -77,6 +97,8 @@ void move(cl::Record& record, const Affine& by) {
   } else if (auto* surface = std::get_if<cl::Surface>(&record.body)) {
     surface->surface.type == EntityType::pathSpline ? moveSpline(*surface, by)
                                                     : moveCircle(*surface, by);
+  } else if (auto* post = std::get_if<cl::Post>(&record.body); post && post->foreign == "CNTRL") {
+    moveControl(*post, by);
   }
 }
 

@@ -177,8 +177,7 @@ class Chain : public Transformer {
   }
 
   void pass(const cl::Record& record) {
-    if (!tracut_ || (!std::holds_alternative<cl::Motion>(record.body) &&
-                     !std::holds_alternative<cl::Surface>(record.body))) {
+    if (!tracut_) {
       emit(record);
       return;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/cl/vendor.h"
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
 #include "runtime/timing/machine_limits.h"
@@ -83,6 +84,8 @@ class CutTimer::Path {
         limits(*post);
       } else if (known) {
         word(*post);
+      } else if (const auto apt = cl::inApt(*post)) {
+        word(*apt);
       }
     }
   }
