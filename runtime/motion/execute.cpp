@@ -150,6 +150,7 @@ class Machine {
         return;
       }
       state_.axis = l.axis->normalized();
+      state_.axisRule = {};  // fixed from here on
     }
     putFeed(l.feed);
     if (l.word == Word::FROM) {

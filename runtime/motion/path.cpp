@@ -49,11 +49,12 @@ Vec3 Path::spinAt(const PathPoint& p) {
 
 std::optional<PathPoint> Path::standing(const Vec3& near,
                                         const Vec3& towards,
+                                        const std::array<double, 2>& gaps,
                                         const Vec3* toolAxis) {
   AxisRule held(toolAxis != nullptr ? *toolAxis : Vec3::UnitZ());
   AxisRule& rule = toolAxis != nullptr ? held : axis;
-  const std::array wanted{Wanted{guides[0].field.get(), guides[0].rest},
-                          Wanted{guides[1].field.get(), guides[1].rest}};
+  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
+                          Wanted{guides[1].field.get(), gaps[1]}};
   const std::array across{Constraint{towards, near}};
   const Settled settled = settle(near, rule, wanted, across);
   return settled.ok ? std::optional(lookWith(settled.toolEnd, settled.axis, towards))

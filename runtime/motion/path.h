@@ -41,10 +41,11 @@ class Path {
   [[nodiscard]] PathPoint look(const Vec3& toolEnd, const Vec3& towards);
   /// The same with an axis of one's own.
   [[nodiscard]] PathPoint lookWith(const Vec3& toolEnd, const Vec3& toolAxis, const Vec3& towards);
-  /// The place in the plane through `near` square to `towards` with the gaps of a stop; `toolAxis`
-  /// null for the path's own rule.
+  /// The place in the plane through `near` square to `towards` with the given gaps; `toolAxis` null
+  /// for the path's own rule.
   [[nodiscard]] std::optional<PathPoint> standing(const Vec3& near,
                                                   const Vec3& towards,
+                                                  const std::array<double, 2>& gaps,
                                                   const Vec3* toolAxis);
   /// Turn of the axis per length of path.
   [[nodiscard]] Vec3 spinAt(const PathPoint& p);
