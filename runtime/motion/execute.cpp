@@ -9,6 +9,7 @@
 #include "runtime/motion/implied_check.h"
 #include "runtime/motion/modal.h"
 #include "runtime/motion/motion_output.h"
+#include "runtime/motion/pocket.h"
 #include "runtime/motion/records.h"
 #include "runtime/motion/reporter.h"
 #include "runtime/motion/route.h"
@@ -72,9 +73,6 @@ class Machine {
       report(*std::move(failure));
     }
   }
-
-  // ---- positions
-  // ----------------------------------------------------------------------------------
 
   void put(const Vec3& toolEnd, cl::Motion::Kind kind, const std::string& name, int subscript) {
     if (!state_.output) {
@@ -216,9 +214,6 @@ class Machine {
     motion::forgetOneShots(state_);
   }
 
-  // ---- continuous motion
-  // --------------------------------------------------------------------------
-
   std::optional<Failure> fillChecks(const Follow& f, motion::FollowRequest& request) {
     for (const CheckUse& c : f.checks) {
       auto surface = motion::named(c.use.surface);
@@ -302,9 +297,6 @@ class Machine {
 
   void perform(const Transfer& t) { jump(t.label); }
 
-  // ---- modal statements
-  // ---------------------------------------------------------------------------
-
   void perform(const Direction& d) { reportIf(motion::setDirections(state_, d)); }
   void perform(const PartSurface& p) { reportIf(motion::setPartSurface(state_, p)); }
   void perform(const ToolRelation& r) { motion::setRelation(state_, r); }
@@ -354,7 +346,27 @@ class Machine {
 
   void perform(const Pass& p) { writer_.put(p.body); }
   void perform(const Label&) {}
-  void perform(const Pocket&) { report(fail(diag::MotionUnsupported, std::string("POCKET"))); }
+  void perform(const Pocket& p) {
+    if (state_.cutterRefused) {
+      return;
+    }
+    const auto since = std::chrono::steady_clock::now();
+    needPosition();
+    auto plan = motion::planPocket(state_, p);
+    if (!plan) {
+      report(plan.takeFailure());
+      return;
+    }
+    if (plan->missed > 0.0) {
+      report(fail(diag::PocketMissed, plan->missed));
+    }
+    const motion::PocketTotals done =
+        motion::putPocket(*plan, state_.axis, state_.output, state_.multax, writer_);
+    const double approach = (done.first - state_.toolEnd).norm();
+    moveTo(done.beforeLast);
+    moveTo(done.last);
+    fact("POCKET", done.cutVectors, approach + done.length, nullptr, since);
+  }
   void perform(const Fini&) {
     writer_.put(cl::Fini{});
     stop_ = true;

@@ -127,7 +127,10 @@ class Follower {
         }
         if (const auto last = fittingStop(a, segment, found->met, *found->end, cap)) {
           putTurn(*last);
-          put(*last);
+          // A cut vector that ends at the stop but for rounding has put it out already.
+          if ((last->toolEnd - last_.toolEnd).norm() > tolerance::sameSide || !hasMoved_) {
+            put(*last);
+          }
           result_.check = found->met.check;
           return std::nullopt;
         }
@@ -141,6 +144,7 @@ class Follower {
       stride_.learn(a, *b);
       putTurn(*b);
       put(*b);
+      hasMoved_ = true;
     }
   }
 
@@ -244,6 +248,7 @@ class Follower {
   Stride stride_;
   StopFinder stops_;
   PathPoint last_;
+  bool hasMoved_ = false;  ///< a cut vector along the path was put out
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };

@@ -8,6 +8,12 @@
 
 namespace arelem::motion {
 
+namespace {
+/// A place that is farther from the prediction than this share of the step is on another branch of
+/// the path.
+constexpr double jumpShare = 2.0;
+}  // namespace
+
 bool Path::aim(PathPoint& point, const Vec3& towards) {
   Vec3 n0 = point.contacts[0].normal;
   Vec3 n1 = point.contacts[1].normal;
@@ -80,7 +86,8 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
                           Wanted{guides[1].field.get(), gaps[1]}};
   const std::array across{Constraint{from.tangent, from.toolEnd + along * from.tangent}};
   const Settled settled = settle(guess, axis, wanted, across, accept);
-  if (!settled.ok) {
+  const double reach = jumpShare * (guess - from.toolEnd).norm();
+  if (!settled.ok || (settled.toolEnd - guess).norm() > reach) {
     return std::nullopt;
   }
   PathPoint p;

@@ -18,7 +18,8 @@ struct Guide {
   [[nodiscard]] bool flat() const { return field->flat() && !turning; }
   /// Gap at which the next cut vector should end: the edge that leaves the chord most room.
   [[nodiscard]] double vertexGap() const {
-    return field->flat() ? rest : bend >= 0.0 ? outer : -inner;
+    const bool straight = flat() || (field->flat() && bend == 0.0);
+    return straight ? rest : bend >= 0.0 ? outer : -inner;
   }
 };
 

@@ -103,6 +103,24 @@ Profile makeRing(double radius, double height) {
   return p;
 }
 
+ProfilePoint reachPoint(const Profile& p, double nz) {
+  if (p.ring) {
+    return {p.e, p.f};
+  }
+  const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
+  const auto toward = [&](ProfilePoint q) { return q.rho * across - q.z * nz; };
+  ProfilePoint best{0.0, 0.0};
+  const auto consider = [&](ProfilePoint q) { best = toward(q) > toward(best) ? q : best; };
+  if (nz <= p.cosAlpha && nz >= p.sinBeta) {
+    consider({p.e + p.r * across, p.f - p.r * nz});
+  } else {
+    consider(p.bottomEnd);
+    consider(p.sideStart);
+  }
+  consider(p.sideEnd);
+  return best;
+}
+
 double reach(const Profile& p, double nz) {
   const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
   const auto toward = [&](ProfilePoint q) { return q.rho * across - q.z * nz; };
