@@ -248,7 +248,7 @@ class Follower {
   Stride stride_;
   StopFinder stops_;
   PathPoint last_;
-  bool hasMoved_ = false;  ///< a cut vector along the path was put out
+  bool hasMoved_ = false;                ///< a cut vector along the path was put out
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };

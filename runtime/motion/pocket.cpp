@@ -131,7 +131,8 @@ class Layout {
       if (step >= room) {
         step = std::max(room - order_.reach, 0.5 * room);
       }
-      missed_ = std::max(missed_, missedBetween(at.back(), step));
+      const double missed = missedBetween(at.back(), step);
+      missed_ = missed > 2.0 * most ? std::max(missed_, missed) : missed_;
       at.push_back(at.back() + step);
       wanted = order_.general * radius_;
     }

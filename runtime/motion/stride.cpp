@@ -15,7 +15,8 @@ constexpr double goodFit = 1.01;
 constexpr double safety = 0.9995;
 constexpr int tryLimit = 40;
 constexpr int growLimit = 4;
-/// A slope that changes by less over a cut vector does not change: a plane seen by a tool that turns.
+/// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
+/// turns.
 constexpr double levelChange = 1e-11;
 /// Largest turn of the path over one cut vector, as a cosine.
 constexpr double turnCosine = 0.2;
