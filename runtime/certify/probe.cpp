@@ -66,7 +66,7 @@ class ClosedProbe final : public Probe {
       const double nz = n.normal.dot(n.axis);
       const Vec3 across = nz * n.axis - n.normal;
       const double length = across.norm();
-      const tool::ProfilePoint q = tool::farthestAgainst(cutter_, nz);
+      const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
       n.point = n.toolEnd + q.z * n.axis +
                 q.rho * (length > 0.0 ? Vec3(across / length) : Vec3(n.axis.unitOrthogonal()));
     }

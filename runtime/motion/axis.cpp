@@ -6,16 +6,6 @@ namespace {
 /// Step of the differences, relative to the size of the coordinates: large against rounding, small
 /// against radii of curvature.
 constexpr double differenceStep = 1e-6;
-
-class NormalAxis final : public AxisSource {
- public:
-  NormalAxis(const surface::AnySurface& surface, double side)
-      : field_(makeField(surface, side, {})) {}
-  Vec3 at(const Vec3& toolEnd) override { return field_->at(toolEnd, Vec3::UnitZ()).normal; }
-
- private:
-  std::unique_ptr<Field> field_;
-};
 }  // namespace
 
 Eigen::Matrix3d AxisRule::change(const Vec3& toolEnd) {
@@ -29,10 +19,6 @@ Eigen::Matrix3d AxisRule::change(const Vec3& toolEnd) {
     result.col(i) = (at(toolEnd + shift) - at(toolEnd - shift)) / (2.0 * step);
   }
   return result;
-}
-
-std::unique_ptr<AxisSource> normalTo(const surface::AnySurface& surface, double side) {
-  return std::make_unique<NormalAxis>(surface, side);
 }
 
 }  // namespace arelem::motion

@@ -3,17 +3,9 @@
 
 #include <Eigen/Dense>
 
-#include "runtime/motion/field.h"
+#include "runtime/motion/axis_source.h"
 
 namespace arelem::motion {
-
-/// Where a tool axis that changes with the tool position comes from.
-class AxisSource {
- public:
-  virtual ~AxisSource() = default;
-  /// The unit tool axis with the tool end there.
-  virtual Vec3 at(const Vec3& toolEnd) = 0;
-};
 
 /// How the tool axis follows from the tool position: fixed, or from a source.
 class AxisRule {
@@ -24,6 +16,14 @@ class AxisRule {
 
   [[nodiscard]] bool isFixed() const { return source_ == nullptr; }
   [[nodiscard]] Vec3 at(const Vec3& toolEnd) { return isFixed() ? fixed_ : source_->at(toolEnd); }
+  /// Why there is no axis with the tool end there.
+  [[nodiscard]] std::optional<Failure> fault(const Vec3& toolEnd) {
+    if (isFixed()) {
+      return std::nullopt;
+    }
+    (void)source_->at(toolEnd);
+    return source_->fault();
+  }
   /// Change of the axis with the tool end, d axis / d tool end, by central differences.
   [[nodiscard]] Eigen::Matrix3d change(const Vec3& toolEnd);
 
@@ -31,9 +31,6 @@ class AxisRule {
   Vec3 fixed_ = Vec3::UnitZ();
   std::unique_ptr<AxisSource> source_;
 };
-
-/// TLAXIS/NORMPS and NORMDS: the surface's normal under the tool end, on the given side.
-[[nodiscard]] std::unique_ptr<AxisSource> normalTo(const surface::AnySurface& surface, double side);
 
 /// Change of a gap with the tool axis: d gap / d axis. The contact point turns with the cutter.
 [[nodiscard]] inline Vec3 changeWithAxis(const tool::Contact& contact,

@@ -5,6 +5,7 @@
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/motion/axis_choice.h"
 #include "runtime/motion/direction.h"
 #include "runtime/motion/route.h"
 
@@ -25,8 +26,8 @@ class Planner {
   Result<Course> run() {
     course_.part = partSurface(state_);
     course_.drive = request_.drive;
-    for (const auto step :
-         {&Planner::setGuides, &Planner::setChecks, &Planner::checkStart, &Planner::setDirection}) {
+    for (const auto step : {&Planner::setGuides, &Planner::checkStart, &Planner::setAxis,
+                            &Planner::setChecks, &Planner::setDirection}) {
       if (auto bad = (this->*step)()) {
         return *std::move(bad);
       }
@@ -58,23 +59,30 @@ class Planner {
     for (const Role role : {partRole, driveRole}) {
       guide(role).field = guideField(role, role == partRole ? toolOn(partRole) : course_.onDrive);
     }
-    setAxis();
     return std::nullopt;
   }
 
-  void setAxis() {
-    const auto kind = state_.axisRule.kind;
-    if (kind == runtime::ToolAxis::Kind::normalPart ||
-        kind == runtime::ToolAxis::Kind::normalDrive) {
-      const NamedSurface& s =
-          surfaceOf(kind == runtime::ToolAxis::Kind::normalPart ? partRole : driveRole);
-      course_.path.axis = AxisRule(normalTo(s.surface, sideAlongAxis(s)));
-    } else {
-      course_.path.axis = AxisRule(state_.axis);
+  std::optional<Failure> setAxis() {
+    auto wanted = wantedDirection(request_.heading, state_.forward, state_.lastAcross, state_.axis);
+    if (!wanted) {
+      return wanted.takeFailure();
     }
+    wanted_ = *wanted;
+    const AxisParty part = party(partRole, toolOn(partRole));
+    auto axis = chooseAxis(state_, &part, party(driveRole, course_.onDrive), wanted_);
+    if (!axis) {
+      return axis.takeFailure();
+    }
+    course_.path.axis = *std::move(axis);
     for (Guide& g : course_.path.guides) {
       g.turning = !course_.path.axis.isFixed();
     }
+    return course_.path.axis.fault(state_.toolEnd);
+  }
+
+  AxisParty party(Role role, bool on) {
+    const NamedSurface& s = surfaceOf(role);
+    return {&s, sideAlongAxis(s), on, [this, role] { return guideField(role, false); }};
   }
 
   [[nodiscard]] double sideAlongAxis(const NamedSurface& s) const {
@@ -156,13 +164,9 @@ class Planner {
   std::optional<Failure> setDirection() {
     const Vec3 axis = course_.path.axis.at(state_.toolEnd);
     course_.turnsFirst = (axis - state_.axis).norm() > tolerance::nullDirection;
-    auto wanted = wantedDirection(request_.heading, state_.forward, state_.lastAcross, state_.axis);
-    if (!wanted) {
-      return wanted.takeFailure();
-    }
     PathPoint& start = course_.start;
-    start = course_.path.look(state_.toolEnd, *wanted);
-    auto direction = startDirection(request_.heading, *wanted, start.contacts[0].normal,
+    start = course_.path.look(state_.toolEnd, wanted_);
+    auto direction = startDirection(request_.heading, wanted_, start.contacts[0].normal,
                                     start.contacts[1].normal);
     if (!direction) {
       return direction.takeFailure();
@@ -209,6 +213,7 @@ class Planner {
   const State& state_;
   const FollowRequest& request_;
   Course course_;
+  Vec3 wanted_ = Vec3::UnitX();  ///< direction of the GO word
 };
 }  // namespace
 

@@ -78,9 +78,6 @@ class Machine {
     }
   }
 
-  // ---- positions
-  // ----------------------------------------------------------------------------------
-
   void put(const Vec3& toolEnd, cl::Motion::Kind kind, const std::string& name, int subscript) {
     if (!state_.output) {
       return;
@@ -171,6 +168,7 @@ class Machine {
         return;
       }
       state_.axis = l.axis->normalized();
+      state_.axisRule = {};  // fixed from here on
     }
     putFeed(l.feed);
     if (l.word == Word::FROM) {
@@ -266,9 +264,6 @@ class Machine {
     motion::forgetOneShots(state_);
   }
 
-  // ---- continuous motion
-  // --------------------------------------------------------------------------
-
   std::optional<Failure> fillChecks(const Follow& f, motion::FollowRequest& request) {
     for (const CheckUse& c : f.checks) {
       auto surface = motion::named(c.use.surface);
@@ -341,9 +336,6 @@ class Machine {
   }
 
   void perform(const Transfer& t) { jump(t.label); }
-
-  // ---- modal statements
-  // ---------------------------------------------------------------------------
 
   void perform(const Direction& d) { reportIf(motion::setDirections(state_, d)); }
   void perform(const PartSurface& p) { reportIf(motion::setPartSurface(state_, p)); }

@@ -8,6 +8,7 @@
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/arc_route.h"
+#include "runtime/motion/axis_turn.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/stop.h"
 #include "runtime/motion/stride.h"
@@ -65,8 +66,11 @@ class Follower {
 
   // ---- what may go wrong ------------------------------------------------------------------------
 
-  [[nodiscard]] Failure lost() const {
+  [[nodiscard]] Failure lost() {
     const Vec3& p = last_.toolEnd;
+    if (auto bad = course_.path.axis.fault(p)) {
+      return *std::move(bad);
+    }
     return fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z());
   }
 
@@ -113,6 +117,9 @@ class Follower {
       if (!b) {
         return lost();
       }
+      if (auto bad = course_.path.axis.fault(b->toolEnd)) {
+        return bad;
+      }
       const Segment segment = segmentBetween(a, *b);
       if (const auto found = stops_.find(a, segment)) {
         if (!found->end) {
@@ -120,7 +127,10 @@ class Follower {
         }
         if (const auto last = fittingStop(a, segment, found->met, *found->end, cap)) {
           putTurn(*last);
-          put(*last);
+          // A cut vector that ends at the stop but for rounding has put it out already.
+          if ((last->toolEnd - last_.toolEnd).norm() > tolerance::sameSide || !hasMoved_) {
+            put(*last);
+          }
           result_.check = found->met.check;
           return std::nullopt;
         }
@@ -134,6 +144,7 @@ class Follower {
       stride_.learn(a, *b);
       putTurn(*b);
       put(*b);
+      hasMoved_ = true;
     }
   }
 
@@ -165,43 +176,20 @@ class Follower {
     return most;
   }
 
-  /// Turns the tool from the axis with which it comes to the one of the rule, in contact with both
-  /// surfaces; as few cut vectors as the bands allow.
+  /// Turns the tool to the axis of the rule. The last turn is put off: the first cut vector along
+  /// the path may take it in.
   bool turnAxis() {
-    const Vec3 first = state_.axis;
     const Vec3 tangent = course_.start.tangent;
-    last_ = course_.path.lookWith(state_.toolEnd, first, tangent);
-    const auto goal = course_.path.standing(state_.toolEnd, tangent, nullptr);
-    if (!goal) {
-      return false;
+    last_ = course_.path.lookWith(state_.toolEnd, state_.axis, tangent);
+    const std::vector<PathPoint> ends = turnOntoPath(course_.path, last_, tangent);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      put(ends[i]);
     }
-    double done = 0.0;
-    double share = 1.0;
-    while (done < 1.0) {
-      const double next = std::min(1.0, done + share);
-      const Vec3 axis = (first + next * (goal->axis - first)).normalized();
-      const auto p = next < 1.0 ? course_.path.standing(state_.toolEnd, tangent, &axis) : goal;
-      if (p && course_.path.fit(last_, *p) >= 1.0 - fitShare) {
-        turnTo(*p, next >= 1.0);
-        done = next;
-      } else if (share < shortestTurn) {
-        return false;
-      } else {
-        share *= 0.5;
-      }
+    if (!ends.empty()) {
+      beforeTurn_ = last_;
+      last_ = ends.back();
     }
-    last_.tangent = goal->tangent;
-    return true;
-  }
-
-  /// The last turn is put off: the first cut vector along the path may take it in.
-  void turnTo(const PathPoint& p, bool isLast) {
-    if (!isLast) {
-      put(p);
-      return;
-    }
-    beforeTurn_ = last_;
-    last_ = p;
+    return !ends.empty();
   }
 
   /// The turn that was put off, where the cut vector to `next` cannot take it in.
@@ -251,9 +239,6 @@ class Follower {
     return std::nullopt;
   }
 
-  /// Smallest share of a turn of the axis that is tried. Below it the bands allow no turn.
-  static constexpr double shortestTurn = 1e-3;
-
   const State& state_;
   const FollowRequest& request_;
   Course& course_;
@@ -263,6 +248,7 @@ class Follower {
   Stride stride_;
   StopFinder stops_;
   PathPoint last_;
+  bool hasMoved_ = false;                ///< a cut vector along the path was put out
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };

@@ -59,11 +59,13 @@ std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis) 
     case Kind::keep:
     case Kind::normalPart:
     case Kind::normalDrive:
-      break;
     case Kind::parallel:
-      return fail(diag::MotionUnsupported, std::string("TLAXIS/PARLEL"));
+      break;
     case Kind::angle:
-      return fail(diag::MotionUnsupported, std::string("TLAXIS/ATANGL"));
+      if (axis.fourAxis && axis.vector.norm() <= tolerance::nullDirection) {
+        return fail(diag::NullIndirection, "TLAXIS/ATANGL", axis.vector.norm());
+      }
+      break;
   }
   state.axisRule = axis;
   return std::nullopt;

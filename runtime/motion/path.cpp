@@ -8,6 +8,12 @@
 
 namespace arelem::motion {
 
+namespace {
+/// A place that is farther from the prediction than this share of the step is on another branch of
+/// the path.
+constexpr double jumpShare = 2.0;
+}  // namespace
+
 bool Path::aim(PathPoint& point, const Vec3& towards) {
   Vec3 n0 = point.contacts[0].normal;
   Vec3 n1 = point.contacts[1].normal;
@@ -49,11 +55,12 @@ Vec3 Path::spinAt(const PathPoint& p) {
 
 std::optional<PathPoint> Path::standing(const Vec3& near,
                                         const Vec3& towards,
+                                        const std::array<double, 2>& gaps,
                                         const Vec3* toolAxis) {
   AxisRule held(toolAxis != nullptr ? *toolAxis : Vec3::UnitZ());
   AxisRule& rule = toolAxis != nullptr ? held : axis;
-  const std::array wanted{Wanted{guides[0].field.get(), guides[0].rest},
-                          Wanted{guides[1].field.get(), guides[1].rest}};
+  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
+                          Wanted{guides[1].field.get(), gaps[1]}};
   const std::array across{Constraint{towards, near}};
   const Settled settled = settle(near, rule, wanted, across);
   return settled.ok ? std::optional(lookWith(settled.toolEnd, settled.axis, towards))
@@ -79,7 +86,8 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
                           Wanted{guides[1].field.get(), gaps[1]}};
   const std::array across{Constraint{from.tangent, from.toolEnd + along * from.tangent}};
   const Settled settled = settle(guess, axis, wanted, across, accept);
-  if (!settled.ok) {
+  const double reach = jumpShare * (guess - from.toolEnd).norm();
+  if (!settled.ok || (settled.toolEnd - guess).norm() > reach) {
     return std::nullopt;
   }
   PathPoint p;

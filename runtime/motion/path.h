@@ -18,7 +18,8 @@ struct Guide {
   [[nodiscard]] bool flat() const { return field->flat() && !turning; }
   /// Gap at which the next cut vector should end: the edge that leaves the chord most room.
   [[nodiscard]] double vertexGap() const {
-    return field->flat() ? rest : bend >= 0.0 ? outer : -inner;
+    const bool straight = flat() || (field->flat() && bend == 0.0);
+    return straight ? rest : bend >= 0.0 ? outer : -inner;
   }
 };
 
@@ -41,10 +42,11 @@ class Path {
   [[nodiscard]] PathPoint look(const Vec3& toolEnd, const Vec3& towards);
   /// The same with an axis of one's own.
   [[nodiscard]] PathPoint lookWith(const Vec3& toolEnd, const Vec3& toolAxis, const Vec3& towards);
-  /// The place in the plane through `near` square to `towards` with the gaps of a stop; `toolAxis`
-  /// null for the path's own rule.
+  /// The place in the plane through `near` square to `towards` with the given gaps; `toolAxis` null
+  /// for the path's own rule.
   [[nodiscard]] std::optional<PathPoint> standing(const Vec3& near,
                                                   const Vec3& towards,
+                                                  const std::array<double, 2>& gaps,
                                                   const Vec3* toolAxis);
   /// Turn of the axis per length of path.
   [[nodiscard]] Vec3 spinAt(const PathPoint& p);

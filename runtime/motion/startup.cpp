@@ -5,6 +5,7 @@
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/motion/axis_choice.h"
 #include "runtime/motion/route.h"
 #include "runtime/motion/settle.h"
 
@@ -38,7 +39,9 @@ class Starter {
         return *bad;
       }
     }
-    setAxis();
+    if (auto bad = setAxis()) {
+      return *std::move(bad);
+    }
     exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() &&
              state_.thick[partRole] == 0.0 && !state_.direction[1] &&
              isPlaneRoute(state_, goals_[0].surface, goals_[*partIndex_].surface, nullptr);
@@ -106,14 +109,24 @@ class Starter {
     return std::nullopt;
   }
 
-  void setAxis() {
-    rule_ = AxisRule(state_.axis);
-    const bool normalPart = state_.axisRule.kind == runtime::ToolAxis::Kind::normalPart;
-    const bool normalDrive = state_.axisRule.kind == runtime::ToolAxis::Kind::normalDrive;
-    const std::size_t index = normalDrive ? 0 : 1;
-    if ((normalPart || normalDrive) && index < goals_.size()) {
-      rule_ = AxisRule(normalTo(goals_[index].surface.surface, goals_[index].side));
+  std::optional<Failure> setAxis() {
+    const AxisParty drive = party(goals_[0]);
+    const AxisParty part = goals_.size() > 1 ? party(goals_[1]) : AxisParty{};
+    const Vec3 forward = state_.forward ? *state_.forward : Vec3(Vec3::Zero());
+    auto axis = chooseAxis(state_, goals_.size() > 1 ? &part : nullptr, drive, forward);
+    if (!axis) {
+      return axis.takeFailure();
     }
+    rule_ = *std::move(axis);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] AxisParty party(const Goal& goal) const {
+    const bool on = goal.condition == ir::Condition::on;
+    return {&goal.surface, goal.side, on, [this, &goal] {
+              return makeField(goal.surface.surface, goal.side,
+                               {cutterFor(state_, goal.role), state_.thick[goal.role]});
+            }};
   }
 
   /// Distance along v from the side point to the surface, none where the ray misses.
@@ -206,6 +219,9 @@ class Starter {
     Settled found = settle(from, rule_, wanted(false, from), extra);
     if (found.ok && !exact_) {
       found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+    }
+    if (auto bad = rule_.fault(found.toolEnd)) {
+      return *std::move(bad);
     }
     if (!found.ok) {
       return explain(found);

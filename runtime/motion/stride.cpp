@@ -15,6 +15,9 @@ constexpr double goodFit = 1.01;
 constexpr double safety = 0.9995;
 constexpr int tryLimit = 40;
 constexpr int growLimit = 4;
+/// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
+/// turns.
+constexpr double levelChange = 1e-11;
 /// Largest turn of the path over one cut vector, as a cosine.
 constexpr double turnCosine = 0.2;
 }  // namespace
@@ -88,9 +91,9 @@ void Stride::learn(const PathPoint& a, const PathPoint& b) {
     Guide& g = path_.guides[i];
     if (!g.flat()) {
       const Vec3 direction = chord / length;
-      g.bend = (slopeAlong(b.contacts[i], b.toolEnd, direction, turn) -
-                slopeAlong(a.contacts[i], a.toolEnd, direction, turn)) /
-               length;
+      const double change = slopeAlong(b.contacts[i], b.toolEnd, direction, turn) -
+                            slopeAlong(a.contacts[i], a.toolEnd, direction, turn);
+      g.bend = std::abs(change) <= levelChange ? 0.0 : change / length;
     }
   }
 }

@@ -59,8 +59,13 @@ Contact contactOf(const surface::Plane& s,
                   const Vec3& axis,
                   Search<surface::Plane>&) {
   const Vec3 normal = side * s.normal;
-  const double far = reach(cutter, normal.dot(axis));
-  return {side * (s.normal.dot(te) - s.offset) - far, normal, te - far * normal};
+  const double nz = normal.dot(axis);
+  const double far = reach(cutter, nz);
+  const ProfilePoint q = reachPoint(cutter, nz);
+  const Vec3 across = nz * axis - normal;
+  const double length = across.norm();
+  const Vec3 out = length > 0.0 ? Vec3(across / length) : Vec3(Vec3::Zero());
+  return {side * (s.normal.dot(te) - s.offset) - far, normal, te + q.rho * out + q.z * axis};
 }
 
 Contact contactOf(const surface::Sphere& s,

@@ -31,11 +31,16 @@ class ContactDescent {
   /// From the corner circle into the piece of the profile to which the normal there points.
   Contact nearestPiece() {
     const Contact corner = alongCircle({cutter_.e, cutter_.f}, cutter_.r);
+    onCorner_ = true;
     if (cutter_.ring) {
       return corner;
     }
     const double nz = corner.normal.dot(axis_);
+    if (cutter_.e == 0.0 && std::abs(nz) < axial) {
+      turnTo(-corner.normal);
+    }
     const bool inwards = nz > 0.0 && corner.normal.dot(search_.toward) > 0.0;
+    onCorner_ = !inwards && nz <= cutter_.cosAlpha && nz >= cutter_.sinBeta;
     if (cutter_.alpha == 0.0 && cutter_.e > 0.0 && inwards) {
       return onDisc(corner);
     }
@@ -44,6 +49,8 @@ class ContactDescent {
     }
     return nz < cutter_.sinBeta ? onSide(0.0) : corner;
   }
+  /// True where nearestPiece ended on the corner arc.
+  [[nodiscard]] bool onCorner() const { return onCorner_; }
 
   /// The bottom, from its rim.
   Contact onBottom() {
@@ -75,6 +82,8 @@ class ContactDescent {
   static constexpr double smallTurn = 1e-8;
   static constexpr double smallestTurn = 1e-15;
   static constexpr double largestTurn = 1.0;
+  /// A normal at the center of a ball with a larger cosine to the axis points nowhere about it.
+  static constexpr double axial = 1.0 - 1e-9;
   /// A turn that leaves a maximum. Radians.
   static constexpr double kick = 0.1;
   /// Slopes below this are those of an extreme.
@@ -230,6 +239,7 @@ class ContactDescent {
   const Vec3& axis_;
   Search<S>& search_;
   Sample last_;
+  bool onCorner_ = false;
 };
 
 }  // namespace arelem::tool

@@ -69,7 +69,8 @@ class ContactSearch {
     }
     const double high = lowHeight();
     const Vec3 q = te_ + cutter_.e * search_.toward + cutter_.f * axis_;
-    if ((c.point + cutter_.r * c.normal - q).norm() > supportSlack * (1.0 + cutter_.e)) {
+    const double off = (c.point + cutter_.r * c.normal - q).norm();
+    if (cutter_.e == 0.0 ? !descent_.onCorner() : off > supportSlack * (1.0 + cutter_.e)) {
       return false;
     }
     const double radius = 2.0 * cutter_.e + high;
@@ -171,17 +172,22 @@ class ContactSearch {
                   s,
                   0.125 * (to.z - from.z)});
       }
+    } else if (!cutter_.ring && cutter_.r > 0.0) {
+      // The rim at which the arc ends: the angle about the axis counts there even for a ball.
+      rows.add({to, 0.0, side, 1.0});
     }
     return rows;
   }
 
   using Grid = std::array<std::array<double, angles>, mostRows>;
 
-  /// The lowest of its neighbors; of equal ones the first.
-  static bool isLow(const Grid& grid, std::size_t count, std::size_t row, int k) {
+  /// The lowest of its neighbors; of equal ones the first. A row on the axis, the same all around,
+  /// does not tell where the others are low.
+  static bool isLow(const Grid& grid, const Rows& all, std::size_t row, int k) {
     for (int dr = -1; dr <= 1; ++dr) {
       const auto r = static_cast<std::size_t>(static_cast<int>(row) + dr);
-      for (int dk = -1; dk <= 1 && r < count; ++dk) {
+      const bool tells = r == row || (r < all.count && all.list[r].q.rho > 0.0);
+      for (int dk = -1; dk <= 1 && tells; ++dk) {
         const int neighbor = (k + dk + angles) % angles;
         const bool before = r < row || (r == row && neighbor < k);
         const double value = grid[r][static_cast<std::size_t>(neighbor)];
@@ -211,7 +217,7 @@ class ContactSearch {
     }
     for (std::size_t r = 0; r < all.count; ++r) {
       for (int k = 0; k < angles; ++k) {
-        if (!isLow(grid, all.count, r, k)) {
+        if (!isLow(grid, all, r, k)) {
           continue;
         }
         descent_.turnTo(directions[static_cast<std::size_t>(k)]);

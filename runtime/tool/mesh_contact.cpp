@@ -142,7 +142,7 @@ std::optional<TriangleGap> TriangleCutter::ballGap(const Vec3& a,
 /// Support of the cutter towards a plane through `on`, by the side of its normal.
 TriangleGap TriangleCutter::ofPlane(const Vec3& on, const Vec3& normal) const {
   const double nz = normal.dot(axis_);
-  const ProfilePoint q = farthestAgainst(cutter_, nz);
+  const ProfilePoint q = reachPoint(cutter_, nz);
   const Vec3 across = nz * axis_ - normal;
   const double length = across.norm();
   const Vec3 deepest =

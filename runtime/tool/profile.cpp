@@ -108,6 +108,24 @@ Profile makeRing(double radius, double height) {
   return p;
 }
 
+ProfilePoint reachPoint(const Profile& p, double nz) {
+  if (p.ring) {
+    return {p.e, p.f};
+  }
+  const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
+  const auto toward = [&](ProfilePoint q) { return q.rho * across - q.z * nz; };
+  ProfilePoint best{0.0, 0.0};
+  const auto consider = [&](ProfilePoint q) { best = toward(q) > toward(best) ? q : best; };
+  if (nz <= p.cosAlpha && nz >= p.sinBeta) {
+    consider({p.e + p.r * across, p.f - p.r * nz});
+  } else {
+    consider(p.bottomEnd);
+    consider(p.sideStart);
+  }
+  consider(p.sideEnd);
+  return best;
+}
+
 double reach(const Profile& p, double nz) {
   const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
   const auto toward = [&](ProfilePoint q) { return q.rho * across - q.z * nz; };
@@ -118,27 +136,6 @@ double reach(const Profile& p, double nz) {
   const double corner =
       onArc ? toward({p.e, p.f}) + p.r : std::max(toward(p.bottomEnd), toward(p.sideStart));
   return std::max({0.0, corner, toward(p.sideEnd)});
-}
-
-ProfilePoint farthestAgainst(const Profile& p, double nz) {
-  const double across = std::sqrt(std::max(0.0, 1.0 - nz * nz));
-  ProfilePoint best{p.e, p.f};
-  if (p.ring) {
-    return best;
-  }
-  if (nz <= p.cosAlpha && nz >= p.sinBeta) {
-    best = {p.e + p.r * across, p.f - p.r * nz};
-  }
-  const auto consider = [&](ProfilePoint q) {
-    if (q.rho * across - q.z * nz > best.rho * across - best.z * nz) {
-      best = q;
-    }
-  };
-  consider({0.0, 0.0});
-  consider(p.bottomEnd);
-  consider(p.sideStart);
-  consider(p.sideEnd);
-  return best;
 }
 
 double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {

@@ -44,8 +44,8 @@ struct Profile {
 /// max of -n.p over the profile turned about the axis: how far the cutter reaches against the unit
 /// normal n, where nz is n's component along the axis.
 [[nodiscard]] double reach(const Profile& profile, double nz);
-/// A profile point at which that reach is taken.
-[[nodiscard]] ProfilePoint farthestAgainst(const Profile& profile, double nz);
+/// Where on the profile that is; of several points the lowest.
+[[nodiscard]] ProfilePoint reachPoint(const Profile& profile, double nz);
 /// Least distance of a point (rho, z) to the body, negative inside, and the nearest profile point.
 [[nodiscard]] double distanceTo(const Profile& profile, ProfilePoint c, ProfilePoint& nearest);
 /// Greatest distance of a point (rho, z) to the body, and that profile point (on the far side of

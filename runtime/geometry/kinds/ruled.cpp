@@ -230,6 +230,12 @@ double Ruled::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
   return products.dot(carried);
 }
 
+Vec3 Ruled::ruling(const Vec3& p) const {
+  Hint hint;
+  (void)foot(p, hint);
+  return sheet_->at(hint.f, hint.g).byG;
+}
+
 Bends Ruled::bends(const Vec3&, const Foot& foot, double radius) const {
   return bendsOfAnySet(foot.distance, radius);
 }

@@ -24,6 +24,9 @@ class Ruled {
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
 
+  /// Along the ruling through the foot of p, not of unit length.
+  [[nodiscard]] Vec3 ruling(const Vec3& p) const;
+
   [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
 
  private:

@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ir/diag/result.h"
+#include "runtime/motion/field.h"
+#include "runtime/motion/tilt.h"
+
+/// Tool axes that follow from the surfaces (TLAXIS).
+namespace arelem::motion {
+
+/// Where a tool axis that changes with the tool position comes from.
+class AxisSource {
+ public:
+  virtual ~AxisSource() = default;
+  /// The unit tool axis with the tool end there.
+  virtual Vec3 at(const Vec3& toolEnd) = 0;
+  /// Why there was no axis with the tool end there when it was last asked for; it then was the one
+  /// of the place before.
+  [[nodiscard]] virtual std::optional<Failure> fault() const { return std::nullopt; }
+};
+
+/// NORMPS and NORMDS: the surface's normal under the tool end, on the given side.
+[[nodiscard]] std::unique_ptr<AxisSource> normalTo(const surface::AnySurface& surface, double side);
+
+/// PARLEL: along the straight line of the surface under the tool end, in the sense nearest to
+/// `start`. `toolEnd` is a place of the tool. Fails for a surface without straight lines.
+[[nodiscard]] Result<std::unique_ptr<AxisSource>> alongRulings(const surface::AnySurface& surface,
+                                                               const std::string& name,
+                                                               const Vec3& toolEnd,
+                                                               const Vec3& start);
+
+/// A surface whose contact normal an angle is measured from or towards.
+struct AngleSide {
+  std::unique_ptr<Field> field;
+  bool on = false;  ///< the tool end is on the surface: the normal of its definition counts
+  std::string name;
+};
+
+/// ATANGL. `start` is the axis near which the first one is looked for; `forward` gives the sense of
+/// the motion, zero where none is known yet.
+[[nodiscard]] std::unique_ptr<AxisSource> atAngle(
+    const Tilt& tilt, AngleSide control, AngleSide other, const Vec3& start, const Vec3& forward);
+
+}  // namespace arelem::motion

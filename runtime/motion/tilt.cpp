@@ -1,0 +1,64 @@
+#include "runtime/motion/tilt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ir/space/tolerance.h"
+
+namespace arelem::motion {
+
+namespace {
+/// Two cones about perpendicular lines: the third component of the axis.
+std::optional<Vec3> inSpace(const Tilt& tilt,
+                            const Vec3& normal,
+                            const Vec3& side,
+                            const Vec3& forward) {
+  const double up = std::cos(tilt.alpha);
+  const double ahead = tilt.lead ? std::sin(*tilt.lead) : 0.0;
+  const double rest = 1.0 - up * up - ahead * ahead;
+  if (rest < -tolerance::symmetric) {
+    return std::nullopt;
+  }
+  const double aside = std::copysign(std::sqrt(std::max(rest, 0.0)), tilt.alpha);
+  return Vec3(up * normal + ahead * forward + aside * side).normalized();
+}
+
+/// A cone about the normal and a plane.
+std::optional<Vec3> inPlane(const Tilt& tilt,
+                            const Vec3& normal,
+                            const Vec3& side,
+                            const Vec3& forward) {
+  const Vec3& across = *tilt.across;
+  const Vec3 within = normal - normal.dot(across) * across;
+  const double length = within.norm();
+  const double cosine = std::cos(tilt.alpha);
+  if (length <= tolerance::symmetric || std::abs(cosine) > length * (1.0 + tolerance::symmetric)) {
+    return std::nullopt;
+  }
+  const Vec3 first = within / length;
+  const Vec3 second = across.cross(first);
+  const double c = std::min(cosine / length, 1.0);
+  const double toSide = second.dot(side);
+  const double toMotion = second.dot(forward);
+  const double sense = std::abs(toSide) >= std::abs(toMotion) ? toSide : toMotion;
+  const double s = std::copysign(std::sqrt(std::max(0.0, 1.0 - c * c)), tilt.alpha * sense);
+  return Vec3(c * first + s * second);
+}
+}  // namespace
+
+std::optional<Vec3> tilted(const Tilt& tilt,
+                           const Vec3& normal,
+                           const Vec3& other,
+                           const Vec3& forward) {
+  const Vec3 aside = other - other.dot(normal) * normal;
+  const double length = aside.norm();
+  if (length <= tolerance::symmetric) {
+    return std::nullopt;
+  }
+  const Vec3 side = aside / length;
+  const Vec3 along = forward - forward.dot(normal) * normal - forward.dot(side) * side;
+  const Vec3 ahead = along.norm() > 0.0 ? Vec3(along.normalized()) : Vec3(normal.cross(side));
+  return tilt.across ? inPlane(tilt, normal, side, ahead) : inSpace(tilt, normal, side, ahead);
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,25 @@
+#pragma once
+#include <optional>
+
+#include "ir/space/vector.h"
+
+namespace arelem::motion {
+
+/// The angles of TLAXIS/ATANGL, in radians.
+struct Tilt {
+  double alpha = 0.0;          ///< from the normal of the controlling surface
+  std::optional<double> lead;  ///< CUTANG: towards the motion (+) or away from it (-)
+  std::optional<Vec3> across;  ///< four axes: the tool axis stays square to this unit vector
+};
+
+/// The tool axis at the angles (spec 4.10). `normal` and `other` are the unit normals of the
+/// controlling and of the other surface, `forward` the unit direction of the motion. A positive
+/// alpha tilts the axis from `normal` towards `other`; with four axes towards the motion where the
+/// plane of the axis holds the motion rather than the other normal. None where no axis has these
+/// angles.
+[[nodiscard]] std::optional<Vec3> tilted(const Tilt& tilt,
+                                         const Vec3& normal,
+                                         const Vec3& other,
+                                         const Vec3& forward);
+
+}  // namespace arelem::motion
