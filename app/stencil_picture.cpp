@@ -1,4 +1,6 @@
-#include <cmath>
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <ostream>
 
 #include "app/stencil_report.h"
@@ -30,8 +32,26 @@ backend::CellPicture filmPictureOf(const stencil::Painted& painted) {
   picture.title = titleOf(painted);
   picture.legend = "film over the mean film";
   picture.levels = {0.75, 0.8, 0.85, 0.9, 0.95, 0.98, 1.02, 1.05, 1.1, 1.15, 1.2, 1.25};
+  const auto bandOf = [&](double film) {
+    return std::upper_bound(picture.levels.begin(), picture.levels.end(), film) -
+           picture.levels.begin();
+  };
+  std::size_t cell = std::numeric_limits<std::size_t>::max();
+  std::optional<std::ptrdiff_t> band;  // that all corners of the quad before lie in
   for (const stencil::FilmPatch& patch :
        stencil::filmPatches(painted.tracks, painted.statement.job.gun)) {
+    const auto [least, most] = std::minmax_element(patch.film.begin(), patch.film.end());
+    const auto own = bandOf(*least) == bandOf(*most) ? std::optional(bandOf(*least)) : std::nullopt;
+    const bool goesOn = patch.cell == cell && own && own == band;
+    cell = patch.cell;
+    band = own;
+    if (goesOn) {  // strips of one cell in one band are one quad
+      for (const std::size_t i : {1U, 2U}) {
+        picture.quads.back().corner[i] = {patch.corner[i].x(), patch.corner[i].y()};
+        picture.quads.back().value[i] = patch.film[i];
+      }
+      continue;
+    }
     backend::ShadedQuad& quad = picture.quads.emplace_back();
     for (std::size_t i = 0; i < patch.corner.size(); ++i) {
       quad.corner[i] = {patch.corner[i].x(), patch.corner[i].y()};
