@@ -23,6 +23,7 @@ struct Command {
 /// THE list of commands, in the order of the help text.
 [[nodiscard]] std::span<const Command> commands();
 
+int runAlphabet(const Invocation& invocation);
 int runCheck(const Invocation& invocation);
 int runCompile(const Invocation& invocation);
 int runDiff(const Invocation& invocation);
@@ -33,6 +34,7 @@ int runGeometry(const Invocation& invocation);
 int runLanguage(const Invocation& invocation);
 int runRepl(const Invocation& invocation);
 int runSpray(const Invocation& invocation);
+int runStencil(const Invocation& invocation);
 int runTargets(const Invocation& invocation);
 int runVerify(const Invocation& invocation);
 

@@ -15,6 +15,8 @@ std::span<const Command> commands() {
               runGeometry},
       Command{"dump", "the inside of a part program or CL file as text", runDump},
       Command{"spray", "passes, times, paint, cost and film of SPRAY statements", runSpray},
+      Command{"stencil", "strokes, times, tilt and film of STENCL statements", runStencil},
+      Command{"alphabet", "the symbols of an alphabet file: picture and films", runAlphabet},
       Command{"verify", "reads an output again and compares it with its part program", runVerify},
       Command{"diff", "compares two CL files move by move", runDiff},
       Command{"time", "how long a machine takes for the path of a part program", runTime},

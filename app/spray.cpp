@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/command.h"
+#include "app/numbered_file.h"
 #include "app/options.h"
 #include "app/output_file.h"
 #include "app/spray_progress.h"
@@ -21,17 +22,6 @@ struct SprayOptions {
   bool json = false;
   bool table = false;
 };
-
-/// `name.png`, or `name_2.png` for the second of several statements.
-std::string numbered(const std::string& path, std::size_t index, std::size_t count) {
-  if (count == 1) {
-    return path;
-  }
-  std::filesystem::path numbered(path);
-  numbered.replace_filename(
-      fmt::format("{}_{}{}", numbered.stem().string(), index + 1, numbered.extension().string()));
-  return numbered.string();
-}
 
 bool writeFilm(std::ostream& out, const std::string& path, const backend::FilmPicture& picture) {
   const std::string suffix = std::filesystem::path(path).extension().string();

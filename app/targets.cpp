@@ -18,7 +18,7 @@ int runTargets(const Invocation& invocation) {
     for (const std::string_view suffix : target.suffixes) {
       suffixes += (suffixes.empty() ? "" : " ") + std::string(suffix);
     }
-    std::cout << fmt::format("{:<10} {:<18} {}\n", target.name, suffixes, target.summary);
+    std::cout << fmt::format("{:<12} {:<21} {}\n", target.name, suffixes, target.summary);
   }
   return static_cast<int>(ExitCode::ok);
 }

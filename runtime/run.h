@@ -21,6 +21,9 @@
 namespace arelem::spray {
 struct Sprayed;
 }
+namespace arelem::stencil {
+struct Painted;
+}
 
 namespace arelem::runtime {
 
@@ -80,6 +83,7 @@ struct Evaluation {
   std::vector<Defined> history;
   std::vector<std::shared_ptr<const spray::Sprayed>>
       sprayed;       ///< what each SPRAY statement amounts to
+  std::vector<std::shared_ptr<const stencil::Painted>> stencils;  ///< each STENCL statement
   std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::vector<Ignored> ignored;
   /// How often each definition form was used, by FormId.

@@ -12,6 +12,7 @@
 #include "runtime/geometry/angle.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/item.h"
+#include "runtime/spray/gun.h"
 
 namespace arelem::runtime::interpret {
 
@@ -20,8 +21,8 @@ using stencil::TiltRule;
 
 constexpr double radian = std::numbers::pi / 180.0;
 constexpr std::string_view form =
-    "STENCL/ 'TEXT', HEIGHT, h, FAN, deg [, c0, c1], SPEED, mm per second [, largest] "
-    "[, ORIGIN, point] [, ATANGL, deg] [, SPACE, w] [, NUMPTS, n] "
+    "STENCL/ 'TEXT', HEIGHT, h, {GUN, gun | FAN, deg [, c0, c1]} [, SPEED, mm per second "
+    "[, largest] | FILM, mm] [, ORIGIN, point] [, ATANGL, deg] [, SPACE, w] [, NUMPTS, n] "
     "[, TILT, {OFF|TRAPZ|QUADR|BEST} [, largest [, degrees per second]]] [, LEAD, on, off] "
     "[, OUTPUT, n] [, ALPHAB, 'file'] [, COMPAT]";
 
@@ -43,10 +44,8 @@ class Reader {
         return *std::move(failure);
       }
     }
-    for (const Word word : {Word::HEIGHT, Word::FAN, Word::SPEED}) {
-      if (seen_.count(word) == 0) {
-        return wrong(fmt::format("no {}", spell(word)), fmt::format("{} is needed", spell(word)));
-      }
+    if (auto failure = whole()) {
+      return *std::move(failure);
     }
     return std::move(made_);
   }
@@ -55,6 +54,41 @@ class Reader {
   static Failure wrong(std::string what, std::string rule) {
     return fail(diag::StencilForm, std::move(what), std::move(rule))
         .withHelp("the form is " + std::string(form));
+  }
+
+  /// What must stand together, and what not.
+  std::optional<Failure> whole() {
+    const auto has = [&](Word word) { return seen_.count(word) != 0; };
+    if (!has(Word::HEIGHT)) {
+      return wrong("no HEIGHT", "HEIGHT is needed");
+    }
+    if (has(Word::GUN) == has(Word::FAN)) {
+      return has(Word::GUN) ? wrong("both GUN and FAN", "one of them says what sprays")
+                            : wrong("no GUN and no FAN", "one of them is needed");
+    }
+    const stencil::FanGun& gun = made_.job.gun;
+    if (has(Word::FILM)) {
+      if (has(Word::SPEED)) {
+        return wrong("both SPEED and FILM", "one follows from the other");
+      }
+      if (gun.flow <= 0.0) {
+        return wrong("FILM without a GUN that has FLOW", "the flow says how fast a film is laid");
+      }
+    } else if (!has(Word::SPEED) && gun.speed <= 0.0) {
+      return wrong("no SPEED", "SPEED is needed, or FILM, or a GUN that has SPEED");
+    }
+    // A word of the statement goes before one of the gun.
+    if (has(Word::OUTPUT)) {
+      made_.output = output_;
+    }
+    if (has(Word::LEAD)) {
+      made_.job.gun.leadOn = leadOn_;
+      made_.job.gun.leadOff = leadOff_;
+    }
+    if (largest_ > 0.0) {
+      made_.job.gun.speed = largest_;
+    }
+    return std::nullopt;
   }
 
   std::optional<Failure> one() {
@@ -76,6 +110,10 @@ class Reader {
         return positive(word, unit_, made_.placement.height);
       case Word::FAN:
         return fan();
+      case Word::GUN:
+        return gun();
+      case Word::FILM:
+        return positive(word, 1.0, made_.film);
       case Word::LEAD:
         return lead();
       case Word::OUTPUT:
@@ -139,21 +177,45 @@ class Reader {
     }
     return positive(Word::FAN, 1.0, fan.heightSlope);
   }
+  /// GUN, a gun with a flat fan.
+  std::optional<Failure> gun() {
+    const EntityPtr* found =
+        next_ < items_.size() ? items_[next_].entity(EntityType::gun) : nullptr;
+    if (found == nullptr) {
+      return wrong("GUN without a gun", "a GUN belongs there");
+    }
+    const spray::Gun gun = spray::Gun::of((*found)->canon);
+    if (gun.kind != spray::Gun::Kind::fan) {
+      return fail(diag::StencilGun, (*found)->name);
+    }
+    stencil::FanGun& fan = made_.job.gun;
+    fan.fan = 2.0 * gun.angle / radian;
+    fan.heightAtZero = gun.heightAtZero;
+    fan.heightSlope = gun.heightSlope;
+    fan.speed = gun.speed;
+    fan.leadOn = gun.leadOn;
+    fan.leadOff = gun.leadOff;
+    fan.flow = gun.flow;
+    fan.efficiency = gun.efficiency;
+    made_.output = gun.output;
+    ++next_;
+    return std::nullopt;
+  }
   /// SPEED, v [, most]: over a line one grid unit wide, and the largest of the gun.
   std::optional<Failure> speed() {
     if (auto failure = positive(Word::SPEED, 1.0, made_.speed)) {
       return failure;
     }
-    return more() ? positive(Word::SPEED, 1.0, made_.job.gun.speed) : std::nullopt;
+    return more() ? positive(Word::SPEED, 1.0, largest_) : std::nullopt;
   }
   std::optional<Failure> lead() {
-    if (auto failure = number(Word::LEAD, made_.job.gun.leadOn)) {
+    if (auto failure = number(Word::LEAD, leadOn_)) {
       return failure;
     }
-    if (auto failure = number(Word::LEAD, made_.job.gun.leadOff)) {
+    if (auto failure = number(Word::LEAD, leadOff_)) {
       return failure;
     }
-    const double least = std::min(made_.job.gun.leadOn, made_.job.gun.leadOff);
+    const double least = std::min(leadOn_, leadOff_);
     return least < 0.0 ? std::optional(fail(diag::StencilNumber, "a LEAD time", least, "0 or more"))
                        : std::nullopt;
   }
@@ -166,7 +228,7 @@ class Reader {
     if (value < 1.0 || value > mostOutputs || value != std::round(value)) {
       return fail(diag::StencilNumber, "OUTPUT", value, "a whole number from 1 to 4095");
     }
-    made_.output = static_cast<int>(value);
+    output_ = static_cast<int>(value);
     return std::nullopt;
   }
   [[nodiscard]] bool more() const {
@@ -239,6 +301,9 @@ class Reader {
   stencil::Statement made_;
   std::set<Word> seen_;
   std::size_t next_ = 0;
+  int output_ = 1;
+  double leadOn_ = 0.0, leadOff_ = 0.0;
+  double largest_ = 0.0;
 };
 
 /// Puts the tracks into the stream: poses of the gun, its switching, feeds.
@@ -321,7 +386,9 @@ void stencil(State& state, const ir::Command& command) {
     report(state, painted.takeFailure(), *items);
     return;
   }
+  painted->origin = state.statement->span;
   TrackWriter(state, *statement).write(painted->tracks);
+  state.out.stencils.push_back(std::make_shared<const stencil::Painted>(*std::move(painted)));
 }
 
 }  // namespace arelem::runtime::interpret

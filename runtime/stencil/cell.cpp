@@ -114,7 +114,8 @@ std::vector<Line> bestDivision(const std::vector<Line>& lines,
         const Line tried{moved[i].first, second.at(next)};
         const double before = worstWithBestTilt(moved[i - 1], tried, fan, most);
         const double after = worstWithBestTilt(tried, moved[i + 1], fan, most);
-        if (std::max(before, after) < std::max(worst[i - 1], worst[i])) {
+        const auto weight = [](double a, double b) { return std::pow(a, 6) + std::pow(b, 6); };
+        if (weight(before, after) < weight(worst[i - 1], worst[i])) {
           moved[i] = tried;
           share[i] = next;
           worst[i - 1] = before;

@@ -95,7 +95,7 @@ std::vector<Run> runsOnGrid(const Symbol& symbol, Divider& divider, Division div
     const Stroke& stroke = symbol.strokes[i];
     std::vector<Line> lines = divider.lines(stroke, symbol.width);
     if (!stroke.join || runs.empty()) {
-      runs.push_back({symbol.name, i + 1, std::move(lines)});
+      runs.push_back({symbol.name, 0, i + 1, std::move(lines)});
       continue;
     }
     std::vector<Line>& before = runs.back().lines;
@@ -143,7 +143,8 @@ Result<std::vector<Run>> runsOf(std::string_view text,
   std::vector<Run> runs;
   std::size_t poses = 0;
   double x = 0.0;
-  for (const Symbol* symbol : *symbols) {
+  for (std::size_t position = 0; position < symbols->size(); ++position) {
+    const Symbol* symbol = (*symbols)[position];
     if (symbol != nullptr) {
       for (Run& run : runsOnGrid(*symbol, divider, writing.division)) {
         for (Line& line : run.lines) {
@@ -152,6 +153,7 @@ Result<std::vector<Run>> runsOf(std::string_view text,
           }
         }
         poses += run.lines.size();
+        run.position = position;
         runs.push_back(std::move(run));
       }
       if (poses > limits.points) {

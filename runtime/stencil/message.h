@@ -17,7 +17,8 @@ struct Placement {
 /// Fan lines that are painted without closing the gun. Lengths in the unit of the part.
 struct Run {
   std::string symbol;
-  std::size_t stroke = 0;  ///< number of its first stroke in the symbol, from 1
+  std::size_t position = 0;  ///< of the symbol in the text, from 0
+  std::size_t stroke = 0;    ///< number of its first stroke in the symbol, from 1
   std::vector<Line> lines;
 };
 

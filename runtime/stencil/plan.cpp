@@ -85,6 +85,7 @@ void addRunUp(Track& track, const FanGun& gun) {
   start.place -= back;
   track.poses.insert(track.poses.begin(), start);
   ++track.off;
+  ++track.first;
 }
 
 /// Puts the pose in at which the gun is switched off, `leadOff` before the end of the last line.
@@ -105,6 +106,38 @@ void addSwitchOff(Track& track, const FanGun& gun) {
     track.off = i;
   }
 }
+
+/// Cells longer than wide are divided where the gun tilts in the run, so that its tilt can come and
+/// go along them.
+std::vector<Line> dividedForTilt(const std::vector<Line>& lines, const Job& job) {
+  const auto tilts = [&](std::size_t i) {
+    constexpr double level = 0.1;  // degrees
+    return std::abs(tiltFor(quadrilateralShare(lines[i], lines[i + 1]), job.gun.fan)) > level;
+  };
+  bool any = false;
+  for (std::size_t i = 0; i + 1 < lines.size() && !any; ++i) {
+    any = tilts(i);
+  }
+  if (!any || job.tilt == TiltRule::off || job.asSource) {
+    return lines;
+  }
+  std::vector<Line> divided = {lines.front()};
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const Line& a = lines[i - 1];
+    const Line& b = lines[i];
+    const double way = (middleOf(b) - middleOf(a)).norm();
+    constexpr double mostParts = 1000.0;
+    const double width = std::max(std::min(widthOf(a), widthOf(b)), way / mostParts);
+    const int parts =
+        width > 0.0 ? std::max(1, static_cast<int>(std::ceil(way / width - tolerance::rounding)))
+                    : 1;
+    for (int k = 1; k <= parts; ++k) {
+      const double t = static_cast<double>(k) / parts;
+      divided.push_back({a.first + t * (b.first - a.first), a.second + t * (b.second - a.second)});
+    }
+  }
+  return divided;
+}
 }  // namespace
 
 double heightOf(const FanGun& gun, double width) {
@@ -113,8 +146,9 @@ double heightOf(const FanGun& gun, double width) {
 }
 
 Result<Track> planRun(const Run& run, const Job& job) {
-  Track track{run.symbol, run.stroke, {}, 0, 0};
-  for (const Line& line : run.lines) {
+  Track track{run.symbol, run.position, run.stroke, {}, 0, 0, 0};
+  const std::vector<Line> lines = dividedForTilt(run.lines, job);
+  for (const Line& line : lines) {
     Pose pose;
     pose.line = line;
     pose.yaw = track.poses.empty() ? yawOf(line) : unwound(yawOf(line), track.poses.back().yaw);
@@ -137,7 +171,8 @@ Result<Track> planRun(const Run& run, const Job& job) {
                         track.poses[i].speed);
     }
     const std::vector<double> tilts =
-        tiltsOf(run.lines, job.tilt, job.gun.fan, job.limits, seconds);
+        job.tilt == TiltRule::best ? evenestTilts(lines, job.gun.fan, job.limits, seconds)
+                                   : tiltsOf(lines, job.tilt, job.gun.fan, job.limits, seconds);
     for (std::size_t i = 0; i < tilts.size(); ++i) {
       track.poses[i].tilt = tilts[i];
       place(track.poses[i], job.gun);
@@ -150,43 +185,6 @@ Result<Track> planRun(const Run& run, const Job& job) {
   addSwitchOff(track, job.gun);
   addRunUp(track, job.gun);
   return track;
-}
-
-Evenness evennessOf(const Track& track, const FanGun& gun) {
-  Evenness result;
-  double paint = 0.0;
-  double within = 0.0;
-  struct CellFilm {
-    double area = 0.0, time = 0.0;
-    std::array<double, stripsOfACell> strips{};
-  };
-  std::vector<CellFilm> cells;
-  for (std::size_t i = 0; i + 1 < track.poses.size(); ++i) {
-    const Pose& a = track.poses[i];
-    const Pose& b = track.poses[i + 1];
-    const double tilt = 0.5 * (a.tilt + b.tilt);
-    const double share = areaShare(a.line, b.line, shareOf(tilt, gun.fan));
-    result.leastShare = std::min({result.leastShare, share, 100.0 - share});
-    result.mostShare = std::max({result.mostShare, share, 100.0 - share});
-    const double area = areaOf(a.line, b.line);
-    const double time = (nozzleOf(b) - nozzleOf(a)).norm() / a.speed;
-    if (area > tolerance::rounding) {
-      cells.push_back({area, time, filmOf(a.line, b.line, gun.fan, tilt)});
-      result.area += area;
-      paint += time;
-    }
-  }
-  for (CellFilm& cell : cells) {
-    const double mean = cell.time / cell.area * result.area / paint;
-    for (const double strip : cell.strips) {
-      const double film = mean * strip;
-      result.film.add({film, film});
-      constexpr double tenPercent = 0.1;
-      within += std::abs(film - 1.0) <= tenPercent ? cell.area / stripsOfACell : 0.0;
-    }
-  }
-  result.withinTenPercent = result.area > 0.0 ? within / result.area : 1.0;
-  return result;
 }
 
 }  // namespace arelem::stencil

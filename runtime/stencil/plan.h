@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "ir/space/vector.h"
 #include "runtime/stencil/cell.h"
 #include "runtime/stencil/message.h"
@@ -13,9 +15,11 @@ struct FanGun {
   /// Measured height = heightAtZero + heightSlope times width; a slope of 0: by the fan's angle.
   double heightAtZero = 0.0;
   double heightSlope = 0.0;
-  double speed = 0.0;    ///< largest; 0: any
-  double leadOn = 0.0;   ///< the gun is switched on that much before its first line
-  double leadOff = 0.0;  ///< and off that much before its last
+  double speed = 0.0;       ///< largest; 0: any
+  double leadOn = 0.0;      ///< the gun is switched on that much before its first line
+  double leadOff = 0.0;     ///< and off that much before its last
+  double flow = 0.0;        ///< nominal, mm3/s; 0: not stated
+  double efficiency = 1.0;  ///< share of the paint that sticks
 };
 [[nodiscard]] double heightOf(const FanGun& gun, double width);
 
@@ -27,7 +31,7 @@ enum class TiltRule : std::uint8_t {
 };
 struct TiltLimits {
   double most = 25.4;  ///< of the axis that Blank's end effector has
-  double rate = 60.0;  ///< deg/s
+  double rate = 120.0;  ///< deg/s: 600 steps of 0.2 degrees
 };
 
 struct Job {
@@ -53,10 +57,12 @@ struct Pose {
 /// A run as the gun goes it. Between `on` and `off` it sprays.
 struct Track {
   std::string symbol;
+  std::size_t position = 0;  ///< of the symbol in the text, from 0
   std::size_t stroke = 0;
   std::vector<Pose> poses;
-  std::size_t on = 0;   ///< index of the pose at which the gun is switched on
-  std::size_t off = 0;  ///< and off
+  std::size_t on = 0;     ///< index of the pose at which the gun is switched on
+  std::size_t off = 0;    ///< and off
+  std::size_t first = 0;  ///< index of the pose over the first line of the stroke, behind a run-up
 };
 
 /// The tilt of each line of a run: what the cells beside it want, held to the limits. No tilt is
@@ -68,11 +74,18 @@ struct Track {
                                           const TiltLimits& limits,
                                           const std::vector<double>& seconds);
 
+/// The tilts within the same limits for which the worst film of all cells departs least from the
+/// mean: the least such departure within a grid of 0.8 degrees, found by halving.
+[[nodiscard]] std::vector<double> evenestTilts(const std::vector<Line>& lines,
+                                               double fan,
+                                               const TiltLimits& limits,
+                                               const std::vector<double>& seconds);
+
 /// Plans one run. Error E0562: a move needs more than the gun's largest speed; it names the factor
 /// that would do.
 [[nodiscard]] Result<Track> planRun(const Run& run, const Job& job);
 
-/// Film of a track: mean film of each cell over the mean of all, strips within the cell, and how
+/// Film of tracks: mean film of each cell over the mean of all, strips within the cell, and how
 /// the paint of its two halves divides the area.
 struct Evenness {
   Spread film;               ///< strips over the mean film
@@ -80,7 +93,8 @@ struct Evenness {
   double mostShare = 50.0;
   double withinTenPercent = 1.0;  ///< share of the area
   double area = 0.0;
+  std::size_t cells = 0;
 };
-[[nodiscard]] Evenness evennessOf(const Track& track, const FanGun& gun);
+[[nodiscard]] Evenness evennessOf(std::span<const Track> tracks, const FanGun& gun);
 
 }  // namespace arelem::stencil

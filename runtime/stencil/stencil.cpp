@@ -1,6 +1,89 @@
 #include "runtime/stencil/stencil.h"
 
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "runtime/stencil/film.h"
+
 namespace arelem::stencil {
+
+namespace {
+Result<std::vector<Track>> planAll(const std::vector<Run>& runs, const Job& job) {
+  std::vector<Track> tracks;
+  for (const Run& run : runs) {
+    Result<Track> track = planRun(run, job);
+    if (!track) {
+      return track.takeFailure();
+    }
+    tracks.push_back(*std::move(track));
+  }
+  return tracks;
+}
+
+/// The departure of the worst film of a run from the mean; the largest speed does not count here.
+double departureOf(const Run& run, Job job) {
+  job.gun.speed = 0.0;
+  const Result<Track> track = planRun(run, job);
+  return evennessOf({&*track, 1}, job.gun).film.worst();
+}
+
+/// Each run with the division that gives the evener film. Both divisions have the same first and
+/// last lines; a run may have been turned round.
+void takeEvener(std::vector<Run>& runs, std::vector<Run>& others, const Job& job) {
+  std::map<std::pair<std::size_t, std::size_t>, Run*> byPlace;
+  for (Run& other : others) {
+    byPlace[{other.position, other.stroke}] = &other;
+  }
+  std::map<std::pair<std::string, std::size_t>, bool> known;  // symbols come again
+  for (Run& run : runs) {
+    Run& other = *byPlace.at({run.position, run.stroke});
+    const Vec2 begin = middleOf(run.lines.front());
+    if ((middleOf(other.lines.front()) - begin).norm() >
+        (middleOf(other.lines.back()) - begin).norm()) {
+      std::reverse(other.lines.begin(), other.lines.end());
+    }
+    const auto [better, isNew] = known.try_emplace({run.symbol, run.stroke}, false);
+    if (isNew) {
+      better->second = departureOf(other, job) < departureOf(run, job);
+    }
+    if (better->second) {
+      run.lines = other.lines;
+    }
+  }
+}
+
+double fastestOf(const std::vector<Track>& tracks) {
+  double fastest = 0.0;
+  for (const Track& track : tracks) {
+    for (const Pose& pose : track.poses) {
+      fastest = std::max(fastest, pose.speed);
+    }
+  }
+  return fastest;
+}
+
+/// The paint constant for which the fastest move has the largest speed of the gun. Tilts turn
+/// slower when the gun does, which changes its ways a little: so it is looked for again.
+double fastestJob(const std::vector<Run>& runs, Job job) {
+  const double most = job.gun.speed;
+  job.gun.speed = 0.0;
+  job.speedTimesWidth = 1.0;
+  constexpr int rounds = 6;
+  for (int i = 0; i < rounds; ++i) {
+    const Result<std::vector<Track>> tracks = planAll(runs, job);
+    const double fastest = fastestOf(*tracks);
+    job.speedTimesWidth *= fastest > 0.0 ? most / fastest : 1.0;
+  }
+  constexpr double spare = 0.999;
+  return spare * job.speedTimesWidth;
+}
+}  // namespace
+
+double Painted::meanFilm() const {
+  const FanGun& gun = statement.job.gun;
+  return gun.flow > 0.0 ? gun.flow * gun.efficiency / statement.job.speedTimesWidth : 0.0;
+}
 
 Result<Painted> paint(const Statement& s,
                       const files::Files& files,
@@ -14,13 +97,17 @@ Result<Painted> paint(const Statement& s,
   if (!alphabet) {
     return alphabet.takeFailure();
   }
+  return paint(s, *alphabet, limits, start);
+}
+
+Result<Painted> paint(const Statement& s,
+                      const Alphabet& alphabet,
+                      const Limits& limits,
+                      const Vec2& start) {
   Writing writing;
   writing.division = s.job.asSource ? Division::asSource : Division::equal;
   writing.cells = s.cells;
-  if (s.job.tilt == TiltRule::best) {
-    writing.best = {s.job.gun.fan, s.job.limits.most};
-  }
-  Result<std::vector<Run>> runs = runsOf(s.text, *alphabet, s.placement, writing, limits);
+  Result<std::vector<Run>> runs = runsOf(s.text, alphabet, s.placement, writing, limits);
   if (!runs) {
     return runs.takeFailure();
   }
@@ -30,15 +117,27 @@ Result<Painted> paint(const Statement& s,
     shorten(*runs, start);
   }
   painted.traveled = travelOf(*runs, start);
-  Job job = s.job;
-  job.speedTimesWidth = s.speed * s.placement.height / alphabet->height;
-  for (const Run& run : *runs) {
-    Result<Track> track = planRun(run, job);
-    if (!track) {
-      return track.takeFailure();
-    }
-    painted.tracks.push_back(*std::move(track));
+  const double unit = s.placement.height / alphabet.height;
+  painted.statement = s;
+  Job& job = painted.statement.job;
+  const auto setSpeed = [&] {
+    job.speedTimesWidth = s.speed > 0.0  ? s.speed * unit
+                          : s.film > 0.0 ? job.gun.flow * job.gun.efficiency / s.film
+                                         : fastestJob(*runs, job);
+  };
+  setSpeed();
+  if (job.tilt == TiltRule::best) {
+    writing.best = {job.gun.fan, job.limits.most};
+    Result<std::vector<Run>> others = runsOf(s.text, alphabet, s.placement, writing, limits);
+    takeEvener(*runs, *others, job);
+    setSpeed();
   }
+  painted.statement.speed = job.speedTimesWidth / unit;
+  Result<std::vector<Track>> tracks = planAll(*runs, job);
+  if (!tracks) {
+    return tracks.takeFailure();
+  }
+  painted.tracks = *std::move(tracks);
   return painted;
 }
 

@@ -7,15 +7,14 @@ namespace arelem::stencil {
 
 namespace {
 /// What one cell wants.
-double wantedBy(const Line& from, const Line& to, TiltRule rule, double fan, double most) {
+double wantedBy(const Line& from, const Line& to, TiltRule rule, double fan) {
   switch (rule) {
     case TiltRule::trapezoid:
       return tiltFor(
           trapezoidShare((to.first - from.first).norm(), (to.second - from.second).norm()), fan);
     case TiltRule::quadrilateral:
       return tiltFor(quadrilateralShare(from, to), fan);
-    case TiltRule::best:
-      return bestTilt(from, to, fan, most);
+    case TiltRule::best:  // see evenestTilts
     case TiltRule::off:
       break;
   }
@@ -36,8 +35,8 @@ std::vector<double> tiltsOf(const std::vector<Line>& lines,
   // A line stands between two cells: it takes the mean of what they want.
   double before = 0.0;
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    const double cell = std::clamp(wantedBy(lines[i], lines[i + 1], rule, fan, limits.most),
-                                   -limits.most, limits.most);
+    const double cell =
+        std::clamp(wantedBy(lines[i], lines[i + 1], rule, fan), -limits.most, limits.most);
     wanted[i] = i == 0 ? cell : 0.5 * (before + cell);
     wanted[i + 1] = cell;
     before = cell;

@@ -123,14 +123,14 @@ TEST(Plan, FilmGetsEvenerWithEachRule) {
     Job wide = job(rule);
     wide.limits = {45.0, 1e9};
     const auto track = planRun(bowl, wide);
-    const Evenness even = evennessOf(*track, wide.gun);
+    const Evenness even = evennessOf({&*track, 1}, wide.gun);
     EXPECT_LT(even.mostShare, before);
     before = even.mostShare;
     EXPECT_LE(even.leastShare + even.mostShare, 100.0 + 1e-9);
   }
   // Square cells are even whatever the rule.
   const auto straight = planRun(runs("I")[0], job(TiltRule::best));
-  const Evenness even = evennessOf(*straight, {});
+  const Evenness even = evennessOf({&*straight, 1}, {});
   EXPECT_NEAR(even.film.worst(), 0.0, 1e-9);
   EXPECT_NEAR(even.area, 100.0 * 2500.0, 1e-6);
   EXPECT_NEAR(even.withinTenPercent, 1.0, 1e-9);

@@ -1,0 +1,152 @@
+#include <filesystem>
+#include <iostream>
+
+#include "app/command.h"
+#include "app/library_file.h"
+#include "app/messages.h"
+#include "app/options.h"
+#include "app/output_file.h"
+
+#include "backend/alphabet/chart.h"
+#include "runtime/stencil/film.h"
+#include "runtime/stencil/stencil.h"
+
+namespace arelem::app {
+
+namespace {
+struct AlphabetOptions {
+  Settings settings;
+  std::string file = "roadway.alphabet";
+  std::string output;
+  double fan = 63.5;
+  double most = 25.4;
+  double rate = 120.0;
+  double height = 2440.0;
+  double speed = 600.0;
+  bool plain = false;
+};
+
+backend::Chart chartOf(const stencil::Alphabet& alphabet, bool plain) {
+  backend::Chart chart;
+  chart.title = std::filesystem::path(alphabet.file).filename().string();
+  chart.height = alphabet.height;
+  chart.lines = !plain;
+  for (const stencil::Symbol& symbol : alphabet.symbols) {
+    backend::ChartSymbol& drawn = chart.symbols.emplace_back();
+    drawn.name = symbol.name;
+    drawn.width = symbol.width;
+    // As they are painted: strokes that join are one.
+    stencil::Placement placement;
+    placement.height = alphabet.height;
+    const auto runs = stencil::runsOf(symbol.name, alphabet, placement, {}, Limits{});
+    if (!runs) {
+      continue;  // a symbol of a name that no text can hold
+    }
+    for (const stencil::Run& run : *runs) {
+      auto& lines = drawn.strokes.emplace_back();
+      for (const stencil::Line& line : run.lines) {
+        lines.push_back({backend::ChartPoint{line.first.x(), line.first.y()},
+                         backend::ChartPoint{line.second.x(), line.second.y()}});
+      }
+    }
+  }
+  return chart;
+}
+
+void writeTo(DiagnosticLog& log, const std::string& path, const backend::Chart& chart) {
+  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
+  if (!file) {
+    log.accept(file.takeFailure());
+    return;
+  }
+  writeChart((*file)->stream(), chart);
+  Result<std::string> name = (*file)->commit(false);
+  if (!name) {
+    log.accept(name.takeFailure());
+  }
+}
+
+/// Film of every symbol by every rule of tilt.
+void printFilms(const stencil::Alphabet& alphabet, const AlphabetOptions& options) {
+  constexpr std::array rules = {stencil::TiltRule::off, stencil::TiltRule::trapezoid,
+                                stencil::TiltRule::quadrilateral, stencil::TiltRule::best};
+  std::cout << fmt::format(
+      "{}: grid {:g} by {:g}, {} symbols; fan {:g} degrees, height {:g} mm, {:g} mm/s over a grid "
+      "unit, tilt up to {:g}, turning by up to {:g} a second\n",
+      alphabet.file, alphabet.width, alphabet.height, alphabet.symbols.size(), options.fan,
+      options.height, options.speed, options.most, options.rate);
+  std::cout
+      << "film over the mean film, smallest and largest: all of its cells in ten strips each\n";
+  std::cout << fmt::format("{:<10}{:>7}{:>8}{:>7}{:>16}{:>16}{:>16}{:>16}\n", "symbol", "strokes",
+                           "cells", "area", "OFF", "TRAPZ", "QUADR", "BEST");
+  for (const stencil::Symbol& symbol : alphabet.symbols) {
+    std::string row;
+    stencil::Evenness even;
+    for (const stencil::TiltRule rule : rules) {
+      stencil::Statement statement;
+      statement.placement.height = options.height;
+      statement.speed = options.speed;
+      statement.job.gun.fan = options.fan;
+      statement.job.tilt = rule;
+      statement.job.limits.most = options.most;
+      statement.job.limits.rate = options.rate;
+      statement.text = symbol.name;
+      const Result<stencil::Painted> painted =
+          stencil::paint(statement, alphabet, options.settings.limits, stencil::Vec2::Zero());
+      if (!painted) {
+        row += fmt::format("{:>16}", "-");
+        continue;
+      }
+      even = stencil::evennessOf(painted->tracks, statement.job.gun);
+      row += fmt::format("{:>10.3f} {:<5.3f}", even.film.least, even.film.most);
+    }
+    const double unit = options.height / alphabet.height;
+    std::cout << fmt::format("{:<10}{:>7}{:>8}{:>7.2f}{}\n", symbol.name, symbol.strokes.size(),
+                             even.cells, even.area / (unit * unit), row);
+  }
+}
+}  // namespace
+
+int runAlphabet(const Invocation& invocation) {
+  CLI::App app(
+      "What the symbols of an alphabet file look like and how evenly they are painted.\n"
+      "-o draws them; without it a table of their films is printed.",
+      "alphabet");
+  AlphabetOptions options;
+  app.add_option("FILE", options.file,
+                 "an alphabet file, here or in the library; default: roadway.alphabet");
+  app.add_option("-o,--output", options.output, "picture of all symbols, SVG")->type_name("FILE");
+  app.add_flag("--plain", options.plain, "the picture as on the road, without grid and lines");
+  const auto number = [&](const char* name, double& value, double low, double high,
+                          const char* text) {
+    app.add_option(name, value, text)
+        ->check(CLI::Range(low, high))
+        ->type_name("N")
+        ->capture_default_str();
+  };
+  number("--fan", options.fan, 1.0, 179.0, "full angle of the gun's fan, degrees");
+  number("--tilt", options.most, 0.1, 89.0, "largest tilt, degrees");
+  number("--rate", options.rate, 0.1, 1e6, "largest turn of the tilt, degrees a second");
+  number("--height", options.height, 1.0, 1e6, "height of the symbols, mm");
+  number("--speed", options.speed, 1e-3, 1e6, "speed over a line one grid unit wide, mm/s");
+  addMessageOptions(app, options.settings);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  DiagnosticLog log;
+  Result<LibraryFile> file = readLibraryFile(options.file, options.settings);
+  Result<stencil::Alphabet> alphabet = file ? stencil::readAlphabet(file->text, file->name)
+                                            : Result<stencil::Alphabet>(file.takeFailure());
+  if (!alphabet) {
+    log.accept(alphabet.takeFailure());
+  } else if (!options.output.empty()) {
+    writeTo(log, options.output, chartOf(*alphabet, options.plain));
+  } else {
+    printFilms(*alphabet, options);
+  }
+  const SourceMap sources;
+  log.print(sources, BufferId{}, options.settings);
+  return static_cast<int>(log.exitCode());
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""STENCL by the commands `stencil` and `alphabet`: report, contour pictures, refusals that leave nothing behind."""
+import csv
+import json
+import pathlib
+import re
+import unittest
+
+from arelem_run import ArelemCase
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+HEAD = "UNITS/MM\n"
+
+
+class Stencil(ArelemCase):
+    def stencil(self, text, *words):
+        self.write("part.apt", HEAD + text + "\nFINI\n")
+        self.assertExit(0, "stencil", "part.apt", "--json", *words)
+        return json.loads(self.out)
+
+    def refused(self, text, code, exit_code=4):
+        self.write("part.apt", HEAD + text + "\nFINI\n")
+        self.assertExit(exit_code, "part.apt", "-o", "part.cls")
+        self.assertIn(code, self.err)
+        self.assertFalse((self.folder / "part.cls").exists())
+
+    def test_report_of_straight_letters(self):
+        # An I of 2500 mm: 100 mm wide, 600 mm/s.
+        (one,) = self.stencil("STENCL/'I',HEIGHT,2500,FAN,63.5,SPEED,600")
+        self.assertEqual(one["speed"], [600, 600])
+        self.assertAlmostEqual(one["sprayedWay"], 2500)
+        self.assertAlmostEqual(one["sprayingTime"], 2500 / 600)
+        self.assertEqual(one["symbols"][0]["film"], [1, 1])
+        self.assertAlmostEqual(one["all"]["area"], 250000)
+
+    def test_text_report_names_letters(self):
+        self.write("part.apt", HEAD + "STENCL/'GO 24',HEIGHT,2440,FAN,63.5,SPEED,600,TILT,QUADR\nFINI\n")
+        self.assertExit(0, "stencil", "part.apt")
+        self.assertEqual(re.findall(r"^  (\S+) +\d+ ", self.out, re.M), ["G", "O", "2", "4", "all"])
+
+    def test_pictures(self):
+        self.stencil("STENCL/'P',HEIGHT,2500,FAN,63.5,SPEED,600,TILT,TRAPZ", "--film", "f.svg", "--film", "f.png", "--film",
+                     "f.csv", "--shares", "s.svg")
+        self.assertIn("film over the mean film", (self.folder / "f.svg").read_text())
+        self.assertIn("share of the cell, %", (self.folder / "s.svg").read_text())
+        self.assertEqual((self.folder / "f.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        rows = list(csv.DictReader((self.folder / "f.csv").open()))
+        for row in rows:
+            self.assertAlmostEqual(float(row["share_first"]) + float(row["share_second"]), 100, 3)
+        # The bowl of Blank, section 2.5: 46.7 to 53.3 percent (case BLANK-ratio-trapezoid).
+        shares = [float(row["share_first"]) for row in rows if row["stroke"] == "2"]
+        self.assertGreater(min(shares), 46.5)
+        self.assertLess(max(shares), 53.5)
+
+    def test_gun_gives_speed_and_film(self):
+        gun = "G=GUN/FAN,63.5,STNDOF,300,SPEED,900,FLOW,2,EFFIC,.9,OUTPUT,3\n"
+        # 2 l/min, 90 % of it: 30000 mm3/s; a film of 0.5 mm over lines 100 mm wide at 600 mm/s.
+        (one,) = self.stencil(gun + "STENCL/'I',HEIGHT,2500,GUN,G,FILM,.5")
+        self.assertAlmostEqual(one["speedOfGridUnit"], 600)
+        self.assertAlmostEqual(one["meanFilm"], 0.5)
+        (fast,) = self.stencil(gun + "STENCL/'IS',HEIGHT,2500,GUN,G")
+        self.assertLessEqual(fast["speed"][1], 900)
+        self.assertGreater(fast["speed"][1], 890)
+        self.assertExit(0, "part.apt", "-o", "part.cls")
+        self.assertIn("SPRAY / ON, 3", (self.folder / "part.cls").read_text())
+
+    def test_heights_in_any_unit(self):
+        (mm,) = self.stencil("STENCL/'S',HEIGHT,2540,FAN,63.5,SPEED,600")
+        self.write("part.apt", "UNITS/INCHES\nSTENCL/'S',HEIGHT,100,FAN,63.5,SPEED,600\nFINI\n")
+        self.assertExit(0, "stencil", "part.apt", "--json")
+        (inches,) = json.loads(self.out)
+        self.assertAlmostEqual(mm["sprayedWay"], inches["sprayedWay"])
+
+    def test_bad_input_is_named(self):
+        self.refused("STENCL/'STOP!',HEIGHT,2500,FAN,63.5,SPEED,600", "E0560")
+        self.assertIn("`!`", self.err)
+        self.assertIn("A B C", self.err)
+        self.refused("STENCL/'STOP',HEIGHT,0,FAN,63.5,SPEED,600", "E0561")
+        self.refused("STENCL/'STOP',HEIGHT,2500,FAN,180,SPEED,600", "E0561")
+        self.refused("STENCL/'STOP',HEIGHT,2500,FAN,63.5,SPEED,600,300", "E0562")
+        self.assertRegex(self.err, r"a SPEED 0\.\d+ times as large would do")
+        self.refused("STENCL/'  ',HEIGHT,2500,FAN,63.5,SPEED,600", "E0563")
+        self.refused("STENCL/'A',HEIGHT,2500,FAN,63.5", "E0565")
+        self.refused("STENCL/'A',HEIGHT,2500,SPEED,600", "E0565")
+        self.refused("STENCL/'A',HEIGHT,2500,FAN,63.5,FILM,.4", "E0565")
+        self.refused("G=GUN/CONE,14,STNDOF,200\nSTENCL/'A',HEIGHT,2500,GUN,G,SPEED,600", "E0567")
+
+    def test_wrong_use(self):
+        self.write("part.apt", HEAD + "FINI\n")
+        self.assertExit(2, "stencil", "part.apt", "--film", "x.jpg")
+        self.assertExit(2, "stencil", "part.apt", "--shares", "x.png")
+        self.assertExit(0, "stencil", "part.apt")
+        self.assertIn("no STENCL", self.err)
+
+
+class Alphabet(ArelemCase):
+    def test_table_of_the_manual_is_what_is_printed(self):
+        self.assertExit(0, "alphabet")
+        printed = {}
+        for line in self.out.splitlines()[3:]:
+            words = line.split()
+            printed[words[0]] = words[4:]
+        manual = (PROJECT / "docs" / "manual" / "stencil.md").read_text()
+        rows = re.findall(r"^\| (\S+(?:, \S+)*) \| ([\d.]+ [\d.]+) \| ([\d.]+ [\d.]+) \| ([\d.]+ [\d.]+) \| ([\d.]+ [\d.]+) \|$", manual, re.M)
+        listed = set()
+        for names, *films in rows:
+            for name in names.replace("`", "").split(", "):
+                self.assertEqual(" ".join(films).split(), printed[name], name)
+                listed.add(name)
+        for name, films in printed.items():
+            self.assertTrue(name in listed or set(films) == {"1.000"}, name)
+
+    def test_chart_has_every_symbol(self):
+        self.assertExit(0, "alphabet", "-o", "chart.svg")
+        chart = (self.folder / "chart.svg").read_text()
+        for name in [*"ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-", "&lt;AHEAD&gt;", "&lt;LEFT&gt;", "&lt;RIGHT&gt;"]:
+            self.assertIn(f">{name}</text>", chart)
+
+    def test_damaged_file(self):
+        self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSTROKE 9\n")
+        self.assertExit(3, "alphabet", "x.alphabet", "-o", "chart.svg")
+        self.assertIn("line 3, column 8", self.err)
+        self.assertFalse((self.folder / "chart.svg").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
