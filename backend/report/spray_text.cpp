@@ -58,16 +58,21 @@ void writeSprayText(std::ostream& out, const ReportedSpray& s) {
       fmt::format("{}, {:.5g} mm apart, at {:.5g} degrees; overlap {:.5g}, inset {:.5g} mm",
                   s.passes, s.interval, s.degrees, s.overlap, s.inset));
   row(out, "path",
-      fmt::format("{:.7g} mm painted in {:.5g} s, {:.6g} mm besides in {:.4g} s; painting takes "
-                  "{:.4g} s at least",
-                  s.painted, s.paintingTime, s.unpainted, s.travelTime, s.shortestTime));
+      fmt::format("{:.7g} mm painted in {:.5g} s, {:.6g} mm besides in {:.4g} s{}", s.painted,
+                  s.paintingTime, s.unpainted, s.travelTime,
+                  s.shortestTime > 0.0
+                      ? fmt::format("; painting takes {:.4g} s at least", s.shortestTime)
+                      : ""));
   row(out, "paint",
       fmt::format("{:.4g} l used: {:.4g} on the work, {:.4g} overspray, {:.4g} beside the work",
                   s.used, s.deposited, s.overspray, s.sprayBy));
   row(out, "uniformity",
-      fmt::format("between passes R1 {:.5f}, R2 {:.5f}, R3 {:.5f}; the edge gets {:.3f} of the "
-                  "film, the strip inside it {:.3f}",
-                  s.uniformity[0], s.uniformity[1], s.uniformity[2], s.edgeFilm, s.edgeMean));
+      fmt::format(
+          "between passes R1 {:.5f}, R2 {:.5f}, R3 {:.5f}{}", s.uniformity[0], s.uniformity[1],
+          s.uniformity[2],
+          s.planar ? fmt::format("; the edge gets {:.3f} of the film, the strip inside it {:.3f}",
+                                 s.edgeFilm, s.edgeMean)
+                   : ""));
   costRow(out, s);
   filmRow(out, s);
   if (s.radiusAlong || s.radiusAcross) {

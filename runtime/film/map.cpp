@@ -141,37 +141,35 @@ void markWork(Map& map, const spray::Outline& outline) {
 void measure(Map& map, double wanted) {
   Statistics& s = map.statistics;
   s.wanted = wanted;
-  const double cellArea = map.cell * map.cell;
-  std::size_t count = 0;
-  std::size_t near = 0;
-  double sum = 0.0;
+  s.smallest = HUGE_VAL;
+  double near = 0.0;
   for (std::size_t i = 0; i < map.film.size(); ++i) {
     const double film = map.film[i];
+    const double area = map.areas.empty() ? map.cell * map.cell : map.areas[i];
     if (!map.onWork[i]) {
-      s.outside += film * cellArea;
+      s.outside += film * area;
       continue;
     }
     const double off = std::abs(film / wanted - 1.0);
-    s.smallest = count == 0 ? film : std::min(s.smallest, film);
+    s.smallest = std::min(s.smallest, film);
     s.largest = std::max(s.largest, film);
-    sum += film;
-    s.spread.average += off;
-    s.spread.rms += off * off;
+    s.deposited += film * area;
+    s.spread.average += off * area;
+    s.spread.rms += off * off * area;
     s.spread.largest = std::max(s.spread.largest, off);
-    near += off <= 0.1 ? 1 : 0;
-    ++count;
+    near += off <= 0.1 ? area : 0.0;
+    s.area += area;
   }
-  if (count == 0) {
+  if (s.area == 0.0) {
+    s.smallest = 0.0;
     return;
   }
-  const auto n = static_cast<double>(count);
-  s.mean = sum / n;
-  s.spread.average /= n;
-  s.spread.rms = std::sqrt(s.spread.rms / n);
-  s.within10 = static_cast<double>(near) / n;
-  s.area = n * cellArea;
-  s.deposited = sum * cellArea;
+  s.mean = s.deposited / s.area;
+  s.spread.average /= s.area;
+  s.spread.rms = std::sqrt(s.spread.rms / s.area);
+  s.within10 = near / s.area;
 }
+
 double filmAt(const Sprayed& sprayed, const Vec2& place) {
   const Gunwork gun(sprayed);
   double film = 0.0;

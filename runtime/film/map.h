@@ -23,8 +23,9 @@ struct Map {
   spray::Vec2 low = spray::Vec2::Zero();  ///< corner of the first cell, mm
   double cell = 1.0;                      ///< mm
   std::size_t columns = 0, rows = 0;
-  std::vector<double> film;  ///< mm, at the middle of each cell
-  std::vector<bool> onWork;  ///< whether the middle of the cell is to be painted
+  std::vector<double> film;   ///< mm, at the middle of each cell
+  std::vector<bool> onWork;   ///< whether the middle of the cell is to be painted
+  std::vector<double> areas;  ///< of the work under each cell, mm2; empty: cell by cell
   Statistics statistics;
 
   [[nodiscard]] spray::Vec2 middle(std::size_t column, std::size_t row) const {

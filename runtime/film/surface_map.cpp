@@ -3,110 +3,173 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/spray/surface/surface_lines.h"
+#include "runtime/film/bursts.h"
+#include "runtime/region/region.h"
+#include "runtime/spray/surface/mesh_surface.h"
 
 namespace arelem::film {
 
 namespace {
 constexpr double surfaceCells = 100.0;
-constexpr double piecesOfRadius = 8.0;  // of the footprint, in one piece of a stroke
 constexpr double mostSurfaceCells = 250'000.0;
+constexpr std::size_t mostSampledTriangles = 50'000;
+constexpr int mostDivisions = 200;  // of a triangle's side
 
-/// The gun for a short while: where it stands, where it points, how long.
-struct Burst {
-  Vec3 nozzle, axis, along;
-  double seconds = 0.0;
-};
+double shareOf(std::size_t i, std::size_t count) {
+  return (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+}
 
-class Spray {
- public:
-  explicit Spray(const spray::Sprayed& s)
-      : profile_(s.gun.profile()),
-        a_(s.gun.footprint.along),
-        b_(s.gun.footprint.across),
-        d_(s.gun.standOff > 0.0 ? s.gun.standOff : 1e6),
-        flow_(s.chosen.operation.flow * s.gun.efficiency) {
-    const double piece = std::max(a_, b_ / piecesOfRadius) / piecesOfRadius;
-    for (const spray::Stroke& stroke : s.strokes) {
-      if (stroke.painting) {
-        divide(stroke, piece);
-      }
-    }
-  }
-
-  [[nodiscard]] double filmAt(const Vec3& place, const Vec3& normal) const {
-    double film = 0.0;
-    for (const Burst& burst : bursts_) {
-      film += one(burst, place, normal);
-    }
-    return film;
-  }
-
- private:
-  void divide(const spray::Stroke& s, double piece) {
-    const Vec3 step = s.to - s.from;
-    const double length = step.norm();
-    const auto count = static_cast<int>(std::max(1.0, std::ceil(length / piece)));
-    for (int i = 0; i < count; ++i) {
-      const double share = (i + 0.5) / count;
-      const Vec3 axis = (s.normalFrom + share * (s.normalTo - s.normalFrom)).normalized();
-      bursts_.push_back(
-          {s.from + share * step + d_ * axis, axis, step / length, length / count / s.speed});
-    }
-  }
-
-  /// Film that one burst leaves: the density of the footprint at the stand-off, carried along the
-  /// ray to the place.
-  [[nodiscard]] double one(const Burst& burst, const Vec3& place, const Vec3& normal) const {
-    const Vec3 ray = place - burst.nozzle;
-    const double depth = -ray.dot(burst.axis);
-    if (!(depth > 0.0) || !(normal.dot(ray) < 0.0)) {
-      return 0.0;
-    }
-    const Vec3 lateral = (ray + depth * burst.axis) * (d_ / depth);
-    const double y = lateral.dot(burst.axis.cross(burst.along)) / b_;
-    if (!(std::abs(y) < 1.0)) {
-      return 0.0;
-    }
-    const double half = std::max(a_, b_ / piecesOfRadius / piecesOfRadius) * std::sqrt(1.0 - y * y);
-    if (!(std::abs(lateral.dot(burst.along)) < half)) {
-      return 0.0;
-    }
-    const double length = ray.norm();
-    const double nearer = d_ / depth;
-    const double met = -normal.dot(ray) / length;
-    const double left = depth / length;
-    return flow_ * burst.seconds * profile_.density(y) / (b_ * 2.0 * half) * nearer * nearer * met /
-           left;
-  }
-
-  spray::Profile profile_;
-  double a_, b_, d_, flow_;
-  std::vector<Burst> bursts_;
-};
-}  // namespace
-
-Map surfaceMapOf(const spray::Sprayed& s, double cell) {
-  const spray::Patch& patch = *s.patch;
-  const double lengthU = longestWay(patch, true);
-  const double lengthV = longestWay(patch, false);
-  Map map;
+void divide(Map& map, double lengthU, double lengthV, double cell) {
   map.cell = cell > 0.0 ? cell : std::max(lengthU, lengthV) / surfaceCells;
   map.cell = std::max(map.cell, std::sqrt(lengthU * lengthV / mostSurfaceCells));
   map.columns = static_cast<std::size_t>(std::max(1.0, std::round(lengthU / map.cell)));
   map.rows = static_cast<std::size_t>(std::max(1.0, std::round(lengthV / map.cell)));
+}
+
+Map patchMap(const spray::Sprayed& s, double cell) {
+  const spray::Patch& patch = *s.patch;
+  Map map;
+  divide(map, longestWay(patch, true), longestWay(patch, false), cell);
   map.onWork.assign(map.columns * map.rows, true);
-  const Spray spray(s);
+  const Bursts spray(s);
+  const double du = (patch.u1 - patch.u0) / static_cast<double>(map.columns);
+  const double dv = (patch.v1 - patch.v0) / static_cast<double>(map.rows);
   for (std::size_t r = 0; r < map.rows; ++r) {
     for (std::size_t c = 0; c < map.columns; ++c) {
-      const double u = patch.u0 + (patch.u1 - patch.u0) * (static_cast<double>(c) + 0.5) /
-                                      static_cast<double>(map.columns);
-      const double v = patch.v0 + (patch.v1 - patch.v0) * (static_cast<double>(r) + 0.5) /
-                                      static_cast<double>(map.rows);
+      const double u = patch.u0 + (patch.u1 - patch.u0) * shareOf(c, map.columns);
+      const double v = patch.v0 + (patch.v1 - patch.v0) * shareOf(r, map.rows);
       map.film.push_back(spray.filmAt(patch.at(u, v), patch.normal(u, v)));
+      const Vec3 across = patch.at(u + du / 2.0, v) - patch.at(u - du / 2.0, v);
+      const Vec3 up = patch.at(u, v + dv / 2.0) - patch.at(u, v - dv / 2.0);
+      map.areas.push_back(across.cross(up).norm());
     }
   }
-  measure(map, s.film);
+  return map;
+}
+
+/// A mesh as it is seen along its mean normal (along z where it closes on itself).
+class MeshPicture {
+ public:
+  MeshPicture(const spray::Sprayed& s, double cell) : mesh_(*s.mesh) {
+    const Vec3 mean = mesh_.meanNormal();
+    frame_ = region::frameOf(mean.norm() > 0.0 ? mean : Vec3(Vec3::UnitZ()), Vec3::Zero());
+    const auto [left, right] = mesh_.range(frame_.x);
+    const auto [bottom, top] = mesh_.range(frame_.y);
+    divide(map_, right - left, top - bottom, cell);
+    map_.low = {left, bottom};
+    const std::size_t count = map_.columns * map_.rows;
+    heights_.assign(count, -HUGE_VAL);
+    seen_.resize(count);
+    map_.film.assign(count, 0.0);
+    map_.onWork.assign(count, false);
+    map_.areas.assign(count, 0.0);
+  }
+
+  Map run(const Bursts& spray) {
+    for (std::size_t t = 0; t < mesh_.mesh().triangles.size(); ++t) {
+      look(t);
+    }
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      if (map_.onWork[i]) {
+        map_.film[i] = spray.filmAt(seen_[i].place, seen_[i].normal);
+      }
+    }
+    return std::move(map_);
+  }
+
+ private:
+  /// The cells under a triangle that faces the eye, where none is nearer.
+  void look(std::size_t t) {
+    const Vec3 normal = mesh_.spanned(t);
+    const double facing = normal.dot(frame_.normal);
+    if (!(facing > 0.0)) {
+      return;
+    }
+    std::array<spray::Vec2, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = frame_.inPlane(mesh_.mesh().vertices[mesh_.mesh().triangles[t][i]]);
+    }
+    const spray::Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]);
+    const spray::Vec2 high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+    const auto first = [&](double x, double from) {
+      return static_cast<std::size_t>(std::max(0.0, std::floor((x - from) / map_.cell)));
+    };
+    for (std::size_t r = first(low.y(), map_.low.y());
+         r < map_.rows && map_.middle(0, r).y() <= high.y(); ++r) {
+      for (std::size_t c = first(low.x(), map_.low.x());
+           c < map_.columns && map_.middle(c, r).x() <= high.x(); ++c) {
+        see(t, p, map_.middle(c, r), r * map_.columns + c, normal.norm() / facing);
+      }
+    }
+  }
+
+  void see(std::size_t t,
+           const std::array<spray::Vec2, 3>& p,
+           const spray::Vec2& eye,
+           std::size_t cell,
+           double slope) {
+    const auto twice = [](const spray::Vec2& a, const spray::Vec2& b, const spray::Vec2& c) {
+      return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+    };
+    const double whole = twice(p[0], p[1], p[2]);
+    const Vec3 shares =
+        Vec3(twice(eye, p[1], p[2]), twice(p[0], eye, p[2]), twice(p[0], p[1], eye)) / whole;
+    if (!(shares.minCoeff() >= 0.0)) {
+      return;
+    }
+    const spray::LinePoint point = mesh_.at(t, shares);
+    const double height = frame_.normal.dot(point.place);
+    if (height > heights_[cell]) {
+      heights_[cell] = height;
+      seen_[cell] = point;
+      map_.onWork[cell] = true;
+      map_.areas[cell] = map_.cell * map_.cell * slope;
+    }
+  }
+
+  const spray::MeshSurface& mesh_;
+  region::Frame frame_;
+  Map map_;
+  std::vector<double> heights_;
+  std::vector<spray::LinePoint> seen_;
+};
+
+/// The statistics of a mesh are those of all its triangles, seen or hidden.
+Statistics statisticsOf(const spray::Sprayed& s, const Bursts& spray, double cell) {
+  const spray::MeshSurface& surface = *s.mesh;
+  const std::size_t count = surface.mesh().triangles.size();
+  const std::size_t stride = count / mostSampledTriangles + 1;
+  Map all;
+  for (std::size_t t = 0; t < count; t += stride) {
+    const double area = surface.spanned(t).norm() / 2.0;
+    const auto n =
+        static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / cell), 1.0, double{mostDivisions}));
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < 2 * (n - i) - 1; ++k) {
+        // The middles of the n * n small triangles, row by row.
+        const double up = (i + (k % 2 == 0 ? 1.0 : 2.0) / 3.0) / n;
+        const double over = (k / 2 + (k % 2 == 0 ? 1.0 : 2.0) / 3.0) / n;
+        const spray::LinePoint point = surface.at(t, {1.0 - up - over, over, up});
+        all.film.push_back(spray.filmAt(point.place, point.normal));
+        all.areas.push_back(area / (n * n) * static_cast<double>(stride));
+      }
+    }
+  }
+  all.onWork.assign(all.film.size(), true);
+  measure(all, s.film);
+  return all.statistics;
+}
+}  // namespace
+
+Map surfaceMapOf(const spray::Sprayed& s, double cell) {
+  if (!s.mesh) {
+    Map map = patchMap(s, cell);
+    measure(map, s.film);
+    return map;
+  }
+  const Bursts spray(s);
+  Map map = MeshPicture(s, cell).run(spray);
+  map.statistics = statisticsOf(s, spray, map.cell);
   return map;
 }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "ir/diag/interpret.h"
+#include "ir/space/tolerance.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/spray_words.h"
+#include "runtime/geometry/triangle_mesh.h"
 #include "runtime/spray/region_job.h"
 #include "runtime/spray/units.h"
 
@@ -20,7 +22,10 @@ using spray::Stroke;
 class StrokeWriter {
  public:
   StrokeWriter(State& state, const Sprayed& sprayed)
-      : state_(state), sprayed_(sprayed), unit_(state.context.millimeters) {}
+      : state_(state), sprayed_(sprayed), unit_(state.context.millimeters) {
+    const spray::Footprint& print = sprayed.gun.footprint;
+    isRound_ = std::abs(print.along - print.across) <= tolerance::similarity * print.across;
+  }
 
   void write() {
     const bool multax = state_.multax;
@@ -64,12 +69,18 @@ class StrokeWriter {
       feed_ = speed;
     }
   }
-  /// The nozzle stands off along the normal.
-  void go(const Vec3& place, const Vec3& normal) {
+  /// The nozzle stands off along the normal. A footprint that is not round lies with its width
+  /// across the travel, and is not turned over from pass to pass.
+  void go(const Vec3& place, const Vec3& normal, const Vec3& along) {
     Locate locate;
     locate.word = Word::GOTO;
     locate.point = (place + sprayed_.gun.standOff * normal) / unit_;
     locate.axis = normal;
+    const Vec3 across = normal.cross(along);
+    if (!isRound_ && across.norm() > tolerance::nullDirection) {
+      side_ = across.normalized() * (side_ && side_->dot(across) < 0.0 ? -1.0 : 1.0);
+      locate.side = side_;
+    }
     state_.emit(std::move(locate));
   }
 
@@ -93,29 +104,31 @@ class StrokeWriter {
       off();
       post(Word::RAPID, {});
       feed_ = 0.0;
-      go(s.from - early * along, s.normalFrom);
+      go(s.from - early * along, s.normalFrom, along);
     }
     if (s.painting) {
       on();
       feed(nozzleSpeed(s, length));
       const double closing = last ? std::min(s.speed * sprayed_.gun.leadOff, length) : 0.0;
       if (closing > 0.0) {
-        go(s.to - closing * along, s.normalTo);
+        go(s.to - closing * along, s.normalTo, along);
         off();
       }
-      go(s.to, s.normalTo);
+      go(s.to, s.normalTo, along);
       return;
     }
     off();
     feed(s.speed);
     // The next piece is switched on early: the gap ends before its place.
     const double before = sprayed_.chosen.operation.speed * sprayed_.gun.leadOn;
-    go(s.to - std::min(before, length) * along, s.normalTo);
+    go(s.to - std::min(before, length) * along, s.normalTo, along);
   }
 
   State& state_;
   const Sprayed& sprayed_;
   double unit_;
+  bool isRound_ = true;
+  std::optional<Vec3> side_;
   bool spraying_ = false;
   double feed_ = 0.0;
 };
@@ -193,16 +206,48 @@ void setLines(spray::SurfaceJob& job, const SprayWords& words, double unit) {
   }
 }
 
-void spraySurface(State& state, const SprayWords& words) {
-  const double unit = state.context.millimeters;
+/// The mesh in mm; none where its words do not suit it: told.
+Result<std::shared_ptr<const spray::MeshSurface>> meshOf(const SprayWords& words, double unit) {
+  using Lines = SprayWords::Lines;
+  if (words.lines == Lines::alongU || words.lines == Lines::alongV) {
+    return fail(diag::MeshLines, words.lines == Lines::alongU ? "ULINES" : "VLINES");
+  }
+  if (words.limits) {
+    return fail(diag::MeshLines, "LIMITS");
+  }
+  geometry::TriangleMesh mesh = geometry::TriangleMesh::of(words.work->canon);
+  for (Vec3& corner : mesh.vertices) {
+    corner *= unit;
+  }
+  return std::make_shared<const spray::MeshSurface>(std::move(mesh), words.otherSide);
+}
+
+/// The work of a job: a patch or a mesh.
+std::optional<Failure> setWork(spray::SurfaceJob& job, const SprayWords& words, double unit) {
+  if (words.work->type == EntityType::mesh) {
+    auto mesh = meshOf(words, unit);
+    if (!mesh) {
+      return mesh.takeFailure();
+    }
+    job.mesh = *std::move(mesh);
+    return std::nullopt;
+  }
   Result<spray::Patch> patch = spray::patchOf(*words.work, words.limits, unit);
   if (!patch) {
-    refuse(state, words, patch.takeFailure());
-    return;
+    return patch.takeFailure();
   }
-  spray::SurfaceJob job;
   job.patch = *std::move(patch);
   job.patch.flipped = words.otherSide;
+  return std::nullopt;
+}
+
+void spraySurface(State& state, const SprayWords& words) {
+  const double unit = state.context.millimeters;
+  spray::SurfaceJob job;
+  if (auto failure = setWork(job, words, unit)) {
+    refuse(state, words, *std::move(failure));
+    return;
+  }
   job.gun = spray::Gun::of(words.gun->canon);
   job.film = words.film;
   job.step = words.step * unit;

@@ -14,6 +14,7 @@
 namespace arelem::spray {
 
 struct Patch;
+class MeshSurface;
 
 /// Where the spray falls while the gun moves straight from one place to the next. Places lie on the
 /// work, mm; normals point to the gun.
@@ -56,7 +57,8 @@ struct Sprayed {
   std::string advice;  ///< which direction suits better, "" when the lines run that way
   std::size_t lines = 0;
   double step = 0.0;
-  std::shared_ptr<const Patch> patch;  ///< null of a region
+  std::shared_ptr<const Patch> patch;       ///< of a surface that is no mesh, else null
+  std::shared_ptr<const MeshSurface> mesh;  ///< of a mesh, else null
 };
 
 }  // namespace arelem::spray

@@ -111,42 +111,6 @@ class Contour {
   std::map<EdgeKey, bool> used_;
 };
 
-/// Leaves out points that lie within the chord tolerance (Douglas and Peucker).
-void thin(const SurfaceLine& line,
-          std::size_t from,
-          std::size_t to,
-          double chord,
-          std::vector<bool>& keep) {
-  const Vec3 step = line[to].place - line[from].place;
-  double farthest = 0.0;
-  std::size_t at = from;
-  for (std::size_t i = from + 1; i < to; ++i) {
-    const Vec3 p = line[i].place - line[from].place;
-    const double off = step.norm() > 0.0 ? p.cross(step).norm() / step.norm() : p.norm();
-    if (off > farthest) {
-      farthest = off;
-      at = i;
-    }
-  }
-  if (farthest > chord) {
-    keep[at] = true;
-    thin(line, from, at, chord, keep);
-    thin(line, at, to, chord, keep);
-  }
-}
-
-SurfaceLine thinned(const SurfaceLine& line, double chord) {
-  std::vector<bool> keep(line.size(), false);
-  keep.front() = keep.back() = true;
-  thin(line, 0, line.size() - 1, chord, keep);
-  SurfaceLine result;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (keep[i]) {
-      result.push_back(line[i]);
-    }
-  }
-  return result;
-}
 }  // namespace
 
 std::vector<SurfaceLine> sectionsOf(const Patch& patch,
@@ -170,15 +134,7 @@ std::vector<SurfaceLine> sectionsOf(const Patch& patch,
       if (line.size() < 2) {
         continue;
       }
-      line = thinned(line, chord);
-      // To and fro: begin at the end that is nearer to where the line before ended.
-      if (!sections.empty()) {
-        const Vec3& end = sections.back().back().place;
-        if ((line.back().place - end).norm() < (line.front().place - end).norm()) {
-          std::reverse(line.begin(), line.end());
-        }
-      }
-      sections.push_back(std::move(line));
+      appendToAndFro(sections, thinned(line, chord));
     }
   }
   return sections;

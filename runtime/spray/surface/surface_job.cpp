@@ -1,16 +1,20 @@
 #include "runtime/spray/surface/surface_job.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "ir/diag/spray.h"
+#include "ir/space/tolerance.h"
 #include "runtime/region/region.h"
+#include "runtime/spray/surface/spacing.h"
 
 namespace arelem::spray {
 
 namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr int samples = 64;
+constexpr double piecesOfRadius = 4.0;  // of the footprint, over which a mesh's bend is measured
 constexpr double mostLines = 20'000.0;
 
 class Planner {
@@ -50,16 +54,24 @@ class Planner {
 
   /// Both directions, as the source's dialog shows them, and which one suits better.
   std::optional<Failure> checkRadius() {
-    const Radii radii = smallestRadii(job_.patch);
-    const bool alongU = !std::holds_alternative<SurfaceJob::Way>(job_.lines) ||
-                        std::get<SurfaceJob::Way>(job_.lines) == SurfaceJob::Way::alongU;
-    s_.radiusAlong = alongU ? radii.alongU : radii.alongV;
-    s_.radiusAcross = alongU ? radii.alongV : radii.alongU;
+    const auto* way = std::get_if<SurfaceJob::Way>(&job_.lines);
+    if (job_.mesh) {
+      const double piece = job_.gun.footprint.across / piecesOfRadius;
+      s_.radiusAlong = job_.mesh->smallestRadius(planes(), piece);
+      s_.radiusAcross = job_.mesh->smallestRadius(planesAcross(), piece);
+    } else {
+      const Radii radii = smallestRadii(job_.patch);
+      const bool alongU = way == nullptr || *way == SurfaceJob::Way::alongU;
+      s_.radiusAlong = alongU ? radii.alongU : radii.alongV;
+      s_.radiusAcross = alongU ? radii.alongV : radii.alongU;
+    }
     const double along = s_.radiusAlong.value_or(HUGE_VAL);
     const double across = s_.radiusAcross.value_or(HUGE_VAL);
-    if (std::holds_alternative<SurfaceJob::Way>(job_.lines) && along < across) {
-      s_.advice =
-          fmt::format("{} would run where the surface bends less", alongU ? "VLINES" : "ULINES");
+    if (way != nullptr && along < across) {
+      s_.advice = fmt::format("{} would run where the surface bends less",
+                              *way == SurfaceJob::Way::alongU ? "VLINES" : "ULINES");
+    } else if (job_.mesh && along < across) {
+      s_.advice = "sections square to these would run where the surface bends less";
     }
     const double smallest = std::min(along, across);
     if (job_.checkRadius && smallest < job_.gun.footprint.across) {
@@ -80,43 +92,59 @@ class Planner {
       lines_ = std::move(set.lines);
       s_.step = set.count.step;
     } else {
-      sections();
+      const Levels levels = levelsOf();
+      s_.step = levels.step;
+      lines_ = job_.mesh ? job_.mesh->sections(planes(), job_.chord)
+                         : sectionsOf(job_.patch, levels.field, levels.values, job_.chord);
     }
     s_.lines = lines_.size();
-    s_.area = areaOf(job_.patch);
+    s_.area = job_.mesh ? job_.mesh->area() : areaOf(job_.patch);
     if (lines_.empty()) {
       return fail(diag::SprayValue, "the number of sections", 0.0, "at least 1");
     }
     return std::nullopt;
   }
 
-  /// Range of a field over the patch.
+  /// Range of a field over the work.
   [[nodiscard]] std::pair<double, double> rangeOf(
       const std::function<double(const Vec3&)>& field) const {
-    const Patch& p = job_.patch;
     double low = HUGE_VAL;
     double high = -HUGE_VAL;
+    const auto look = [&](const Vec3& place) {
+      low = std::min(low, field(place));
+      high = std::max(high, field(place));
+    };
+    if (job_.mesh) {
+      std::for_each(job_.mesh->mesh().vertices.begin(), job_.mesh->mesh().vertices.end(), look);
+      return {low, high};
+    }
+    const Patch& p = job_.patch;
     for (int i = 0; i <= samples; ++i) {
       for (int k = 0; k <= samples; ++k) {
-        const double value =
-            field(p.at(p.u0 + (p.u1 - p.u0) * i / samples, p.v0 + (p.v1 - p.v0) * k / samples));
-        low = std::min(low, value);
-        high = std::max(high, value);
+        look(p.at(p.u0 + (p.u1 - p.u0) * i / samples, p.v0 + (p.v1 - p.v0) * k / samples));
       }
     }
     return {low, high};
   }
 
-  /// Equal steps between the extremes; the outermost sections lie a hair inside.
-  void sections() {
+  /// What the sections are levels of: the height over a plane in mm, or the angle about an axis in
+  /// degrees.
+  struct Levels {
     std::function<double(const Vec3&)> field;
+    std::vector<double> values;
+    double step = 0.0;  ///< mm, where they are farthest apart
+  };
+
+  /// Equal steps between the extremes; the outermost sections lie a hair inside.
+  [[nodiscard]] Levels levelsOf() const {
+    Levels levels;
     double lengthOfUnit = 1.0;
     if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job_.lines)) {
-      field = [n = parallel->normal](const Vec3& p) { return n.dot(p); };
+      levels.field = [n = parallel->normal](const Vec3& p) { return n.dot(p); };
     } else {
       const auto& radial = std::get<SurfaceJob::Radial>(job_.lines);
       const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
-      field = [frame, place = radial.place](const Vec3& p) {
+      levels.field = [frame, place = radial.place](const Vec3& p) {
         const Vec3 arm = p - place;
         const double angle = std::atan2(arm.dot(frame.y), arm.dot(frame.x)) / degree;
         return angle < -1e-9 ? angle + 360.0 : angle;
@@ -125,15 +153,56 @@ class Planner {
           [&radial](const Vec3& p) { return (p - radial.place).cross(radial.axis).norm(); });
       lengthOfUnit = arm.second * degree;
     }
-    const auto [low, high] = rangeOf(field);
-    const LineCount count = lineCount((high - low) * lengthOfUnit, widest_);
+    const auto [low, high] = rangeOf(levels.field);
+    const LineCount count =
+        lineCount(std::min((high - low) * lengthOfUnit, mostLines * widest_), widest_);
     const double hair = 1e-6 * (high - low);
-    std::vector<double> levels;
     for (int i = 0; i <= count.intervals; ++i) {
-      levels.push_back(low + hair + (high - low - 2.0 * hair) * i / count.intervals);
+      levels.values.push_back(low + hair + (high - low - 2.0 * hair) * i / count.intervals);
     }
-    lines_ = sectionsOf(job_.patch, field, levels, job_.chord);
-    s_.step = count.step;
+    levels.step = count.step;
+    return levels;
+  }
+
+  /// The sections of a mesh as planes.
+  [[nodiscard]] std::vector<CuttingPlane> planes() const {
+    std::vector<CuttingPlane> result;
+    for (const double level : levelsOf().values) {
+      CuttingPlane& plane = result.emplace_back();
+      if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job_.lines)) {
+        plane.normal = parallel->normal;
+        plane.level = level;
+        continue;
+      }
+      const auto& radial = std::get<SurfaceJob::Radial>(job_.lines);
+      const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
+      const double angle = level * degree;
+      plane.half = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+      plane.place = radial.place;
+      plane.normal = radial.axis.cross(*plane.half);
+      plane.level = plane.normal.dot(radial.place);
+    }
+    return result;
+  }
+
+  /// A few planes square to them, for the curvature the other way.
+  [[nodiscard]] std::vector<CuttingPlane> planesAcross() const {
+    constexpr int count = 9;
+    Vec3 normal = Vec3::Zero();
+    if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job_.lines)) {
+      normal = job_.mesh->meanNormal().cross(parallel->normal);
+      normal = normal.norm() > tolerance::nullDirection
+                   ? normal.normalized()
+                   : region::frameOf(parallel->normal, Vec3::Zero()).x;
+    } else {
+      normal = std::get<SurfaceJob::Radial>(job_.lines).axis;
+    }
+    const auto [low, high] = job_.mesh->range(normal);
+    std::vector<CuttingPlane> result;
+    for (int i = 0; i < count; ++i) {
+      result.push_back({normal, low + (high - low) * (i + 0.5) / count, std::nullopt, {}});
+    }
+    return result;
   }
 
   std::optional<Failure> chooseSpeed() {
@@ -162,40 +231,62 @@ class Planner {
     return std::nullopt;
   }
 
+  /// Where lines of u or v lie closer the gun moves faster: a film like elsewhere, but for what its
+  /// largest speed forbids. Not with SPEED.
+  [[nodiscard]] bool speedFollowsSpacing() const {
+    return std::holds_alternative<SurfaceJob::Way>(job_.lines) && !job_.speed &&
+           job_.gun.flow > 0.0 && lines_.size() > 1;
+  }
+
   void strokes() {
     Trial& chosen = s_.chosen;
     chosen.across = job_.gun.footprint.across;
     chosen.passes = lines_.size();
-    const LinePoint* before = nullptr;
-    for (const SurfaceLine& line : lines_) {
-      for (std::size_t i = 1; i < line.size(); ++i) {
-        const LinePoint& a = line[i - 1];
-        const LinePoint& b = line[i];
-        const double length = (b.place - a.place).norm();
-        if (length == 0.0) {
-          continue;
-        }
-        if (i == 1 && before != nullptr) {
-          chosen.lengths.unpainted += (a.place - before->place).norm();
-        }
-        s_.strokes.push_back(
-            {a.place, b.place, a.normal, b.normal, chosen.operation.speed, true, i == 1});
-        chosen.lengths.painted += length;
+    const bool follows = speedFollowsSpacing();
+    const Spacing spacing(follows ? lines_ : none_);
+    const double fastest = job_.gun.speed > 0.0 ? job_.gun.speed : HUGE_VAL;
+    double seconds = 0.0;
+    for (std::size_t n = 0; n < lines_.size(); ++n) {
+      const SurfaceLine& line = lines_[n];
+      if (n > 0) {
+        chosen.lengths.unpainted += (line.front().place - lines_[n - 1].back().place).norm();
       }
-      before = &line.back();
+      bool begins = true;
+      for (std::size_t i = 1; i < line.size(); ++i) {
+        const SurfaceLine pieces =
+            follows ? divided(spacing, n, line[i - 1], line[i]) : SurfaceLine{line[i - 1], line[i]};
+        for (std::size_t k = 1; k < pieces.size(); ++k) {
+          const LinePoint& a = pieces[k - 1];
+          const LinePoint& b = pieces[k];
+          const double length = (b.place - a.place).norm();
+          if (length == 0.0) {
+            continue;
+          }
+          const double share = follows ? spacing.share(n, (a.place + b.place) / 2.0) : 1.0;
+          const double speed = std::min(chosen.operation.speed / share, fastest);
+          s_.strokes.push_back({a.place, b.place, a.normal, b.normal, speed, true, begins});
+          begins = false;
+          chosen.lengths.painted += length;
+          seconds += length / speed;
+        }
+      }
     }
     s_.overlap = 1.0 - s_.step / (2.0 * job_.gun.footprint.across);
     s_.uniformity = uniformity(job_.gun.profile(), s_.overlap);
     const GunLimits limits = {chosen.operation.speed, job_.gun.flow, job_.gun.efficiency};
-    chosen.cost = costOf(chosen.lengths, s_.area, job_.film, chosen.operation, limits, {});
+    Operation mean = chosen.operation;
+    mean.speed = seconds > 0.0 ? chosen.lengths.painted / seconds : mean.speed;
+    chosen.cost = costOf(chosen.lengths, s_.area, job_.film, mean, limits, {});
     s_.shortestTime = spray::shortestTime(s_.area, job_.film, limits);
-    s_.patch = std::make_shared<const Patch>(job_.patch);
+    s_.mesh = job_.mesh;
+    s_.patch = job_.mesh ? nullptr : std::make_shared<const Patch>(job_.patch);
   }
 
   const SurfaceJob& job_;
   Sprayed s_;
   double widest_ = 0.0;
   std::vector<SurfaceLine> lines_;
+  const std::vector<SurfaceLine> none_;
 };
 }  // namespace
 

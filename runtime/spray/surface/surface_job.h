@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "runtime/spray/sprayed.h"
+#include "runtime/spray/surface/mesh_surface.h"
 #include "runtime/spray/surface/surface_lines.h"
 
 namespace arelem::spray {
@@ -10,6 +11,7 @@ namespace arelem::spray {
 /// SPRAY on a surface, with every value known. Lengths mm.
 struct SurfaceJob {
   Patch patch;
+  std::shared_ptr<const MeshSurface> mesh;  ///< in place of the patch; lines are sections then
   Gun gun;
   double film = 0.0;
   /// Lines along u or v; sections parallel to a plane (its unit normal); or radial about an axis

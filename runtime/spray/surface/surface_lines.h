@@ -38,6 +38,12 @@ struct LineSet {
                                                   const std::vector<double>& levels,
                                                   double chord);
 
+/// Leaves out points whose places lie within the chord tolerance, and whose normals lie within
+/// 0.02 rad, of what is straight between those that stay (Douglas and Peucker).
+[[nodiscard]] SurfaceLine thinned(const SurfaceLine& line, double chord);
+/// Adds a line, begun at the end that is nearer to where the one before ended.
+void appendToAndFro(std::vector<SurfaceLine>& lines, SurfaceLine line);
+
 /// Smallest radius of curvature along u and along v; none where flat. Sampled over the patch.
 struct Radii {
   std::optional<double> alongU, alongV;

@@ -143,5 +143,32 @@ TEST(SurfaceJobs, TheBetterDirectionIsTold) {
   EXPECT_EQ(spraySurface(j)->advice, "");
 }
 
+TEST(SurfaceJobs, TheGunMovesFasterWhereLinesAreCloser) {
+  // Half angle 0.5: lines to the vertex, whose distance grows with the way from it.
+  SurfaceJob job;
+  job.patch = patch(cone, Limits4{0, 180, 150, 300});
+  job.gun.kind = Gun::Kind::cone;
+  job.gun.footprint = {15.0, 15.0};
+  job.gun.standOff = 100.0;
+  job.gun.flow = 500.0;
+  job.film = 0.05;
+  job.lines = SurfaceJob::Way::alongV;
+  const Result<Sprayed> sprayed = spraySurface(job);
+  ASSERT_TRUE(sprayed.ok()) << sprayed.failure().message;
+  for (const Stroke& stroke : sprayed->strokes) {
+    const double fromVertex = ((stroke.from + stroke.to) / 2.0).norm();
+    EXPECT_NEAR(stroke.speed * fromVertex, sprayed->chosen.operation.speed * 300.0,
+                0.01 * sprayed->chosen.operation.speed * 300.0);
+  }
+  job.gun.speed = 1.2 * sprayed->chosen.operation.speed;
+  for (const Stroke& stroke : spraySurface(job)->strokes) {
+    EXPECT_LE(stroke.speed, job.gun.speed);
+  }
+  job.speed = sprayed->chosen.operation.speed;
+  for (const Stroke& stroke : spraySurface(job)->strokes) {
+    EXPECT_EQ(stroke.speed, *job.speed);
+  }
+}
+
 }  // namespace
 }  // namespace arelem::spray

@@ -1,0 +1,91 @@
+#include "runtime/film/bursts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arelem::film {
+
+namespace {
+constexpr double piecesOfRadius = 8.0;  // of the footprint, in one piece of a stroke
+constexpr double followed = 3.0;        // footprints that paint flies past its place
+constexpr double plainStandOff = 1e6;   // of a gun without one: parallel rays, mm
+}  // namespace
+
+Bursts::Bursts(const spray::Sprayed& s)
+    : profile_(s.gun.profile()),
+      a_(s.gun.footprint.along),
+      b_(s.gun.footprint.across),
+      d_(s.gun.standOff > 0.0 ? s.gun.standOff : plainStandOff),
+      flow_(s.chosen.operation.flow * s.gun.efficiency),
+      reach_(followed * std::max(a_, b_)) {
+  const double piece = std::max(a_, b_ / piecesOfRadius) / piecesOfRadius;
+  for (const spray::Stroke& stroke : s.strokes) {
+    if (stroke.painting) {
+      divide(stroke, piece);
+    }
+  }
+}
+
+double Bursts::filmAt(const Vec3& place, const Vec3& normal) const {
+  double film = 0.0;
+  const auto [i, j, k] = cellOf(place);
+  for (long x = i - 1; x <= i + 1; ++x) {
+    for (long y = j - 1; y <= j + 1; ++y) {
+      for (long z = k - 1; z <= k + 1; ++z) {
+        const auto found = cells_.find({x, y, z});
+        if (found == cells_.end()) {
+          continue;
+        }
+        for (const Burst& burst : found->second) {
+          film += one(burst, place, normal);
+        }
+      }
+    }
+  }
+  return film;
+}
+
+Bursts::Cell Bursts::cellOf(const Vec3& place) const {
+  return {std::lround(std::floor(place.x() / reach_)), std::lround(std::floor(place.y() / reach_)),
+          std::lround(std::floor(place.z() / reach_))};
+}
+
+void Bursts::divide(const spray::Stroke& s, double piece) {
+  const Vec3 step = s.to - s.from;
+  const double length = step.norm();
+  const auto count = static_cast<int>(std::max(1.0, std::ceil(length / piece)));
+  for (int i = 0; i < count; ++i) {
+    const double share = (i + 0.5) / count;
+    const Vec3 axis = (s.normalFrom + share * (s.normalTo - s.normalFrom)).normalized();
+    const Vec3 target = s.from + share * step;
+    cells_[cellOf(target)].push_back(
+        {target + d_ * axis, axis, step / length, length / count / s.speed});
+  }
+}
+
+/// Film that one burst leaves: the density of the footprint at the stand-off, carried along the
+/// ray to the place.
+double Bursts::one(const Burst& burst, const Vec3& place, const Vec3& normal) const {
+  const Vec3 ray = place - burst.nozzle;
+  const double depth = -ray.dot(burst.axis);
+  if (!(depth > 0.0) || !(normal.dot(ray) < 0.0)) {
+    return 0.0;
+  }
+  const Vec3 lateral = (ray + depth * burst.axis) * (d_ / depth);
+  const double y = lateral.dot(burst.axis.cross(burst.along)) / b_;
+  if (!(std::abs(y) < 1.0)) {
+    return 0.0;
+  }
+  const double half = std::max(a_, b_ / piecesOfRadius / piecesOfRadius) * std::sqrt(1.0 - y * y);
+  if (!(std::abs(lateral.dot(burst.along)) < half)) {
+    return 0.0;
+  }
+  const double length = ray.norm();
+  const double nearer = d_ / depth;
+  const double met = -normal.dot(ray) / length;
+  const double left = depth / length;
+  return flow_ * burst.seconds * profile_.density(y) / (b_ * 2.0 * half) * nearer * nearer * met /
+         left;
+}
+
+}  // namespace arelem::film
