@@ -80,14 +80,14 @@ class MeshPicture {
  private:
   /// The cells under a triangle that faces the eye, where none is nearer.
   void look(std::size_t t) {
-    const Vec3 normal = mesh_.mesh().spanned(t);
+    const Vec3 normal = mesh_.spanned(t);
     const double facing = normal.dot(frame_.normal);
     if (!(facing > 0.0)) {
       return;
     }
     std::array<spray::Vec2, 3> p;
     for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = frame_.inPlane(mesh_.mesh().corners[mesh_.mesh().triangles[t][i]]);
+      p[i] = frame_.inPlane(mesh_.mesh().vertices[mesh_.mesh().triangles[t][i]]);
     }
     const spray::Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]);
     const spray::Vec2 high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
@@ -141,7 +141,7 @@ Statistics statisticsOf(const spray::Sprayed& s, const Bursts& spray, double cel
   const std::size_t stride = count / mostSampledTriangles + 1;
   Map all;
   for (std::size_t t = 0; t < count; t += stride) {
-    const double area = surface.mesh().spanned(t).norm() / 2.0;
+    const double area = surface.spanned(t).norm() / 2.0;
     const auto n =
         static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / cell), 1.0, double{mostDivisions}));
     for (int i = 0; i < n; ++i) {

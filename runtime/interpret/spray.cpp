@@ -7,7 +7,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/spray_words.h"
-#include "runtime/mesh/mesh.h"
+#include "runtime/geometry/triangle_mesh.h"
 #include "runtime/spray/region_job.h"
 #include "runtime/spray/units.h"
 
@@ -215,8 +215,8 @@ Result<std::shared_ptr<const spray::MeshSurface>> meshOf(const SprayWords& words
   if (words.limits) {
     return fail(diag::MeshLines, "LIMITS");
   }
-  mesh::Mesh mesh = mesh::Mesh::of(words.work->canon);
-  for (Vec3& corner : mesh.corners) {
+  geometry::TriangleMesh mesh = geometry::TriangleMesh::of(words.work->canon);
+  for (Vec3& corner : mesh.vertices) {
     corner *= unit;
   }
   return std::make_shared<const spray::MeshSurface>(std::move(mesh), words.otherSide);

@@ -23,8 +23,8 @@ class Chains {
  public:
   Chains(const MeshSurface& surface, const CuttingPlane& plane)
       : surface_(surface), mesh_(surface.mesh()) {
-    heights_.reserve(mesh_.corners.size());
-    for (const Vec3& corner : mesh_.corners) {
+    heights_.reserve(mesh_.vertices.size());
+    for (const Vec3& corner : mesh_.vertices) {
       heights_.push_back(plane.normal.dot(corner) - plane.level);
     }
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -122,7 +122,7 @@ class Chains {
   }
 
   const MeshSurface& surface_;
-  const mesh::Mesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   std::vector<double> heights_;
   std::map<Edge, std::vector<Link>> links_;
   std::set<std::size_t> used_;  // triangles
@@ -152,16 +152,16 @@ std::vector<SurfaceLine> onSide(const SurfaceLine& line, const CuttingPlane& pla
 }
 }  // namespace
 
-MeshSurface::MeshSurface(mesh::Mesh mesh, bool flipped) : mesh_(std::move(mesh)) {
+MeshSurface::MeshSurface(geometry::TriangleMesh mesh, bool flipped) : mesh_(std::move(mesh)) {
   if (flipped) {
     for (auto& triangle : mesh_.triangles) {
       std::swap(triangle[1], triangle[2]);
     }
   }
   std::vector<Vec3> faces;
-  std::vector<std::vector<std::size_t>> about(mesh_.corners.size());
+  std::vector<std::vector<std::size_t>> about(mesh_.vertices.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    faces.push_back(mesh_.spanned(t).normalized());
+    faces.push_back(spanned(t).normalized());
     for (const std::size_t corner : mesh_.triangles[t]) {
       about[corner].push_back(t);
     }
@@ -182,19 +182,23 @@ MeshSurface::MeshSurface(mesh::Mesh mesh, bool flipped) : mesh_(std::move(mesh))
   }
 }
 
+Vec3 MeshSurface::spanned(std::size_t t) const {
+  return (mesh_.corner(t, 1) - mesh_.corner(t, 0)).cross(mesh_.corner(t, 2) - mesh_.corner(t, 0));
+}
+
 double MeshSurface::angleAt(std::size_t triangle, std::size_t corner) const {
   const auto& corners = mesh_.triangles[triangle];
   const auto i =
       static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
-  const Vec3 a = mesh_.corners[corners[(i + 1) % 3]] - mesh_.corners[corner];
-  const Vec3 b = mesh_.corners[corners[(i + 2) % 3]] - mesh_.corners[corner];
+  const Vec3 a = mesh_.vertices[corners[(i + 1) % 3]] - mesh_.vertices[corner];
+  const Vec3 b = mesh_.vertices[corners[(i + 2) % 3]] - mesh_.vertices[corner];
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 double MeshSurface::area() const {
   double twice = 0.0;
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    twice += mesh_.spanned(t).norm();
+    twice += spanned(t).norm();
   }
   return twice / 2.0;
 }
@@ -202,7 +206,7 @@ double MeshSurface::area() const {
 Vec3 MeshSurface::meanNormal() const {
   Vec3 sum = Vec3::Zero();
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    sum += mesh_.spanned(t);
+    sum += spanned(t);
   }
   const double whole = 2.0 * area();
   return sum.norm() > tolerance::similarity * whole ? sum.normalized() : Vec3(Vec3::Zero());
@@ -211,7 +215,7 @@ Vec3 MeshSurface::meanNormal() const {
 std::pair<double, double> MeshSurface::range(const Vec3& normal) const {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
-  for (const Vec3& corner : mesh_.corners) {
+  for (const Vec3& corner : mesh_.vertices) {
     low = std::min(low, normal.dot(corner));
     high = std::max(high, normal.dot(corner));
   }
@@ -272,7 +276,7 @@ LinePoint MeshSurface::at(std::size_t triangle, const Vec3& shares) const {
   LinePoint point{Vec3::Zero(), Vec3::Zero()};
   for (std::size_t i = 0; i < 3; ++i) {
     const double share = shares[static_cast<Eigen::Index>(i)];
-    point.place += share * mesh_.corners[mesh_.triangles[triangle][i]];
+    point.place += share * mesh_.vertices[mesh_.triangles[triangle][i]];
     point.normal += share * normals_[triangle][i];
   }
   point.normal.normalize();

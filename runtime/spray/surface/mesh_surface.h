@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/mesh/mesh.h"
+#include "runtime/geometry/triangle_mesh.h"
 #include "runtime/spray/surface/surface_lines.h"
 
 namespace arelem::spray {
@@ -20,10 +20,12 @@ struct CuttingPlane {
 /// corners.
 class MeshSurface {
  public:
-  explicit MeshSurface(mesh::Mesh mesh, bool flipped);
+  explicit MeshSurface(geometry::TriangleMesh mesh, bool flipped);
 
-  [[nodiscard]] const mesh::Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const geometry::TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] double area() const;
+  /// Twice the area of a triangle along its normal.
+  [[nodiscard]] Vec3 spanned(std::size_t triangle) const;
   /// Mean direction of the normals; zero of a closed body.
   [[nodiscard]] Vec3 meanNormal() const;
   /// Lowest and highest value of n . p.
@@ -44,7 +46,7 @@ class MeshSurface {
   [[nodiscard]] double angleAt(std::size_t triangle, std::size_t corner) const;
   [[nodiscard]] std::vector<SurfaceLine> cut(const CuttingPlane& plane) const;
 
-  mesh::Mesh mesh_;
+  geometry::TriangleMesh mesh_;
   std::vector<std::array<Vec3, 3>> normals_;  // at the corners of each triangle
 };
 

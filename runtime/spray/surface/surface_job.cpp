@@ -115,7 +115,7 @@ class Planner {
       high = std::max(high, field(place));
     };
     if (job_.mesh) {
-      std::for_each(job_.mesh->mesh().corners.begin(), job_.mesh->mesh().corners.end(), look);
+      std::for_each(job_.mesh->mesh().vertices.begin(), job_.mesh->mesh().vertices.end(), look);
       return {low, high};
     }
     const Patch& p = job_.patch;

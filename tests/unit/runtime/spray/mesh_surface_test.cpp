@@ -10,35 +10,30 @@ namespace arelem::spray {
 namespace {
 
 /// Half a cylinder about the y axis, radius 100, length 400, its normals outside.
-mesh::Mesh halfCylinder(int round, int along) {
-  mesh::Mesh m;
+geometry::TriangleMesh halfCylinder(int round, int along) {
+  geometry::TriangleMesh m;
   for (int i = 0; i <= round; ++i) {
     for (int k = 0; k <= along; ++k) {
       const double t = M_PI * i / round;
-      m.corners.emplace_back(100.0 * std::cos(t), 400.0 * k / along, 100.0 * std::sin(t));
+      m.vertices.emplace_back(100.0 * std::cos(t), 400.0 * k / along, 100.0 * std::sin(t));
     }
   }
-  const auto corner = [&](int i, int k) { return static_cast<std::size_t>(i * (along + 1) + k); };
+  const auto corner = [&](int i, int k) { return static_cast<std::uint32_t>(i * (along + 1) + k); };
   for (int i = 0; i < round; ++i) {
     for (int k = 0; k < along; ++k) {
-      m.triangles.push_back({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1)});
-      m.triangles.push_back({corner(i, k), corner(i + 1, k + 1), corner(i + 1, k)});
-    }
-  }
-  if (m.spanned(0).dot(m.corners[0] + m.corners[1] + m.corners[corner(1, 1)]) < 0.0) {
-    for (auto& t : m.triangles) {
-      std::swap(t[1], t[2]);
+      m.triangles.push_back({corner(i, k), corner(i + 1, k + 1), corner(i, k + 1)});
+      m.triangles.push_back({corner(i, k), corner(i + 1, k), corner(i + 1, k + 1)});
     }
   }
   return m;
 }
 
-mesh::Mesh box(double size) {
-  mesh::Mesh m;
+geometry::TriangleMesh box(double size) {
+  geometry::TriangleMesh m;
   for (int i = 0; i < 8; ++i) {
-    m.corners.emplace_back((i & 1) * size, ((i >> 1) & 1) * size, ((i >> 2) & 1) * size);
+    m.vertices.emplace_back((i & 1) * size, ((i >> 1) & 1) * size, ((i >> 2) & 1) * size);
   }
-  for (const auto& q : {std::array<std::size_t, 4>{0, 2, 3, 1},
+  for (const auto& q : {std::array<std::uint32_t, 4>{0, 2, 3, 1},
                         {4, 5, 7, 6},
                         {0, 1, 5, 4},
                         {2, 6, 7, 3},
