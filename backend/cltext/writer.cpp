@@ -23,6 +23,9 @@ class TextWriter : public Writer {
 
   void accept(const cl::Record& record) override {
     record_ = &record;
+    if (!std::holds_alternative<cl::Motion>(record.body)) {
+      flushCircle();
+    }
     std::visit(*this, record.body);
   }
   void finish() override {
@@ -82,10 +85,7 @@ class TextWriter : public Writer {
     buffer_.append('\n');
   }
   /// Whether it is an arc tells the location behind it.
-  void operator()(const cl::Surface& body) {
-    flushCircle();
-    circle_ = body.surface;
-  }
+  void operator()(const cl::Surface& body) { circle_ = body.surface; }
   void operator()(const cl::Switch& body) { bare(spell(body.word), true); }
   void operator()(const cl::Values& body) {
     line_.begin(spell(body.word));
