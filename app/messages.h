@@ -24,8 +24,6 @@ class DiagnosticLog : public DiagnosticSink {
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
   [[nodiscard]] std::size_t errors() const { return errors_; }
   [[nodiscard]] std::size_t warnings() const { return warnings_; }
-  /// What was kept since the last print.
-  [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
   /// What the process should return for these diagnostics alone.
   [[nodiscard]] ExitCode exitCode() const { return exitCode_; }
 

@@ -49,20 +49,4 @@ Result<CheckGoal> impliedCheck(const std::vector<runtime::Action>& actions,
   return fail(diag::ImpliedCheckPending);
 }
 
-bool cutterIsUsed(const std::vector<runtime::Action>& actions, std::size_t index) {
-  for (std::size_t i = index + 1; i < actions.size(); ++i) {
-    const auto& body = actions[i].body;
-    if (std::holds_alternative<runtime::Startup>(body) ||
-        std::holds_alternative<runtime::Follow>(body) ||
-        std::holds_alternative<runtime::Transfer>(body)) {
-      return true;
-    }
-    const auto* parameter = std::get_if<runtime::Parameter>(&body);
-    if (parameter != nullptr && parameter->word == Word::CUTTER) {
-      return false;
-    }
-  }
-  return false;
-}
-
 }  // namespace arelem::motion

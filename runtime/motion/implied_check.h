@@ -9,7 +9,4 @@ namespace arelem::motion {
                                              std::size_t index,
                                              std::optional<Word> relation);
 
-/// Whether a startup or a motion along a surface stands between the CUTTER at `index` and the next.
-[[nodiscard]] bool cutterIsUsed(const std::vector<runtime::Action>& actions, std::size_t index);
-
 }  // namespace arelem::motion
