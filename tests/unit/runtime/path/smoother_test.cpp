@@ -2,6 +2,7 @@
 #include "runtime/path/smoother.h"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -139,7 +140,7 @@ TEST(Smoother, EndsStay) {
 TEST(Smoother, CornersBecomeRound) {
   Smoothing now;
   smoothInto(now, {{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {40, 20, 0}}, {0.5});
-  EXPECT_LT(sharpestCorner(now.path), 0.5);  // radians; a right angle before
+  EXPECT_LT(sharpestCorner(now.path), 0.25 * std::numbers::pi);  // half a right angle at most
 }
 
 TEST(Smoother, CuspKeepsTheTolerance) {
