@@ -12,6 +12,7 @@ from examples import REFUSED
 
 RESOLUTION = 1e-3  # the last digits
 AXIS = 1e-5
+DATA = ["-I", PROJECT / "examples"]
 TURN = 2e-6  # 1e-4 degrees, rounded, of two axes; times the distance from them
 MACHINES = ["mill5_table_table", "mill5_head_head", "mill5_head_table"]
 # A dome cut with the tool square to it, and a row of holes square to its edge.
@@ -51,10 +52,10 @@ class Turning(NgcCase):
         library = (PROJECT / "stdlib" / f"{name}.machine.toml").read_text()
         file.write_text(library.replace("range = [-120, 120]", "range = [-190, 190]"))
         machine = turning.Machine(file)
-        calls = self.interpret(text, "--machine", "machine.toml")
+        calls = self.interpret(text, "--machine", "machine.toml", *DATA)
         swings = "W0668" in self.err  # rapid moves that have no even way, and say so
         source = self.write("cl.apt", text)
-        self.assertExit(0, "compile", source, "--to", "json", "-o", "-")
+        self.assertExit(0, "compile", source, "--to", "json", "-o", "-", *DATA)
         wanted = poses(self.out)
         reached, at, before = 0, None, None
         for move in paths.canonical_moves(calls):
