@@ -254,12 +254,12 @@ double MotionCheck::missed(const Modal& modal,
 }
 
 namespace {
-/// The side of a surface on which the tool is before a startup.
+/// The side of a surface on which the tool is before a startup, judged at half its height.
 double presentSide(const Modal& modal,
                    const surface::AnySurface& surface,
                    const Location& before,
                    const std::optional<Vec3>& toPast) {
-  const double lift = modal.cutter ? std::min(modal.cutter->h, modal.cutter->d) / 2 : 0.0;
+  const double lift = modal.cutter ? modal.cutter->h / 2 : 0.0;
   const Location judged{before.toolEnd + lift * before.axis, before.axis};
   const Touch foot = touch(surface, {nullptr, 1.0, 0.0}, judged, {});
   if (toPast) {

@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""Random scenes: a tool of any shape along a pair of surfaces to a check surface.
+
+For every pair of kinds of part and drive surface, a number of scenes is drawn. For each of them
+
+* the motion is computed, or refused with one of the motion diagnostics that name the cause (EXPLAINED);
+* `arelem verify` proves its tolerances over whole cut vectors;
+* the scene moved, turned about z, turned in space with the tool axis, scaled and mirrored gives the moved, turned, scaled
+  and mirrored motion: the same diagnostics, and stops within a share of the tolerance band.
+
+A scene that fails is named, and written to the folder of --found. Every scene has a number: `--only N` runs it again.
+known.tsv lists scenes whose failure waits to be mended, with its cause.
+"""
+import argparse
+import collections
+import concurrent.futures
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import surfaces  # noqa: E402
+
+CUTTERS = [(0.75, 0.375), (0.75,), (1, 0.1875), (0.5, 0.25), (0.25,), (0.5, 0.0625), (1.5, 0.25),
+           (1, 0, 0.5, 0, 0, 0, 3), (0.8, 0.1, 0.3, 0.1, 0, 0, 4)]
+BANDS = [(0, 0.002), (0.002, 0), (0.002, 0.002), (0.001, 0.001), (0.01, 0.01), (0, 0.0005)]
+# Why a motion may be refused: the scene has no such motion. The message says what and where.
+EXPLAINED = {
+    "E0505": "the startup's contact is not the one that the motion follows",
+    "E0504": "the same for the part surface",
+    "E0508": "the check surface is not on the way",
+    "E0510": "no position touches all three surfaces",
+    "E0511": "the tool stands on the surface to which it shall go",
+    "E0512": "the contact is lost",
+    "E0513": "more cut vectors than NUMPTS",
+    "E0516": "the cutter does not fit",
+}
+# Stops of moved scenes may lie apart by this share of the band over the sine at which they are met.
+SHARE = 0.5
+TIME_LIMIT = 60
+
+
+class Scene:
+    def __init__(self, index, seed):
+        pairs = [(p, d) for p in surfaces.PARTS for d in surfaces.DRIVES]
+        self.pair = pairs[index % len(pairs)]
+        r = random.Random(f"{seed}/{index}")
+        u = r.uniform
+        self.part = surfaces.part(self.pair[0], u)
+        self.drive = surfaces.drive(self.pair[1], u)
+        self.check = surfaces.check(u, r.choice)
+        self.cutter = r.choice(CUTTERS)
+        self.band = r.choice(BANDS)
+        self.relation = r.choice(["TLON", "TLLFT", "TLRGT"])
+        self.stop = r.choice(["TO", "ON", "PAST"])
+        self.moves = {
+            "as drawn": surfaces.Similarity(),
+            "moved": surfaces.Similarity(shift=(u(-9, 9), u(-9, 9), u(-9, 9))),
+            "turned": surfaces.Similarity(surfaces.about((0, 0, 1), u(0, 360)), (u(-3, 3), u(-3, 3), 0)),
+            "mirrored": surfaces.Similarity(((1, 0, 0), (0, -1, 0), (0, 0, 1))),
+            "scaled": surfaces.Similarity(scale=r.choice([0.125, 0.5, 4.0, 25.4])),
+            "in space": surfaces.Similarity(surfaces.about(unit((u(-1, 1), u(-1, 1), u(-1, 1))), u(0, 360)),
+                                            (u(-3, 3), u(-3, 3), u(-3, 3))),
+        }
+
+    def program(self, move):
+        """The part program of the scene moved."""
+        length, scaled = move.length, lambda values: surfaces.numbers(map(move.length, values))
+        relation = self.relation
+        if move.mirrors() and relation != "TLON":
+            relation = {"TLLFT": "TLRGT", "TLRGT": "TLLFT"}[relation]
+        start = {"TLON": "ON", "TLLFT": "TO", "TLRGT": "PAST"}[self.relation]
+        cutter = [c if len(self.cutter) == 7 and i in (4, 5) else length(c) for i, c in enumerate(self.cutter)]
+        if len(cutter) < 7:
+            # The old system's height of short forms is not scaled: write it out.
+            d, r = self.cutter[0], (self.cutter + (0,))[1]
+            cutter = [length(d), length(r), length(d / 2 - r), length(r), 0, 0, length(5)]
+        lines = [
+            "PARTNO RANDOM SCENE", "MULTAX", "3DCALC",
+            f"INTOL/{surfaces.number(length(self.band[0]))}", f"OUTTOL/{surfaces.number(length(self.band[1]))}",
+            f"MAXDP/{surfaces.number(length(10))}", f"CUTTER/{surfaces.numbers(cutter)}",
+            "PS1=" + surfaces.define(self.part, move), "DS1=" + surfaces.define(self.drive, move),
+            "CS1=" + surfaces.define(self.check, move),
+            "X1=" + surfaces.define(("PLANE", (1, 0, 0), -4.25), move),
+            f"FROM/{surfaces.numbers(move.point((-7.15, 2.55, 6.25)))},{surfaces.numbers(move.direction((0, 0, 1)))}",
+            f"GO/{start},DS1,TO,PS1,ON,X1",
+            f"INDIRV/{surfaces.numbers(move.direction((1, 0, 0)))}",
+            f"{relation},GOFWD/DS1,{self.stop},CS1", "FINI"]
+        return "\n".join(card for line in lines for card in cards(line)) + "\n"
+
+
+def unit(v):
+    n = math.sqrt(sum(x * x for x in v))
+    return tuple(x / n for x in v)
+
+
+def cards(line):
+    while len(line) > 70:
+        cut = line.rfind(",", 0, 68) + 1
+        yield line[:cut] + "$"
+        line = line[cut:]
+    yield line
+
+
+def execute(arelem, *arguments):
+    return subprocess.run([arelem, *arguments], capture_output=True, text=True, timeout=TIME_LIMIT)
+
+
+def compute(arelem, text, folder, name):
+    """Codes of the errors, and the last place of every motion."""
+    path = pathlib.Path(folder, name)
+    path.write_text(text)
+    done = execute(arelem, "compile", str(path), "--to", "json", "-o", "-", "--diagnostics", "json")
+    codes = sorted({json.loads(l)["code"] for l in done.stderr.splitlines() if l.startswith("{") and '"error"' in l})
+    ends = []
+    for line in done.stdout.splitlines():
+        record = json.loads(line)
+        if record["type"] == 5000:
+            ends.append(record["points"][-1][:3])
+    return codes, ends, done
+
+
+def problems(arelem, scene, folder):
+    """What is wrong with a scene; the outcome of the scene as drawn."""
+    wrong = []
+    codes, ends, done = compute(arelem, scene.program(scene.moves["as drawn"]), folder, "scene.apt")
+    outcome = codes[0] if codes else "computed"
+    if done.returncode != 0 and not codes:
+        wrong.append(f"exit code {done.returncode}: {done.stderr[:300]}")
+    wrong += [f"{code} is not among the explained refusals" for code in codes if code not in EXPLAINED]
+    if not codes:
+        proof = execute(arelem, "verify", str(pathlib.Path(folder, "scene.apt")))
+        if proof.returncode != 0:
+            wrong.append(f"verify: exit code {proof.returncode}: {proof.stderr[:300]}")
+    for name, move in scene.moves.items():
+        other, places, _ = compute(arelem, scene.program(move), folder, "moved.apt")
+        if other != codes:
+            wrong.append(f"{name}: {other or 'computed'} instead of {codes or 'computed'}")
+            continue
+        allowed = SHARE * move.length(sum(scene.band)) + 1e-9 * move.length(10)
+        for at, place in zip(ends, places):
+            apart = math.dist(move.point(at), place)
+            if apart > allowed and not codes:
+                wrong.append(f"{name}: a stop is {apart:.3g} from where it should be; {allowed:.3g} is allowed")
+    return wrong, outcome
+
+
+def trial(arelem, index, seed):
+    scene = Scene(index, seed)
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            wrong, outcome = problems(arelem, scene, folder)
+        except subprocess.TimeoutExpired as slow:
+            wrong, outcome = [f"more than {TIME_LIMIT} s: {' '.join(map(str, slow.cmd))}"], "slow"
+    return index, scene, wrong, outcome
+
+
+def known(seed):
+    """Numbers of the scenes of a seed that are known to fail."""
+    rows = pathlib.Path(__file__).with_name("known.tsv").read_text().splitlines()
+    cells = [row.split("\t") for row in rows if row and not row.startswith("#")]
+    return {int(scene) for s, scene, _ in cells if int(s) == seed}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--arelem", default=os.environ.get("ARELEM", "build/arelem"))
+    parser.add_argument("--scenes", type=int, default=56, help="number of scenes; 56 is one for every pair of kinds")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", type=int, help="number of the one scene to run")
+    parser.add_argument("--found", default="", help="folder for the programs of scenes that fail")
+    options = parser.parse_args()
+    indices = [options.only] if options.only is not None else list(range(options.scenes))
+    failed, outcomes, waiting = 0, collections.Counter(), known(options.seed)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for index, scene, wrong, outcome in pool.map(lambda i: trial(options.arelem, i, options.seed), indices):
+            outcomes[outcome] += 1
+            if index in waiting and wrong:
+                outcomes["known to fail"] += 1
+                continue
+            if not wrong:
+                continue
+            failed += 1
+            print(f"scene {index} (seed {options.seed}, part {scene.pair[0]}, drive {scene.pair[1]}):")
+            print("".join(f"  {w}\n" for w in wrong), end="")
+            if options.found:
+                pathlib.Path(options.found).mkdir(parents=True, exist_ok=True)
+                pathlib.Path(options.found, f"{options.seed}_{index}.apt").write_text(
+                    scene.program(scene.moves["as drawn"]))
+    for outcome, count in outcomes.most_common():
+        print(f"{count:7d} {outcome} {EXPLAINED.get(outcome, '')}".rstrip())
+    print(f"{len(indices)} scenes, {failed} failed")
+    return 1 if failed or not indices else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
