@@ -105,9 +105,6 @@ class Machine {
     }
   }
 
-  // ---- arcs and splines of CL files
-  // -------------------------------------------------------------------------
-
   void perform(const Arc& arc) { reportIf(curves_.begin(arc)); }
 
   void finishCurve(std::optional<Result<motion::CurveFact>> curve) {
@@ -264,26 +261,6 @@ class Machine {
     motion::forgetOneShots(state_);
   }
 
-  std::optional<Failure> fillChecks(const Follow& f, motion::FollowRequest& request) {
-    for (const CheckUse& c : f.checks) {
-      auto surface = motion::named(c.use.surface);
-      if (!surface) {
-        return surface.takeFailure();
-      }
-      const auto condition =
-          c.use.condition == ir::Condition::automatic ? ir::Condition::to : c.use.condition;
-      request.checks.push_back({*std::move(surface), condition, c.nth});
-    }
-    if (f.checks.empty()) {
-      auto implied = motion::impliedCheck(actions_, index_, state_.driveRelation);
-      if (!implied) {
-        return implied.takeFailure();
-      }
-      request.checks.push_back(*std::move(implied));
-    }
-    return std::nullopt;
-  }
-
   void perform(const Follow& f) {
     if (state_.cutterRefused) {
       return;
@@ -294,12 +271,14 @@ class Machine {
     motion::FollowRequest request;
     request.heading = f.heading;
     auto drive = motion::named(f.drive);
-    auto bad = drive ? fillChecks(f, request) : std::optional<Failure>(drive.takeFailure());
-    if (!bad) {
+    auto checks = motion::checkGoals(actions_, index_, f, state_.driveRelation);
+    if (!drive || !checks) {
+      report(drive ? checks.takeFailure() : drive.takeFailure());
+    } else {
       request.drive = *std::move(drive);
-      bad = runFollow(f, request, since);
+      request.checks = *std::move(checks);
+      reportIf(runFollow(f, request, since));
     }
-    reportIf(std::move(bad));
     motion::forgetOneShots(state_);
   }
 

@@ -49,4 +49,28 @@ Result<CheckGoal> impliedCheck(const std::vector<runtime::Action>& actions,
   return fail(diag::ImpliedCheckPending);
 }
 
+Result<std::vector<CheckGoal>> checkGoals(const std::vector<runtime::Action>& actions,
+                                          std::size_t index,
+                                          const runtime::Follow& follow,
+                                          std::optional<Word> relation) {
+  std::vector<CheckGoal> goals;
+  for (const runtime::CheckUse& c : follow.checks) {
+    auto surface = named(c.use.surface);
+    if (!surface) {
+      return surface.takeFailure();
+    }
+    const auto condition =
+        c.use.condition == ir::Condition::automatic ? ir::Condition::to : c.use.condition;
+    goals.push_back({*std::move(surface), condition, c.nth});
+  }
+  if (follow.checks.empty()) {
+    auto implied = impliedCheck(actions, index, relation);
+    if (!implied) {
+      return implied.takeFailure();
+    }
+    goals.push_back(*std::move(implied));
+  }
+  return goals;
+}
+
 }  // namespace arelem::motion

@@ -9,4 +9,10 @@ namespace arelem::motion {
                                              std::size_t index,
                                              std::optional<Word> relation);
 
+/// The check surfaces of the motion at `index`: those that it names, or the implied one.
+[[nodiscard]] Result<std::vector<CheckGoal>> checkGoals(const std::vector<runtime::Action>& actions,
+                                                        std::size_t index,
+                                                        const runtime::Follow& follow,
+                                                        std::optional<Word> relation);
+
 }  // namespace arelem::motion
