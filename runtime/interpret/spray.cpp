@@ -5,9 +5,9 @@
 
 #include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/triangle_mesh.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/spray_words.h"
-#include "runtime/geometry/triangle_mesh.h"
 #include "runtime/spray/region_job.h"
 #include "runtime/spray/units.h"
 

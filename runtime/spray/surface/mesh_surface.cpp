@@ -129,8 +129,12 @@ class Chains {
   std::vector<SurfaceLine> lines_;
 };
 
-/// The pieces of a line on the positive side of a half plane.
-std::vector<SurfaceLine> onSide(const SurfaceLine& line, const CuttingPlane& plane) {
+}  // namespace
+
+std::vector<SurfaceLine> onItsSide(const SurfaceLine& line, const CuttingPlane& plane) {
+  if (!plane.half) {
+    return {line};
+  }
   std::vector<SurfaceLine> pieces(1);
   const auto height = [&](const LinePoint& p) { return plane.half->dot(p.place - plane.place); };
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -150,7 +154,6 @@ std::vector<SurfaceLine> onSide(const SurfaceLine& line, const CuttingPlane& pla
   }
   return pieces;
 }
-}  // namespace
 
 MeshSurface::MeshSurface(geometry::TriangleMesh mesh, bool flipped) : mesh_(std::move(mesh)) {
   if (flipped) {
@@ -224,10 +227,8 @@ std::pair<double, double> MeshSurface::range(const Vec3& normal) const {
 
 std::vector<SurfaceLine> MeshSurface::cut(const CuttingPlane& plane) const {
   std::vector<SurfaceLine> result;
-  for (SurfaceLine& line : Chains(*this, plane).lines()) {
-    std::vector<SurfaceLine> pieces =
-        plane.half ? onSide(line, plane) : std::vector<SurfaceLine>{std::move(line)};
-    for (SurfaceLine& piece : pieces) {
+  for (const SurfaceLine& line : Chains(*this, plane).lines()) {
+    for (SurfaceLine& piece : onItsSide(line, plane)) {
       if (piece.size() >= 2) {
         result.push_back(std::move(piece));
       }

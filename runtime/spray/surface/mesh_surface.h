@@ -7,13 +7,18 @@
 
 namespace arelem::spray {
 
-/// A plane n . p = level that cuts a mesh; with `half`, only where half . (p - place) is positive.
+/// A plane n . p = level that cuts a surface; with `half`, only where half . (p - place) is
+/// positive.
 struct CuttingPlane {
   Vec3 normal = Vec3::UnitX();
   double level = 0.0;
   std::optional<Vec3> half;
   Vec3 place = Vec3::Zero();
 };
+
+/// The pieces of a line on the positive side of the plane's half; the line where it has none.
+[[nodiscard]] std::vector<SurfaceLine> onItsSide(const SurfaceLine& line,
+                                                 const CuttingPlane& plane);
 
 /// A mesh to be sprayed, mm. The normal at a corner is the mean of the triangles about it, weighted
 /// with their angles there; those beyond a crease of 40 degrees do not count. Straight between the

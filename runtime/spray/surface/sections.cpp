@@ -60,8 +60,7 @@ class Contour {
                                                            {value(i, k), value(i, k + 1)}};
     std::vector<EdgeKey> cut;
     for (std::size_t e = 0; e < 4; ++e) {
-      const bool jump = std::abs(ends[e].first - ends[e].second) > 180.0;  // of an angle's end
-      if ((ends[e].first < 0.0) != (ends[e].second < 0.0) && !jump) {
+      if ((ends[e].first < 0.0) != (ends[e].second < 0.0)) {
         cut.push_back(edges[e]);
       }
     }

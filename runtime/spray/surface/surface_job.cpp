@@ -7,6 +7,7 @@
 #include "ir/diag/spray.h"
 #include "ir/space/tolerance.h"
 #include "runtime/region/region.h"
+#include "runtime/spray/surface/gap.h"
 #include "runtime/spray/surface/spacing.h"
 
 namespace arelem::spray {
@@ -92,10 +93,8 @@ class Planner {
       lines_ = std::move(set.lines);
       s_.step = set.count.step;
     } else {
-      const Levels levels = levelsOf();
-      s_.step = levels.step;
-      lines_ = job_.mesh ? job_.mesh->sections(planes(), job_.chord)
-                         : sectionsOf(job_.patch, levels.field, levels.values, job_.chord);
+      s_.step = levelsOf().step;
+      lines_ = job_.mesh ? job_.mesh->sections(planes(), job_.chord) : sectionsOfPatch();
     }
     s_.lines = lines_.size();
     s_.area = job_.mesh ? job_.mesh->area() : areaOf(job_.patch);
@@ -103,6 +102,21 @@ class Planner {
       return fail(diag::SprayValue, "the number of sections", 0.0, "at least 1");
     }
     return std::nullopt;
+  }
+
+  [[nodiscard]] std::vector<SurfaceLine> sectionsOfPatch() const {
+    std::vector<SurfaceLine> all;
+    for (const CuttingPlane& plane : planes()) {
+      const auto height = [&plane](const Vec3& p) { return plane.normal.dot(p); };
+      for (const SurfaceLine& line : sectionsOf(job_.patch, height, {plane.level}, job_.chord)) {
+        for (SurfaceLine& piece : onItsSide(line, plane)) {
+          if (piece.size() >= 2) {
+            appendToAndFro(all, std::move(piece));
+          }
+        }
+      }
+    }
+    return all;
   }
 
   /// Range of a field over the work.
@@ -132,42 +146,83 @@ class Planner {
   struct Levels {
     std::function<double(const Vec3&)> field;
     std::vector<double> values;
-    double step = 0.0;  ///< mm, where they are farthest apart
+    double start = 0.0;  ///< of angles, degrees
+    double step = 0.0;   ///< mm, where they are farthest apart
   };
 
-  /// Equal steps between the extremes; the outermost sections lie a hair inside.
+  /// Angle about the axis of radial sections, degrees from the frame's x.
+  [[nodiscard]] static double angleOf(const SurfaceJob::Radial& radial, const Vec3& place) {
+    const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
+    const Vec3 arm = place - radial.place;
+    return std::atan2(arm.dot(frame.y), arm.dot(frame.x)) / degree;
+  }
+
+  /// Angles between neighboring places of the work.
+  [[nodiscard]] std::vector<std::pair<double, double>> arcs(
+      const SurfaceJob::Radial& radial) const {
+    std::vector<std::pair<double, double>> result;
+    if (job_.mesh) {
+      const geometry::TriangleMesh& mesh = job_.mesh->mesh();
+      for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          result.emplace_back(angleOf(radial, mesh.corner(t, k)),
+                              angleOf(radial, mesh.corner(t, (k + 1) % 3)));
+        }
+      }
+      return result;
+    }
+    const Patch& p = job_.patch;
+    const auto angle = [&](int i, int k) {
+      return angleOf(radial,
+                     p.at(p.u0 + (p.u1 - p.u0) * i / samples, p.v0 + (p.v1 - p.v0) * k / samples));
+    };
+    for (int i = 0; i < samples; ++i) {
+      for (int k = 0; k < samples; ++k) {
+        result.emplace_back(angle(i, k), angle(i + 1, k));
+        result.emplace_back(angle(i, k), angle(i, k + 1));
+      }
+    }
+    return result;
+  }
+
+  /// Equal steps between the extremes; the outermost sections lie a hair inside. Radial sections of
+  /// a whole turn have no double one; those of less begin behind the empty side.
   [[nodiscard]] Levels levelsOf() const {
     Levels levels;
     double lengthOfUnit = 1.0;
+    bool wholeTurn = false;
     if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job_.lines)) {
       levels.field = [n = parallel->normal](const Vec3& p) { return n.dot(p); };
     } else {
       const auto& radial = std::get<SurfaceJob::Radial>(job_.lines);
-      const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
-      levels.field = [frame, place = radial.place](const Vec3& p) {
-        const Vec3 arm = p - place;
-        const double angle = std::atan2(arm.dot(frame.y), arm.dot(frame.x)) / degree;
-        return angle < -1e-9 ? angle + 360.0 : angle;
+      const std::optional<double> gap = middleOfGap(arcs(radial));
+      wholeTurn = !gap;
+      levels.start = gap.value_or(0.0);
+      levels.field = [radial, start = levels.start](const Vec3& p) {
+        const double turn = angleOf(radial, p) - start;
+        return turn - 360.0 * std::floor(turn / 360.0);
       };
       const auto arm = rangeOf(
           [&radial](const Vec3& p) { return (p - radial.place).cross(radial.axis).norm(); });
       lengthOfUnit = arm.second * degree;
     }
-    const auto [low, high] = rangeOf(levels.field);
+    const auto [low, high] = wholeTurn ? std::pair{0.0, 360.0} : rangeOf(levels.field);
     const LineCount count =
         lineCount(std::min((high - low) * lengthOfUnit, mostLines * widest_), widest_);
     const double hair = 1e-6 * (high - low);
-    for (int i = 0; i <= count.intervals; ++i) {
+    const int last = count.intervals - (wholeTurn ? 1 : 0);
+    for (int i = 0; i <= last; ++i) {
       levels.values.push_back(low + hair + (high - low - 2.0 * hair) * i / count.intervals);
     }
     levels.step = count.step;
     return levels;
   }
 
-  /// The sections of a mesh as planes.
+  /// The sections as planes.
   [[nodiscard]] std::vector<CuttingPlane> planes() const {
     std::vector<CuttingPlane> result;
-    for (const double level : levelsOf().values) {
+    const Levels levels = levelsOf();
+    for (const double level : levels.values) {
       CuttingPlane& plane = result.emplace_back();
       if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job_.lines)) {
         plane.normal = parallel->normal;
@@ -176,7 +231,7 @@ class Planner {
       }
       const auto& radial = std::get<SurfaceJob::Radial>(job_.lines);
       const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
-      const double angle = level * degree;
+      const double angle = (levels.start + level) * degree;
       plane.half = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
       plane.place = radial.place;
       plane.normal = radial.axis.cross(*plane.half);

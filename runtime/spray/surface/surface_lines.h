@@ -30,8 +30,7 @@ struct LineSet {
 /// Points follow each other by the chord tolerance. Lines run to and fro. Source: Sen 3.1, 5.2.
 [[nodiscard]] LineSet linesOn(const Patch& patch, const Layout& layout);
 
-/// Sections by planes: parallel to one plane, or turned about an axis (radial). `field` is the
-/// signed height over the first plane in mm, or the angle about the axis in degrees; a line lies at
+/// Sections by parallel planes: `field` is the signed height over one of them, mm; a line lies at
 /// each of the levels.
 [[nodiscard]] std::vector<SurfaceLine> sectionsOf(const Patch& patch,
                                                   const std::function<double(const Vec3&)>& field,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/film/map.h"
+#include "runtime/spray/surface/gap.h"
 #include "runtime/spray/surface/surface_job.h"
 
 namespace arelem::spray {
@@ -21,8 +22,8 @@ geometry::TriangleMesh halfCylinder(int round, int along) {
   const auto corner = [&](int i, int k) { return static_cast<std::uint32_t>(i * (along + 1) + k); };
   for (int i = 0; i < round; ++i) {
     for (int k = 0; k < along; ++k) {
-      m.triangles.push_back({corner(i, k), corner(i + 1, k + 1), corner(i, k + 1)});
-      m.triangles.push_back({corner(i, k), corner(i + 1, k), corner(i + 1, k + 1)});
+      m.triangles.push_back({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1)});
+      m.triangles.push_back({corner(i, k), corner(i + 1, k + 1), corner(i + 1, k)});
     }
   }
   return m;
@@ -92,6 +93,13 @@ TEST(MeshSurfaces, RadialSectionsStayOnTheirSide) {
       EXPECT_GE(p.place.x(), 50.0 - 1e-9);
     }
   }
+}
+
+TEST(MeshSurfaces, RadialSectionsBeginBehindTheEmptySide) {
+  EXPECT_FALSE(middleOfGap({{0, 120}, {120, 240}, {240, 0}}).has_value());
+  EXPECT_NEAR(*middleOfGap({{0, 90}, {90, 180}}), 270.0, 0.3);
+  EXPECT_NEAR(*middleOfGap({{100, 10}, {100, 270}}), 320.0, 0.3);
+  EXPECT_NEAR(*middleOfGap({{-170, 20}, {20, -170}}), 285.0, 0.3);  // both the short way
 }
 
 TEST(MeshSurfaces, SprayedAsTheCylinderThatTheyAre) {

@@ -13,7 +13,7 @@ HEAD = "UNITS/MM\nG1=GUN/CONE,14,STNDOF,100,FLOW,.2,EFFIC,.6\n"
 def half_tube(radius=150, length=300, n=36):
     """Corners and triangles of the upper half of a tube along y, seen from outside."""
     corners = [(radius * math.cos(math.pi * i / n), y, radius * math.sin(math.pi * i / n)) for i in range(n + 1) for y in (0, length)]
-    faces = [f for i in range(n) for f in ((2 * i, 2 * i + 3, 2 * i + 1), (2 * i, 2 * i + 2, 2 * i + 3))]
+    faces = [f for i in range(n) for f in ((2 * i, 2 * i + 1, 2 * i + 3), (2 * i, 2 * i + 3, 2 * i + 2))]
     return corners, faces
 
 
@@ -53,13 +53,13 @@ class Meshes(ArelemCase):
                 one = self.spray(format, write(corners, faces))
                 self.assertAlmostEqual(one["area"], area, delta=area * 1e-6)
                 self.assertEqual(one["passes"], 14)  # 300 / 24.93 = 12.03: 13 intervals
-                self.assertAlmostEqual(one["painted"], 14 * math.pi * 150, delta=14)
+                self.assertAlmostEqual(one["Xi"], 14 * math.pi * 150, delta=14)
 
     def test_radial_sections_and_the_other_side(self):
         corners, faces = half_tube()
         one = self.spray("OFF", off(corners, faces), "RADIAL,(POINT/0,0,0),(VECTOR/0,1,0)")
         self.assertEqual(one["passes"], 20)  # 471.2 / 24.93 = 18.9: 19 intervals
-        self.assertAlmostEqual(one["painted"], 20 * 300, delta=1)
+        self.assertAlmostEqual(one["Xi"], 20 * 300, delta=1)
         self.spray("OFF", off(corners, faces), "SECTN,(PLANE/0,1,0,0),REVERS")
         self.assertExit(0, "compile", "part.apt", "-o", "in.lng")
         self.assertExit(0, "verify", "in.lng", "--with", "part.apt")
