@@ -2,8 +2,9 @@
 #include <cmath>
 #include <random>
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Polygon_2.h>
+#include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
 #include "runtime/region/region.h"
@@ -11,7 +12,7 @@
 namespace arelem::region {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
 using Polygon = CGAL::Polygon_2<Kernel>;
 
 TEST(RegionAndCgal, AgreeOnRandomPolygons) {
