@@ -61,7 +61,10 @@ class Sheet {
     const double wide = std::max(scale_ * (highX_ - lowX_), 120.0);
     const double bands = rowHeight * (static_cast<double>(picture_.levels.size()) + 2.0);
     const double tall = std::max(scale_ * (highY_ - lowY_), bands);
-    Canvas canvas(out, 2.0 * margin + wide + legendWidth, head + tall + margin);
+    constexpr double letter = 6.6;  // pixels of the title's letters
+    const double titleWidth = letter * static_cast<double>(picture_.title.size());
+    Canvas canvas(out, 2.0 * margin + std::max(wide + legendWidth, titleWidth),
+                  head + tall + margin);
     canvas.begin(picture_.title, picture_.legend);
     canvas.text({margin, 22.0}, picture_.title, "class=\"soft\"");
     for (std::size_t band = 0; band <= picture_.levels.size(); ++band) {

@@ -22,6 +22,43 @@ std::optional<Failure> outside(const Range& range,
   }
   return fail(diag::JointRange, place, joint, value, range.low, range.high);
 }
+
+/// Joints 1 and 2 of a place in the reach.
+ScaraJoints armAt(const Scara& s, const Vec3& point) {
+  const double square = point.head<2>().squaredNorm();
+  const double cosine =
+      (square - s.link1 * s.link1 - s.link2 * s.link2) / (2.0 * s.link1 * s.link2);
+  const double bend = (s.lefty ? 1.0 : -1.0) * std::acos(std::clamp(cosine, -1.0, 1.0));
+  const double first = std::atan2(point.y(), point.x()) -
+                       std::atan2(s.link2 * std::sin(bend), s.link1 + s.link2 * std::cos(bend));
+  constexpr double turn = 360.0;
+  ScaraJoints joints;
+  joints.joint1 = std::remainder(first / radian, turn);
+  joints.joint2 = bend / radian;
+  joints.height = point.z();
+  return joints;
+}
+
+/// The arm may have to pass a limit between two places that it can take.
+std::optional<Failure> objectionOnTheWay(const Scara& s,
+                                         const Vec3& from,
+                                         const Vec3& to,
+                                         std::string_view place) {
+  constexpr double step = 10.0;  // mm
+  constexpr double mostSteps = 1000.0;
+  const int steps = static_cast<int>(std::min(mostSteps, std::ceil((to - from).norm() / step)));
+  const std::string way = "the straight move to " + std::string(place);
+  for (int i = 1; i < steps; ++i) {
+    const ScaraJoints joints = armAt(s, from + (to - from) * i / steps);
+    if (auto failure = outside(s.joint1, joints.joint1, 1, way)) {
+      return failure;
+    }
+    if (auto failure = outside(s.joint2, joints.joint2, 2, way)) {
+      return failure;
+    }
+  }
+  return std::nullopt;
+}
 }  // namespace
 
 Range reachOf(const Scara& s) {
@@ -47,16 +84,7 @@ Result<ScaraJoints> jointsOf(const Scara& s,
   if (!s.height.has(point.z())) {
     return fail(diag::HeightRange, place, point.z(), s.height.low, s.height.high);
   }
-  const double cosine =
-      (radius * radius - s.link1 * s.link1 - s.link2 * s.link2) / (2.0 * s.link1 * s.link2);
-  const double bend = (s.lefty ? 1.0 : -1.0) * std::acos(std::clamp(cosine, -1.0, 1.0));
-  ScaraJoints joints;
-  joints.joint2 = bend / radian;
-  joints.joint1 = (std::atan2(point.y(), point.x()) -
-                   std::atan2(s.link2 * std::sin(bend), s.link1 + s.link2 * std::cos(bend))) /
-                  radian;
-  joints.joint1 = std::remainder(joints.joint1, 360.0);
-  joints.height = point.z();
+  ScaraJoints joints = armAt(s, point);
   const double plain = heading - joints.joint1 - joints.joint2;
   joints.joint4 = plain + 360.0 * std::round((joint4Before - plain) / 360.0);
   for (const auto& [number, range, value] : {std::tuple{1, s.joint1, joints.joint1},
@@ -87,7 +115,7 @@ std::optional<Failure> objectionToLine(const Scara& s,
   const double nearest = (a + t * way).norm();
   const Range reach = reachOf(s);
   if (nearest >= reach.low - rounding) {
-    return std::nullopt;
+    return objectionOnTheWay(s, from, to, place);
   }
   return fail(diag::LineThroughBase, place, nearest, reach.low, reach.low - nearest);
 }

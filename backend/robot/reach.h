@@ -23,7 +23,8 @@ struct ScaraJoints {
 [[nodiscard]] Vec3 pointOf(const Scara& scara, const ScaraJoints& joints);
 
 /// A straight move keeps its elbow, so that its whole way must lie outside the inner circle of the
-/// reach. Error E0663: by how much it comes too near.
+/// reach. Errors: E0663 by how much it comes too near; E0662 joint 1 or 2 beyond its range on the
+/// way.
 [[nodiscard]] std::optional<Failure> objectionToLine(const Scara& scara,
                                                      const Vec3& from,
                                                      const Vec3& to,

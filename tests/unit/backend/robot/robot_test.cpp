@@ -171,5 +171,18 @@ TEST(Scara, RefusesWithTheMeasure) {
   EXPECT_FALSE(objectionToLine(arm, {500, -300, 0}, {500, 300, 0}, "location 9"));
 }
 
+/// Both ends lie within the range of joint 1, the way between them behind the arm does not.
+TEST(Scara, StraightMovesMayNotPassALimit) {
+  const Scara arm;
+  const Vec3 from(-100, 800, 100);
+  const Vec3 to(-700, -100, 100);
+  EXPECT_TRUE(jointsOf(arm, from, 140.0, 0.0, "here").ok());
+  EXPECT_TRUE(jointsOf(arm, to, -130.0, 0.0, "here").ok());
+  const auto line = objectionToLine(arm, from, to, "location 8");
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->row->code, "E0662");
+  EXPECT_THAT(line->message, HasSubstr("the straight move to location 8 needs joint 1"));
+}
+
 }  // namespace
 }  // namespace arelem::robot
