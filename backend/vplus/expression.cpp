@@ -28,6 +28,13 @@ void Scope::begin(std::vector<Token> line) {
   error_.reset();
 }
 
+void Scope::forget() {
+  declared_.clear();
+  unset_.clear();
+  reals_.clear();
+  locations_.clear();
+}
+
 void Scope::wrong(std::string_view wanted) {
   if (!error_) {
     const std::string found =

@@ -25,6 +25,8 @@ class Scope {
   };
 
   void begin(std::vector<Token> line);
+  /// All names: another program begins on this line.
+  void forget();
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   void wrong(std::string_view wanted);
   void wrongAt(std::size_t column, std::string what);

@@ -15,7 +15,9 @@ constexpr std::size_t usualLine = 80;
 class Reader {
  public:
   Reader(std::string_view text, std::string_view file, const robot::TiltAxis* tilt)
-      : text_(text), file_(file), instructions_(scope_, program_, tilt) {}
+      : text_(text), file_(file), tilt_(tilt) {
+    instructions_.emplace(scope_, program_, tilt);
+  }
 
   Result<ProgramText> run() {
     std::size_t begin = 0;
@@ -37,6 +39,11 @@ class Reader {
       return *std::move(failure_);
     }
     reportUnset();
+    if (first_) {
+      first_->warnings.insert(first_->warnings.end(), program_.warnings.begin(),
+                              program_.warnings.end());
+      return *std::move(first_);
+    }
     return std::move(program_);
   }
 
@@ -82,7 +89,10 @@ class Reader {
       return head();
     }
     if (stage_ == Stage::done) {
-      return scope_.wrong("the end of the file");
+      if (scope_.word() != ".PROGRAM") {
+        return scope_.wrong(".PROGRAM or the end of the file");
+      }
+      return another();
     }
     if (scope_.take(".END")) {
       return end();
@@ -95,9 +105,25 @@ class Reader {
     stage_ = Stage::statements;
     scope_.label();
     if (!scope_.atEnd()) {
-      instructions_.one(lineNumber_);
+      instructions_->one(lineNumber_);
       scope_.end();
     }
+  }
+
+  /// A further program has names of its own; the moves are those of the first.
+  void another() {
+    reportUnset();
+    if (!first_) {
+      first_ = std::move(program_);
+    } else {
+      first_->warnings.insert(first_->warnings.end(), program_.warnings.begin(),
+                              program_.warnings.end());
+    }
+    program_ = {};
+    scope_.forget();
+    instructions_.emplace(scope_, program_, tilt_);
+    stage_ = Stage::before;
+    head();
   }
 
   void head() {
@@ -119,8 +145,8 @@ class Reader {
 
   void end() {
     scope_.end();
-    if (!instructions_.openBlocks().empty()) {
-      wrongAt(1, instructions_.openBlocks().back() + " is not closed by END");
+    if (!instructions_->openBlocks().empty()) {
+      wrongAt(1, instructions_->openBlocks().back() + " is not closed by END");
     }
     stage_ = Stage::done;
   }
@@ -146,7 +172,9 @@ class Reader {
   std::string_view file_;
   ProgramText program_;
   Scope scope_;
-  Instructions instructions_;
+  const robot::TiltAxis* tilt_;
+  std::optional<Instructions> instructions_;
+  std::optional<ProgramText> first_;  // of several programs
   std::optional<Failure> failure_;
   std::size_t lineNumber_ = 0;
   Stage stage_ = Stage::before;

@@ -31,9 +31,9 @@ struct ProgramText {
   bool straightLine = true;       ///< no IF, FOR, WHILE or CALL: the moves are those of a run
 };
 
-/// Reads one V+ program strictly: what the grammar of docs/manual/vplus.md does not have is an
-/// error (E0630 with line and column). `tilt` tells how BITS of its output lean the tool; may be
-/// null.
+/// Reads a file of V+ programs strictly; moves and signals are those of the first. What the grammar
+/// of docs/manual/vplus.md does not have is an error (E0630 with line and column). `tilt` tells how
+/// BITS of its output lean the tool; may be null.
 [[nodiscard]] Result<ProgramText> readProgram(std::string_view text,
                                               std::string_view file,
                                               const robot::TiltAxis* tilt);

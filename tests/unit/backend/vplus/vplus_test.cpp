@@ -227,6 +227,22 @@ TEST(VplusReader, RefusesTheRest) {
   EXPECT_FALSE(vplus::readProgram(".PROGRAM a()\n.END\nBREAK\n", "x", nullptr).ok());
 }
 
+/// A file may hold several programs: names are each one's own, moves those of the first.
+TEST(VplusReader, ReadsSeveralPrograms) {
+  auto read = vplus::readProgram(
+      ".PROGRAM a()\nx = 1\nMOVE TRANS(1,2,3,0,180,0)\n.END\n\n.PROGRAM b()\n"
+      "SET x = NULL\nMOVE x\nMOVE y\n.END\n",
+      "x", nullptr);
+  ASSERT_TRUE(read.ok()) << read.failure().message;
+  EXPECT_EQ(read->name, "A");
+  EXPECT_EQ(read->moves.size(), 1U);
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_THAT(read->warnings[0].message, HasSubstr("`Y`"));
+  auto cut = vplus::readProgram(".PROGRAM a()\n.END\n.PROGRAM b()\n", "x", nullptr);
+  ASSERT_FALSE(cut.ok());
+  EXPECT_THAT(cut.failure().message, HasSubstr("no .END"));
+}
+
 TEST(VplusReader, TellsWhatTheOperatorMustSet) {
   auto read = vplus::readProgram(
       ".PROGRAM a()\nGLOBAL offset\nspeed (5*scale) MMPS\nmove trans(1,2,offset)\n.END\n", "x",
