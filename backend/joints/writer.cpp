@@ -5,6 +5,7 @@
 
 #include "backend/joints/plot.h"
 #include "backend/joints/table.h"
+#include "ir/diag/render_text.h"
 #include "ir/diag/robot.h"
 
 namespace arelem::backend {
@@ -77,9 +78,10 @@ class JointWriter : public Writer {
 
   void finish() override {
     if (machine_.pantograph.has_value() == machine_.elbow.has_value()) {
-      sink_.accept(diagnose(Span{}, diag::JointsMachine,
-                        machine_.file.empty() ? std::string("no machine file") : "`" + machine_.file + "`",
-                        machine_.pantograph ? std::string_view("both") : "none"));
+      sink_.accept(diagnose(
+          nowhere, diag::JointsMachine,
+          machine_.file.empty() ? std::string("no machine file") : "`" + machine_.file + "`",
+          machine_.pantograph ? std::string_view("both") : "none"));
       return;
     }
     const Arm arm(machine_);

@@ -1,5 +1,6 @@
 #include "runtime/stencil/message.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -117,7 +118,15 @@ Result<std::vector<const Symbol*>> symbolsOf(std::string_view text, const Alphab
     const std::string_view name = nameAt(text, i);
     const Symbol* symbol = alphabet.find(name);
     if (symbol == nullptr) {
-      return fail(diag::StencilCharacter, i + 1, name, alphabet.file, namesOf(alphabet));
+      Failure failure = fail(diag::StencilCharacter, i + 1, name, alphabet.file, namesOf(alphabet));
+      std::string capitals(name);
+      std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                     [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+      if (alphabet.find(capitals) != nullptr) {
+        failure =
+            std::move(failure).withHelp("capitals are other symbols: `" + capitals + "` is there");
+      }
+      return failure;
     }
     symbols.push_back(symbol);
     i += name.size();
