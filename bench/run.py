@@ -93,8 +93,8 @@ def measure(arelem):
     with tempfile.TemporaryDirectory() as folder:
         out = str(pathlib.Path(folder) / "out.cltape")
         for program, what, unit in CASES:
-            run = median_run([arelem, "compile", str(program), "-v", "-o", out])
-            count = cut_vectors(run.told)
+            run = median_run([arelem, "compile", str(program), "-o", out])
+            count = cut_vectors(Run([arelem, "compile", str(program), "-v", "-o", out]).told)  # -v computes the machining time too
             if run.code != 0:
                 code = re.search(r"error\[(\w+)\]", run.told)
                 rows.append((what, f"exit {run.code} {code.group(1) if code else ''}".rstrip(), "", "", ""))
@@ -104,7 +104,7 @@ def measure(arelem):
         source = pathlib.Path(folder) / "bench.cls"
         cl_file(source, lines)
         for target in ("cl", "cltape"):
-            run = median_run([arelem, "compile", str(source), "-o", out, "--to", target, "-v"])
+            run = median_run([arelem, "compile", str(source), "-o", out, "--to", target])
             what = f"CL text of {lines} lines to {target}"
             if run.code != 0:
                 rows.append((what, f"exit {run.code}", "", "", ""))

@@ -84,9 +84,6 @@ class Stage : public ArcFitter {
       rapid_ = surfaced_ = false;
       return;
     }
-    if (!continues && !points_.empty() && record.isn != first_.isn) {
-      flush();
-    }
     keptWhole_ = false;
     if (points_.empty()) {
       first_ = record;

@@ -11,6 +11,8 @@ namespace arelem::path {
 namespace {
 
 constexpr double mostPrecision = 1000.0;
+/// Of the tolerance for the fit: the rest is for the chords and the smoothing.
+constexpr double mostShare = 0.8;
 
 /// A word of the vocabulary or of none, as it is written; "" for a number.
 std::string_view spelling(const cl::Value& value) {
@@ -41,7 +43,7 @@ class OrderReader {
         return *std::move(failure);
       }
     }
-    order.options.tolerance = (1.0 - 2.0 * order.share) * order.tolerance;
+    order.options.tolerance = (1.0 - order.share - SmoothOrder::chordShare) * order.tolerance;
     return order;
   }
 
@@ -77,9 +79,9 @@ class OrderReader {
       order.options.accuracy = *value / 100.0;
     } else if (word == "SHARE") {
       order.share = *value / 100.0;
-      if (!(order.share > 0.0 && order.share < 0.5)) {
+      if (!(order.share > 0.0 && order.share < mostShare)) {
         return fail(diag::SmoothForm,
-                    fmt::format("SHARE {}; it lies between 0 and 50 percent", *value));
+                    fmt::format("SHARE {}; it lies between 0 and 80 percent", *value));
       }
     } else {
       return fail(diag::SmoothForm, fmt::format("`{}`", word));

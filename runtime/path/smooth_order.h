@@ -8,8 +8,9 @@ namespace arelem::path {
 /// What a SMOOTH statement asks for.
 struct SmoothOrder {
   smooth::Options options;
-  double tolerance = 0.0;   ///< of the whole change, part unit
-  double share = 0.2;       ///< of it for the fit, and the same again for the chords
+  double tolerance = 0.0;  ///< of the whole change, part unit
+  double share = 0.4;      ///< of it for the fit
+  static constexpr double chordShare = 0.1;
   bool closed = false;      ///< CLOSED: each sequence ends where it begins
   bool keepSpline = false;  ///< SPLINE: the records say which curve the cut vectors follow
 };

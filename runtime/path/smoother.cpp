@@ -45,11 +45,17 @@ class Stage : public Smoother {
       return;  // the smoothed points no longer run along it
     }
     flush();
+    if (const auto* units = std::get_if<cl::Units>(&record.body)) {
+      unit_ = timing::millimetersOf(units->unit);
+    }
     if (name == "SMOOTH") {
       return command(record, *post);  // no output has to know of it
     }
     if (name == "MACHLM") {
-      if (Result<timing::Limits> limits = timing::machineLimits(*post); !limits) {
+      Result<timing::Limits> limits = timing::machineLimits(*post);
+      if (limits) {
+        limits_ = *limits;
+      } else {
         sink_.accept(at(record.origin, limits.takeFailure()));
       }
     }
@@ -174,13 +180,16 @@ class Stage : public Smoother {
       sink_.accept(at(first.origin, fitted.failure()));
       return false;
     }
-    const Result<smooth::Smoothed> result = smooth::smooth(*fitted, order_->options);
+    smooth::Options options = order_->options;
+    options.limits = {limits_.velocity / unit_, limits_.acceleration / unit_, limits_.jerk / unit_};
+    const Result<smooth::Smoothed> result = smooth::smooth(*fitted, options);
     if (!result) {
       sink_.accept(at(first.origin, result.failure()));
       return false;
     }
-    note(first, *fitted, *result, share);
-    const std::vector<Vec3> chords = spline::chordPoints(result->curve, share);
+    const double chord = SmoothOrder::chordShare * order_->tolerance;
+    note(first, *fitted, *result, share + chord);
+    const std::vector<Vec3> chords = spline::chordPoints(result->curve, chord);
     if ((chords.front() - *at_).norm() > tolerance::coincidence) {
       put(first, std::span(chords).first(1), axis);
     }
@@ -199,11 +208,11 @@ class Stage : public Smoother {
   void note(const cl::Record& record,
             const spline::CubicSpline& before,
             const smooth::Smoothed& after,
-            double share) {
+            double spent) {
     const auto old = curvatureFigures(before, samplesOfASpan);
     const auto now = curvatureFigures(after.curve, samplesOfASpan);
     facts_.push_back({record.origin, old.most, now.most, old.mean, now.mean, before.length(),
-                      after.curve.length(), after.deviation + 2.0 * share});
+                      after.curve.length(), after.deviation + spent});
   }
 
   void put(const cl::Record& like, std::span<const Vec3> points, const std::optional<Vec3>& axis) {
@@ -232,6 +241,8 @@ class Stage : public Smoother {
   const InterruptFlag* interrupted_;
   std::optional<SmoothOrder> order_;
   Span commandOrigin_;
+  timing::Limits limits_ = smooth::Options{}.limits;  // mm
+  double unit_ = 1.0;                                 // mm
   bool rapid_ = false;
   std::optional<Vec3> at_;  // the location before what is held
   std::vector<cl::Record> held_;

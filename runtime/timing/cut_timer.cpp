@@ -20,19 +20,6 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Of a CIRCLE or CYLNDR: center, axis, radius.
 constexpr std::size_t arcNumbers = 7;
 
-double millimetersOf(Word unit) {
-  switch (unit) {
-    case Word::CM:
-      return 10.0;
-    case Word::INCHES:
-      return millimetersOfAnInch;
-    case Word::FEET:
-      return 12.0 * millimetersOfAnInch;
-    default:
-      return 1.0;
-  }
-}
-
 bool stopsTool(Word word) {
   switch (word) {
     case Word::STOP:

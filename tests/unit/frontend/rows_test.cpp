@@ -57,6 +57,7 @@ std::vector<Example> syntax() {
           {"E0207", "A=(1)(2)"},
           {"E0208", "A=1+TO"},
           {"E0209", "A=SINF+1"},
+          {"W0209", "GOTO/1,2,3,4,5", Dialect::cl},
           {"E0210", "CYCLE,DRILL/1"},
           {"E0211", "FOOBAR/1"},
           {"E0212", "TO=1"},

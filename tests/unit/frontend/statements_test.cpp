@@ -196,7 +196,7 @@ TEST(Statements, ClText) {
   EXPECT_EQ(cl("TOOLNO/1,,2"), "TOOLNO/ 1, '', 2");
   EXPECT_EQ(cl("NURBS/"), "NURBS/   $$ foreign");
   EXPECT_EQ(cl("TLON,GOFWD/(CIRCLE/0,0,0,5),ON,(LINE/0,0,0,1,1,0)"),
-            "GOFWD/ (CIRCLE/ 0, 0, 0, 5), ON, (LINE/ 0, 0, 0, 1, 1, 0)");
+            "GOTO/ 1, 1, 0");  // the last of two: CIRCLE, then the end of the line
   EXPECT_EQ(cl("CSI_SET_FLUTE_LENGTH/10"), "CSI_SET_FLUTE_LENGTH/ 10  $$ foreign");
 }
 

@@ -190,7 +190,7 @@ TEST(Smoother, WrongOrders) {
   EXPECT_EQ(code({0.1, Word::METHOD}), "E0392");
   EXPECT_EQ(code({0.1, Word::PRECIS, 0.0}), "E0391");
   EXPECT_EQ(code({0.1, Word::ACCUR, 100.0}), "E0391");
-  EXPECT_EQ(code({0.1, Word::SHARE, 50.0}), "E0392");
+  EXPECT_EQ(code({0.1, Word::SHARE, 80.0}), "E0392");
   EXPECT_EQ(code({0.1, Word::CLOSED}), "E0397");
 }
 
