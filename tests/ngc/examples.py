@@ -8,6 +8,5 @@ REFUSED = {
     "school_xing.apt": ("E0672", "the gun tilts"),
     "right_turn.apt": ("E0672", "the gun tilts"),
     "sen_half_cylinder.apt": ("E0672", "the gun points at a cylinder from all sides"),
-    "dome_paint.apt": ("E0672", "the gun points at a dome from all sides"),
     "sen_revolved.apt": ("E0672", "the gun points at a surface of revolution from all sides"),
 }
