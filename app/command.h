@@ -36,6 +36,7 @@ int runRepl(const Invocation& invocation);
 int runSpray(const Invocation& invocation);
 int runStencil(const Invocation& invocation);
 int runTargets(const Invocation& invocation);
+int runView(const Invocation& invocation);
 int runVerify(const Invocation& invocation);
 
 }  // namespace arelem::app

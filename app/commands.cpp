@@ -20,6 +20,7 @@ std::span<const Command> commands() {
       Command{"verify", "reads an output again and compares it with its part program", runVerify},
       Command{"diff", "compares two CL files move by move", runDiff},
       Command{"time", "how long a machine takes for the path of a part program", runTime},
+      Command{"view", "pictures, and a page that plays the path in a browser", runView},
       Command{"repl", "computes statements as they are typed", runRepl},
       Command{"fmt", "lays part programs out anew, with the same meaning", runFormat},
       Command{"explain", "what a diagnostic means, with a wrong and a right example", runExplain},

@@ -90,7 +90,8 @@ void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {
              fmt::format("{}, {} long", words, shortNumber(path.length(move))));
     }
   };
-  kind(MoveKind::feed, "class=\"feed\"", "feed");
+  kind(MoveKind::gun, gunLine, "gun on");
+  kind(MoveKind::feed, "class=\"feed\"", path.length(MoveKind::gun) > 0.0 ? "gun off" : "feed");
   kind(MoveKind::arc, "class=\"arc\"", "along a circle");
   kind(MoveKind::rapid, "class=\"rapid\"", "rapid");
   if (path.locations() > 0) {

@@ -86,8 +86,11 @@ void PathCollector::command(const cl::Post& post) {
     return;
   }
   rapid_ = rapid_ || post.word == Word::RAPID;
+  const auto* word = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
+  if (post.word == Word::SPRAY) {
+    gun_ = word != nullptr && *word == Word::ON;
+  }
   if (post.word == Word::CYCLE) {
-    const auto* word = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
     cycle_ = word == nullptr || (*word != Word::OFF && *word != Word::NOMORE);
   }
 }
@@ -97,7 +100,10 @@ void PathCollector::move(const cl::Motion& motion, int isn) {
   isn_ = isn;
   if (!continues) {
     addStop();
-    kind_ = rapid_ || cycle_ ? MoveKind::rapid : arc_ ? MoveKind::arc : MoveKind::feed;
+    kind_ = rapid_ || cycle_ ? MoveKind::rapid
+            : gun_           ? MoveKind::gun
+            : arc_           ? MoveKind::arc
+                             : MoveKind::feed;
     rapid_ = false;
     arc_ = false;
   }

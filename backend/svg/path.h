@@ -9,7 +9,8 @@
 
 namespace arelem::backend::svg {
 
-enum class MoveKind : std::uint8_t { start, rapid, feed, arc };
+/// `gun`: a feed with the spray gun on.
+enum class MoveKind : std::uint8_t { start, rapid, feed, arc, gun };
 
 /// A location and how the tool came there; `start` begins a new piece of path.
 struct Vertex {
@@ -77,7 +78,7 @@ class PathCollector {
   std::uint64_t locations_ = 0;
   std::uint64_t stopCount_ = 0;
   std::uint64_t stopStride_ = 1;
-  std::array<double, 4> lengths_{};
+  std::array<double, 5> lengths_{};
   double tolerance_ = 0.0;   ///< of the thinning at present
   double deviation_ = 0.0;   ///< sum of the tolerances used one after another
   std::size_t thinned_ = 0;  ///< vertices that were thinned with the present tolerance
@@ -87,6 +88,7 @@ class PathCollector {
   int isn_ = 0;
   bool rapid_ = false;    ///< RAPID was read and not used yet
   bool cycle_ = false;    ///< a drilling cycle is on: the tool goes from place to place at rapid
+  bool gun_ = false;      ///< SPRAY/ON was read, and no SPRAY/OFF since
   bool arc_ = false;      ///< a circular surface was read for the next motion
   bool pending_ = false;  ///< the last vertex ends a motion unless a continuation follows
   bool upright_ = true;   ///< the tool axis there is along z

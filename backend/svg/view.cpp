@@ -42,6 +42,19 @@ std::optional<View> planeOf(const Bounds& path) {
   return size.x() <= thin ? std::optional(yz()) : std::nullopt;
 }
 
+std::optional<View> asked(PictureViews views) {
+  switch (views) {
+    case PictureViews::plan:
+      return xy();
+    case PictureViews::front:
+      return xz();
+    case PictureViews::side:
+      return yz();
+    default:
+      return std::nullopt;
+  }
+}
+
 /// Centers what is to be seen in the view's box.
 void center(View& view, const Bounds& bounds, double scale) {
   view.scale = scale;
@@ -122,7 +135,7 @@ std::optional<std::array<Eigen::Vector2d, 2>> View::clip(double a, double b, dou
   return std::array{Eigen::Vector2d(foot + from * along), Eigen::Vector2d(foot + to * along)};
 }
 
-Layout arrange(const Bounds& path, const Bounds& bounds) {
+Layout arrange(const Bounds& path, const Bounds& bounds, PictureViews views) {
   // A box without size still gets a picture: one unit wide.
   Bounds seen = bounds;
   const double least =
@@ -132,7 +145,7 @@ Layout arrange(const Bounds& path, const Bounds& bounds) {
     seen.low[i] -= missing;
     seen.high[i] += missing;
   }
-  const auto plane = planeOf(path);
+  const auto plane = views == PictureViews::automatic ? planeOf(path) : asked(views);
   return plane ? single(*plane, seen) : three(seen);
 }
 

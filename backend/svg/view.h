@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/svg/path.h"
+#include "backend/svg/writer.h"
 
 namespace arelem::backend::svg {
 
@@ -50,6 +51,9 @@ struct Layout {
 
 /// One view for a path in a plane, else plan, front and side with one scale (third-angle order:
 /// front below the plan, side to the right of the front). `bounds` is what has to be seen.
-[[nodiscard]] Layout arrange(const Bounds& path, const Bounds& bounds);
+/// `views` asks for one of them, or for all.
+[[nodiscard]] Layout arrange(const Bounds& path,
+                             const Bounds& bounds,
+                             PictureViews views = PictureViews::automatic);
 
 }  // namespace arelem::backend::svg

@@ -33,19 +33,22 @@ std::string_view classOf(MoveKind kind) {
   if (kind == MoveKind::rapid) {
     return "class=\"rapid\"";
   }
+  if (kind == MoveKind::gun) {
+    return gunLine;
+  }
   return kind == MoveKind::arc ? "class=\"arc\"" : "class=\"feed\"";
 }
 
 class PictureWriter : public Writer {
  public:
-  PictureWriter(std::ostream& out, const Context& context)
-      : out_(out), context_(context), path_(mostVertices) {}
+  PictureWriter(std::ostream& out, const Context& context, PictureViews views)
+      : out_(out), context_(context), views_(views), path_(mostVertices) {}
 
   void accept(const cl::Record& record) override { path_.accept(record); }
 
   void finish() override {
     path_.finish();
-    const Layout page = arrange(pathBounds(), seen());
+    const Layout page = arrange(pathBounds(), seen(), views_);
     const double scale = page.views.front().scale;
     if (path_.vertices().size() > fewVertices) {
       path_.thin(thinnedPixels / scale);
@@ -169,7 +172,7 @@ class PictureWriter : public Writer {
   void drawPath(Canvas& canvas, const View& view) {
     const std::vector<Vertex>& path = path_.vertices();
     const std::string_view width = isDense(view) ? thinLines : "";
-    for (const MoveKind kind : {MoveKind::rapid, MoveKind::feed, MoveKind::arc}) {
+    for (const MoveKind kind : {MoveKind::rapid, MoveKind::feed, MoveKind::arc, MoveKind::gun}) {
       for (std::size_t i = 1; i < path.size();) {
         if (path[i].kind != kind) {
           ++i;
@@ -225,6 +228,7 @@ class PictureWriter : public Writer {
 
   std::ostream& out_;
   const Context& context_;
+  PictureViews views_;
   PathCollector path_;
   std::size_t outlines_ = 0;
   std::vector<bool> drawn_;  // by entity: some view shows it
@@ -234,7 +238,13 @@ class PictureWriter : public Writer {
 std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                           const Context& context,
                                           DiagnosticSink&) {
-  return std::make_unique<PictureWriter>(out, context);
+  return makePictureWriter(out, context, PictureViews::automatic);
+}
+
+std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
+                                          const Context& context,
+                                          PictureViews views) {
+  return std::make_unique<PictureWriter>(out, context, views);
 }
 
 }  // namespace arelem::backend

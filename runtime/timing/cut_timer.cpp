@@ -77,6 +77,8 @@ class CutTimer::Path {
     }
   }
 
+  PieceCall pieceCall;
+
   TimeTable finish() {
     plan();
     return std::move(table_);
@@ -227,7 +229,7 @@ class CutTimer::Path {
     path_.lengths.push_back(length);
     path_.speeds.push_back(speed);
     path_.corners.push_back(path_.lengths.size() == 1 || changes ? 0.0 : before);
-    kinds_.push_back({record_->isn, rapid_});
+    kinds_.push_back({record_->isn, rapid_, table_.moves - 1});
     rapidBefore_ = rapid_;
   }
 
@@ -247,6 +249,9 @@ class CutTimer::Path {
         (kinds_[i].rapid ? table_.rapid : table_.cutting) += times[i];
         (kinds_[i].rapid ? table_.rapidLength : table_.cuttingLength) += lengths[i];
         table_.statements[kinds_[i].isn] += times[i];
+        if (pieceCall) {
+          pieceCall(kinds_[i].move, times[i]);
+        }
       }
     }
     path_ = {};
@@ -257,6 +262,7 @@ class CutTimer::Path {
   struct Kind {
     int isn;
     bool rapid;
+    std::uint64_t move;
   };
   Machine machine_;
   DiagnosticSink& sink_;
@@ -287,6 +293,10 @@ CutTimer::CutTimer(CutTimer&&) noexcept = default;
 
 void CutTimer::accept(const cl::Record& record) {
   path_->accept(record);
+}
+
+void CutTimer::tellPieces(PieceCall call) {
+  path_->pieceCall = std::move(call);
 }
 
 TimeTable CutTimer::finish() {

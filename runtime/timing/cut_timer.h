@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,6 +34,11 @@ class CutTimer : public cl::RecordSink {
   CutTimer(const Machine& machine, DiagnosticSink& sink);
   ~CutTimer() override;
   CutTimer(CutTimer&&) noexcept;
+
+  /// Told of each move but those of length 0: its number, counted from 0 over all locations behind
+  /// the first one, and its seconds. Calls come in order, some records late.
+  using PieceCall = std::function<void(std::uint64_t move, double seconds)>;
+  void tellPieces(PieceCall call);
 
   void accept(const cl::Record& record) override;
   /// After the last record.

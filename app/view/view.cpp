@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <sstream>
+
+#include "app/command.h"
+#include "app/options.h"
+#include "app/output_file.h"
+#include "app/view/raster.h"
+#include "app/view/scene_builder.h"
+
+#include "backend/svg/writer.h"
+#include "ir/diag/output.h"
+
+namespace arelem::app {
+
+namespace {
+enum class Kind : std::uint8_t { svg, png, html };
+
+struct ViewOptions {
+  Settings settings;
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string views = "auto";
+  int width = 1600;
+};
+
+std::optional<Kind> kindOf(const std::string& path) {
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::array names = {".svg", ".png", ".html"};
+  const auto found = std::find(names.begin(), names.end(), suffix);
+  return found == names.end() ? std::nullopt
+                              : std::optional(static_cast<Kind>(found - names.begin()));
+}
+
+void addOptions(CLI::App& app, ViewOptions& options) {
+  app.add_option("FILE", options.input, "a part program; - is standard input")->required();
+  app.add_option("-o,--output", options.outputs,
+                 ".svg or .png: a picture; .html: a page for a browser; may be repeated")
+      ->type_name("FILE")
+      ->required()
+      ->allow_extra_args(false);
+  app.add_option("--view", options.views, "what a picture shows: auto, plan, front, side or all")
+      ->check(CLI::IsMember({"auto", "plan", "front", "side", "all"}))
+      ->capture_default_str();
+  app.add_option("--width", options.width, "pixels of a .png")
+      ->check(CLI::Range(100, 20000))
+      ->capture_default_str();
+  addSourceOptions(app, options.settings);
+  addMessageOptions(app, options.settings);
+}
+
+backend::PictureViews viewsOf(const std::string& name) {
+  using backend::PictureViews;
+  return name == "plan"    ? PictureViews::plan
+         : name == "front" ? PictureViews::front
+         : name == "side"  ? PictureViews::side
+         : name == "all"   ? PictureViews::all
+                           : PictureViews::automatic;
+}
+
+/// What has errors is left out of a picture; the rest is shown.
+std::string pictureOf(Compilation& job, const ViewOptions& options, const cl::Recording& path) {
+  std::ostringstream out;
+  const backend::Context context = backendContext(job);
+  const auto writer = backend::makePictureWriter(out, context, viewsOf(options.views));
+  for (const cl::Record& record : path.records) {
+    writer->accept(record);
+  }
+  writer->finish();
+  return out.str();
+}
+
+bool put(Compilation& job,
+         const std::string& path,
+         const std::function<bool(std::ostream&)>& write) {
+  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
+  if (!file) {
+    job.log.accept(file.takeFailure());
+    return false;
+  }
+  if (!write((*file)->stream())) {
+    job.log.accept(fail(diag::OutputWrite, path, std::uint64_t{0}, "the picture cannot be made"));
+    return false;
+  }
+  if (auto bytes = (*file)->complete(); !bytes) {
+    job.log.accept(bytes.takeFailure());
+    return false;
+  }
+  if (auto name = (*file)->commit(false); !name) {
+    job.log.accept(name.takeFailure());
+    return false;
+  }
+  return true;
+}
+
+void produce(Compilation& job, const ViewOptions& options, const InterruptFlag& interrupted) {
+  std::optional<backend::Scene> scene;
+  std::optional<std::string> picture;
+  for (const std::string& path : options.outputs) {
+    if (interrupted) {
+      return;
+    }
+    const Kind kind = *kindOf(path);
+    if (kind == Kind::html && !scene) {
+      scene = buildScene(job, interrupted);
+    } else if (kind != Kind::html && !picture) {
+      cl::Recording records;
+      static_cast<void>(execute(job, records, interrupted));
+      picture = pictureOf(job, options, records);
+    }
+    static_cast<void>(put(job, path, [&](std::ostream& out) {
+      if (kind == Kind::html) {
+        backend::writePage(out, *scene);
+        return true;
+      }
+      if (kind == Kind::png) {
+        return writePng(out, *picture, options.width);
+      }
+      out << *picture;
+      return true;
+    }));
+  }
+}
+}  // namespace
+
+int runView(const Invocation& invocation) {
+  CLI::App app(
+      "Shows a part program: a picture of geometry and path, or a page that plays the path, with "
+      "the source beside it.\nOf a program with errors the good part is shown.",
+      "view");
+  ViewOptions options;
+  addOptions(app, options);
+  if (const auto code = parse(app, invocation.words)) {
+    return *code;
+  }
+  for (const std::string& path : options.outputs) {
+    if (!kindOf(path)) {
+      printUsageError("view", "a view is written as .svg, .png or .html, not as `" + path + "`");
+      return static_cast<int>(ExitCode::wrongUse);
+    }
+  }
+  const InterruptFlag& interrupted = invocation.interrupt.flag();
+  Compilation job(options.settings);
+  if (load(job, options.input, interrupted)) {
+    static_cast<void>(evaluate(job, interrupted));
+    produce(job, options, interrupted);
+  }
+  job.log.print(job.sources, job.main, options.settings);
+  return static_cast<int>(job.log.exitCode());
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,106 @@
+// Speed, curvature and proven deviation over the time of the path, a column of pixels at a time.
+import {number, locationAt} from "./data.js";
+
+const names = ["speed", "curvature", "deviation"];
+
+export class Charts {
+  constructor(scene, onPick) {
+    this.scene = scene;
+    this.canvas = document.getElementById("charts");
+    this.from = 0;
+    this.to = Math.max(scene.total, 1e-9);
+    this.now = this.to;
+    this.canvas.addEventListener("click", e => onPick(this.timeAt(e.offsetX)));
+    this.canvas.addEventListener("wheel", e => {
+      e.preventDefault();
+      const t = this.timeAt(e.offsetX), f = e.deltaY > 0 ? 1.25 : 0.8, all = Math.max(scene.total, 1e-9);
+      const span = Math.min(all, Math.max((this.to - this.from) * f, all * 1e-6));
+      this.from = Math.min(Math.max(0, t - (t - this.from) * span / (this.to - this.from)), all - span);
+      this.to = this.from + span;
+      this.draw();
+    }, {passive: false});
+    this.limits();
+  }
+
+  limits() {
+    const s = this.scene;
+    this.top = [0, 0, 0];
+    const curved = [];
+    for (let i = 1; i < s.count; ++i) {
+      this.top[0] = Math.max(this.top[0], s.speed[i]);
+      if (s.curvature[i] > 0 && curved.length < 200000) curved.push(s.curvature[i]);
+    }
+    curved.sort((a, b) => a - b);
+    this.top[1] = curved.length ? curved[Math.floor(0.98 * (curved.length - 1))] * 1.15 : 0; // corners would dwarf the rest
+    for (let k = 0; k < s.first.length; ++k) for (const a of [s.inner, s.outer, s.allowedInner, s.allowedOuter]) {
+      if (!Number.isNaN(a[k])) this.top[2] = Math.max(this.top[2], Math.abs(a[k]));
+    }
+  }
+
+  timeAt(x) { return this.from + (this.to - this.from) * Math.min(1, Math.max(0, (x - 66) / (this.canvas.clientWidth - 76))); }
+
+  draw(now = this.now) {
+    this.now = now;
+    const c = this.canvas, ratio = window.devicePixelRatio || 1, w = c.clientWidth, h = c.clientHeight;
+    if (c.width !== Math.round(w * ratio) || c.height !== Math.round(h * ratio)) { c.width = Math.round(w * ratio); c.height = Math.round(h * ratio); }
+    const g = c.getContext("2d"), style = getComputedStyle(document.documentElement), ink = n => style.getPropertyValue(n).trim();
+    g.setTransform(ratio, 0, 0, ratio, 0, 0);
+    g.clearRect(0, 0, w, h);
+    g.font = "11px system-ui, 'DejaVu Sans', sans-serif";
+    const left = 66, width = w - left - 10, each = h / 3;
+    const inks = ["#1f6feb", "#0a8f6c", "#b5179e"];
+    names.forEach((name, row) => {
+      const y0 = row * each + 4, tall = each - 9;
+      g.strokeStyle = ink("--line");
+      g.strokeRect(left - 0.5, y0 - 0.5, width + 1, tall + 1);
+      g.fillStyle = ink("--soft");
+      g.fillText(name, 8, y0 + 12);
+      g.fillText(number(this.top[row], 3), 8, y0 + 25);
+      if (this.scene.count < 2 || !(this.top[row] > 0)) {
+        g.fillText(row === 2 ? "no motion along surfaces" : "none", left + 8, y0 + tall / 2 + 4);
+        return;
+      }
+      this.curve(g, row, left, width, y0, tall, inks[row]);
+    });
+    const x = left + width * (now - this.from) / (this.to - this.from);
+    if (x >= left && x <= left + width) {
+      g.strokeStyle = ink("--hot");
+      g.beginPath();
+      g.moveTo(x, 2);
+      g.lineTo(x, h - 2);
+      g.stroke();
+    }
+  }
+
+  curve(g, row, left, width, y0, tall, color) {
+    const s = this.scene, step = (this.to - this.from) / width;
+    let i = Math.max(1, locationAt(s, this.from));
+    g.fillStyle = color;
+    for (let x = 0; x < width; ++x) {
+      const until = this.from + (x + 1) * step;
+      let low = Infinity, high = -Infinity, allowedLow = NaN, allowedHigh = NaN, n = 0;
+      for (; i < s.count; ++i) {
+        const k = s.stretchOf[i];
+        for (const v of row === 0 ? [s.speed[i]] : row === 1 ? [s.curvature[i]] : [s.inner[k], s.outer[k]]) {
+          if (!Number.isNaN(v)) { low = Math.min(low, v); high = Math.max(high, v); }
+        }
+        allowedLow = -s.allowedInner[k];
+        allowedHigh = s.allowedOuter[k];
+        if (s.time[i] > until || ++n > 20000) break;
+      }
+      if (row === 2) {
+        const y = v => y0 + tall / 2 * (1 - v / this.top[2]);
+        g.globalAlpha = 0.35;
+        for (const a of [allowedLow, allowedHigh]) if (!Number.isNaN(a)) g.fillRect(left + x, y(a), 1, 1);
+        g.globalAlpha = 1;
+        if (low <= high) g.fillRect(left + x, Math.min(y(high), y(low)), 1, Math.max(1.5, Math.abs(y(low) - y(high))));
+      } else if (low <= high) {
+        const y = v => y0 + tall * (1 - Math.min(1, v / this.top[row]));
+        g.globalAlpha = 0.28;
+        g.fillRect(left + x, y(high), 1, y0 + tall - y(high));
+        g.globalAlpha = 1;
+        g.fillRect(left + x, y(high), 1, Math.max(1.5, y(low) - y(high)));
+      }
+    }
+  }
+}

@@ -1,0 +1,157 @@
+// The three-dimensional view: camera, lights, section plane, labels, and what a place of the screen is.
+import * as THREE from "three";
+import {OrbitControls} from "three/addons/controls/OrbitControls.js";
+import {drawEntities, drawSurfaces, drawFilms, Tool} from "./things.js";
+import {Path} from "./path.js";
+import {visible} from "./source.js";
+
+const palettes = {
+  light: ["#ff7a00", "#d1242f", "#1f5fbf", "#0a8f6c", "#b5179e", "#9aa3ad"],
+  dark: ["#ffb020", "#ff6b6b", "#6cb2ff", "#3ddc97", "#ff6bd6", "#5c6672"],
+};
+export const viewNames = {plan: [0, 0, 1], front: [0, -1, 0], side: [1, 0, 0], iso: [0.62, -0.72, 0.55]};
+
+export class Stage {
+  constructor(scene) {
+    this.data = scene;
+    this.canvas = document.getElementById("canvas");
+    this.center = [0, 1, 2].map(a => (scene.low[a] + scene.high[a]) / 2);
+    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, preserveDrawingBuffer: true});
+    this.renderer.localClippingEnabled = true;
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.world = new THREE.Scene();
+    this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -1e3 * scene.size, 1e3 * scene.size);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener("start", () => { this.moving = true; });
+    this.controls.addEventListener("end", () => { this.moving = false; this.request(); });
+    this.controls.addEventListener("change", () => this.request());
+    const sun = new THREE.DirectionalLight(0xffffff, 1.9);
+    sun.position.set(0.5, -0.7, 1);
+    this.world.add(new THREE.HemisphereLight(0xffffff, 0x8899aa, 1.6), sun);
+    this.wireMaterial = new THREE.LineBasicMaterial({transparent: true, opacity: 0.75});
+    const {group, labels} = drawEntities(scene, this.center, this.wireMaterial);
+    this.layers = {
+      path: (this.path = new Path(scene, this.center)).group, surfaces: drawSurfaces(scene, this.center),
+      film: drawFilms(scene, this.center), geometry: group, tool: (this.tool = new Tool(scene)).group,
+    };
+    this.labels = labels.map(l => Object.assign(l, {element: document.createElement("span")}));
+    for (const l of this.labels) { l.element.textContent = visible(l.name); document.getElementById("labels").append(l.element); }
+    for (const layer of Object.values(this.layers)) this.world.add(layer);
+    this.marks = new THREE.Group();
+    this.world.add(this.marks);
+    this.plane = new THREE.Plane(new THREE.Vector3(0, 0, -1), 0);
+    this.measured = [];
+    new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement);
+    this.dark(false);
+    this.resize();
+    this.look(scene.high[2] - scene.low[2] < 1e-6 * scene.size && !scene.films.length ? "plan" : "iso");
+  }
+
+  dark(on) {
+    this.isDark = on;
+    document.documentElement.classList.toggle("dark", on);
+    this.world.background = new THREE.Color(on ? 0x14181d : 0xfbfbfa);
+    this.wireMaterial.color.set(on ? 0x8593a3 : 0x7b8794);
+    this.colors = palettes[on ? "dark" : "light"];
+    // The path is drawn without lights: its colors go to the screen as they are.
+    this.path.material.uniforms.palette.value = this.colors.map(c => { const v = new THREE.Color(c).getRGB({}, THREE.SRGBColorSpace); return new THREE.Vector3(v.r, v.g, v.b); });
+    this.request();
+  }
+
+  look(name) {
+    const d = new THREE.Vector3(...viewNames[name]).normalize(), s = this.data;
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.copy(d.clone().multiplyScalar(2 * s.size));
+    this.camera.up.set(0, name === "plan" ? 1 : 0, name === "plan" ? 0 : 1);
+    this.camera.lookAt(0, 0, 0);
+    this.camera.up.set(0, 0, 1);
+    if (name === "plan") { this.camera.position.y -= 1e-4 * s.size; }
+    this.camera.updateMatrixWorld(true);
+    const inverse = this.camera.matrixWorldInverse.copy(this.camera.matrixWorld).invert();
+    let w = 1e-9, h = 1e-9;
+    for (let i = 0; i < 8; ++i) {
+      const p = new THREE.Vector3(...[0, 1, 2].map(a => (i >> a & 1 ? s.high[a] : s.low[a]) - this.center[a])).applyMatrix4(inverse);
+      w = Math.max(w, Math.abs(p.x));
+      h = Math.max(h, Math.abs(p.y));
+    }
+    const aspect = this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight);
+    this.half = 1.22 * Math.max(h, w / aspect, 0.02 * s.size);
+    this.camera.zoom = 1;
+    this.resize();
+    this.controls.update();
+  }
+
+  resize() {
+    const box = this.canvas.parentElement, w = Math.max(1, box.clientWidth), h = Math.max(1, box.clientHeight);
+    this.renderer.setSize(w, h, false);
+    const half = this.half || 1;
+    Object.assign(this.camera, {left: -half * w / h, right: half * w / h, top: half, bottom: -half});
+    this.camera.updateProjectionMatrix();
+    this.path.material.uniforms.view.value.set(w, h);
+    this.request();
+  }
+
+  unitsPerPixel() { return 2 * (this.half || 1) / this.camera.zoom / Math.max(1, this.canvas.clientHeight); }
+
+  section(axis, share, flip, on) {
+    const a = "xyz".indexOf(axis), s = this.data, place = s.low[a] + share * (s.high[a] - s.low[a]) - this.center[a];
+    this.plane.normal.set(0, 0, 0).setComponent(a, flip ? 1 : -1);
+    this.plane.constant = flip ? -place : place;
+    const planes = on ? [this.plane] : [];
+    this.world.traverse(o => { if (o.material && o !== this.tool.group) o.material.clippingPlanes = planes; });
+    this.request();
+    return place + this.center[a];
+  }
+
+  // A mark at each measured place and a line between two.
+  measure(places) {
+    this.marks.clear();
+    const points = places.map(p => new THREE.Vector3(...p.map((v, a) => v - this.center[a])));
+    const material = new THREE.LineBasicMaterial({color: 0xff7a00, depthTest: false});
+    for (const p of points) {
+      const ball = new THREE.Mesh(new THREE.SphereGeometry(4 * this.unitsPerPixel(), 16, 12), new THREE.MeshBasicMaterial({color: 0xff7a00, depthTest: false}));
+      ball.position.copy(p);
+      ball.renderOrder = 5;
+      this.marks.add(ball);
+    }
+    if (points.length > 1) {
+      const line = new THREE.Line(new THREE.BufferGeometry().setFromPoints(points), material);
+      line.renderOrder = 5;
+      this.marks.add(line);
+    }
+    this.request();
+  }
+
+  // What is under a place of the screen: the nearest location of the path, else a place of a surface.
+  under(x, y) {
+    const w = this.canvas.clientWidth, h = this.canvas.clientHeight, index = this.layers.path.visible ? this.path.pick(this.camera, x, y, w, h) : -1;
+    if (index >= 0) return {index, place: [...this.data.places.slice(3 * index, 3 * index + 3)]};
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2(2 * x / w - 1, 1 - 2 * y / h), this.camera);
+    const solid = [this.layers.surfaces, this.layers.film].filter(l => l.visible).flatMap(l => l.children);
+    const hit = ray.intersectObjects(solid, false)[0];
+    return hit ? {index: -1, name: hit.object.name, place: hit.point.toArray().map((v, a) => v + this.center[a])} : null;
+  }
+
+  request() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => { this.asked = false; this.render(); });
+  }
+
+  render() {
+    this.path.adapt(this.unitsPerPixel(), this.moving || this.playing);
+    this.renderer.render(this.world, this.camera);
+    const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
+    for (const l of this.labels) {
+      const p = l.place.clone().project(this.camera), x = (p.x * 0.5 + 0.5) * w, y = (0.5 - p.y * 0.5) * h, wide = 6.5 * l.name.length + 6;
+      const shown = this.layers.geometry.visible && x > 0 && x < w && y > 12 && y < h &&
+        !taken.some(t => Math.abs(t.x - x) < (t.wide + wide) / 2 && Math.abs(t.y - y) < 14);
+      l.element.style.display = shown ? "" : "none";
+      if (shown) { taken.push({x, y, wide}); l.element.style.left = x + "px"; l.element.style.top = y + "px"; }
+    }
+    if (this.afterRender) this.afterRender();
+  }
+}

@@ -1,0 +1,158 @@
+// What stands beside the path: named geometry as lines, shaded surfaces, films, the tool.
+import * as THREE from "three";
+
+const wire = (points, material) => new THREE.Line(new THREE.BufferGeometry().setFromPoints(points), material);
+
+function ring(center, axis, radius, material) {
+  const points = [], z = axis.clone().normalize();
+  const x = Math.abs(z.z) < 0.9 ? new THREE.Vector3(0, 0, 1).cross(z).normalize() : new THREE.Vector3(1, 0, 0).addScaledVector(z, -z.x).normalize();
+  const y = z.clone().cross(x);
+  for (let i = 0; i <= 96; ++i) {
+    const t = i / 96 * 2 * Math.PI;
+    points.push(center.clone().addScaledVector(x, radius * Math.cos(t)).addScaledVector(y, radius * Math.sin(t)));
+  }
+  return wire(points, material);
+}
+
+// Lines of the named entities near the path, and where their names stand. Sizes beyond the box are cut to it.
+export function drawEntities(scene, center, material) {
+  const group = new THREE.Group(), labels = [], reach = 0.62 * scene.size;
+  const middle = new THREE.Vector3(...[0, 1, 2].map(a => (scene.low[a] + scene.high[a]) / 2 - center[a]));
+  const at = (c, k = 0) => new THREE.Vector3(c[k] - center[0], c[k + 1] - center[1], c[k + 2] - center[2]);
+  const floor = scene.low[2] - center[2];
+  const near = p => p.distanceTo(middle) < 1.6 * reach;
+  const label = (name, p) => { if (near(p) && labels.length < 250) labels.push({name, place: p}); };
+  for (const e of scene.entities.slice(0, 2000)) {
+    const c = e.canon;
+    if (e.type === "POINT") {
+      const p = at(c), d = 0.007 * scene.size;
+      if (!near(p)) continue;
+      group.add(wire([p.clone().add(new THREE.Vector3(-d, 0, 0)), p.clone().add(new THREE.Vector3(d, 0, 0))], material));
+      group.add(wire([p.clone().add(new THREE.Vector3(0, -d, 0)), p.clone().add(new THREE.Vector3(0, d, 0))], material));
+      label(e.name, p);
+    } else if (e.type === "LINE") {
+      const n = new THREE.Vector3(c[0], c[1], 0), along = new THREE.Vector3(-c[1], c[0], 0);
+      const foot = n.clone().multiplyScalar(c[3]).sub(new THREE.Vector3(center[0], center[1], 0));
+      foot.addScaledVector(along, middle.clone().sub(foot).dot(along)).setZ(floor);
+      if (Math.hypot(foot.x - middle.x, foot.y - middle.y) > reach) continue;
+      group.add(wire([foot.clone().addScaledVector(along, -reach), foot.clone().addScaledVector(along, reach)], material));
+      label(e.name, foot.clone().addScaledVector(along, 0.8 * reach));
+    } else if (e.type === "CIRCLE") {
+      const p = at(c).setZ(floor);
+      if (c[6] > 3 * scene.size) continue;
+      group.add(ring(p, new THREE.Vector3(0, 0, 1), c[6], material));
+      label(e.name, p.clone().add(new THREE.Vector3(c[6] * 0.71, c[6] * 0.71, 0)));
+    } else if (e.type === "SPHERE" && c[3] < 3 * scene.size) {
+      for (const axis of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) group.add(ring(at(c), new THREE.Vector3(...axis), c[3], material));
+      label(e.name, at(c).add(new THREE.Vector3(0, 0, c[3])));
+    } else if (e.type === "CYLNDR" && c[6] < 3 * scene.size) {
+      const axis = new THREE.Vector3(c[3], c[4], c[5]), p = at(c);
+      p.addScaledVector(axis, middle.clone().sub(p).dot(axis));
+      for (const t of [-0.5, 0, 0.5]) group.add(ring(p.clone().addScaledVector(axis, t * reach), axis, c[6], material));
+      label(e.name, p);
+    } else if (e.type === "PATERN") {
+      for (let k = 0; k + 2 < c.length; k += 3) group.add(ring(at(c, k), new THREE.Vector3(0, 0, 1), 0.006 * scene.size, material));
+      label(e.name, at(c));
+    }
+  }
+  return {group, labels};
+}
+
+const surfaceInks = [0x7aa6d8, 0x9cc59a, 0xd9b779, 0xc39ad0, 0x8fcacb, 0xd99a93];
+
+export function drawSurfaces(scene, center) {
+  const group = new THREE.Group();
+  scene.meshes.forEach((m, i) => {
+    const places = m.places.slice();
+    for (let k = 0; k < places.length; ++k) places[k] -= center[k % 3];
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(m.normals, 3));
+    geometry.setIndex(new THREE.BufferAttribute(m.triangles, 1));
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({
+      color: surfaceInks[i % surfaceInks.length], side: THREE.DoubleSide, transparent: true, opacity: 0.34, roughness: 0.62,
+      metalness: 0.05, depthWrite: false,
+    }));
+    mesh.name = m.name;
+    group.add(mesh);
+  });
+  return group;
+}
+
+// Blue is too thin, green right, red too thick; white is no film.
+export function filmColor(film, wanted, color = new THREE.Color()) {
+  const t = film / wanted;
+  if (!(t > 0.02)) return color.setRGB(0.92, 0.92, 0.92);
+  const hue = t < 1 ? 0.62 - 0.28 * Math.max(0, (t - 0.5) / 0.5) : 0.34 - 0.34 * Math.min(1, (t - 1) / 0.5);
+  return color.setHSL(hue, 0.72, 0.5);
+}
+
+export function drawFilms(scene, center) {
+  const group = new THREE.Group(), color = new THREE.Color();
+  for (const f of scene.films) {
+    const places = [], inks = [], columns = f.columns, wide = columns + 1;
+    for (let r = 0; r < f.rows; ++r) for (let c = 0; c < columns; ++c) {
+      const film = f.film[r * columns + c];
+      if (Number.isNaN(film)) continue;
+      filmColor(film, f.wanted, color);
+      const corner = (dc, dr) => 3 * ((r + dr) * wide + c + dc);
+      for (const k of [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1)]) {
+        for (let a = 0; a < 3; ++a) places.push(f.corners[k + a] - center[a]);
+        inks.push(color.r, color.g, color.b);
+      }
+    }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(places, 3));
+    geometry.setAttribute("color", new THREE.Float32BufferAttribute(inks, 3));
+    group.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({vertexColors: true, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2})));
+  }
+  return group;
+}
+
+// A cutter of diameter and corner radius, or a spray gun with its cone; the tool end at the origin, the axis along z.
+export class Tool {
+  constructor(scene) {
+    this.scene = scene;
+    this.group = new THREE.Group();
+    this.material = new THREE.MeshStandardMaterial({color: 0xd8a03a, metalness: 0.35, roughness: 0.4, transparent: true, opacity: 0.72});
+    this.spray = new THREE.MeshBasicMaterial({color: 0xb5179e, transparent: true, opacity: 0.28, side: THREE.DoubleSide, depthWrite: false});
+    this.cutter = null;
+  }
+
+  build(cutter) {
+    this.cutter = cutter;
+    this.group.clear();
+    const s = this.scene;
+    if (s.gunStandOff > 0) {
+      const size = Math.max(0.1 * s.gunStandOff, 0.012 * s.size);
+      const body = new THREE.Mesh(new THREE.CylinderGeometry(size * 0.5, size * 0.22, 2.4 * size, 24), this.material);
+      body.rotation.x = Math.PI / 2;
+      body.position.z = 1.2 * size;
+      this.cone = new THREE.Mesh(new THREE.ConeGeometry(s.gunRadius, s.gunStandOff, 40, 1, true), this.spray);
+      this.cone.rotation.x = Math.PI / 2;
+      this.cone.position.z = -0.5 * s.gunStandOff;
+      this.group.add(body, this.cone);
+      return;
+    }
+    const r = cutter && cutter.diameter > 0 ? cutter.diameter / 2 : 0.006 * s.size, corner = cutter ? Math.min(cutter.corner, r) : 0;
+    const height = Math.max(3 * r, 0.12 * s.size), profile = [new THREE.Vector2(0, 0), new THREE.Vector2(r - corner, 0)];
+    for (let i = 1; i <= 12 && corner > 0; ++i) {
+      const t = i / 12 * Math.PI / 2;
+      profile.push(new THREE.Vector2(r - corner + corner * Math.sin(t), corner - corner * Math.cos(t)));
+    }
+    profile.push(new THREE.Vector2(r, height), new THREE.Vector2(0, height));
+    const body = new THREE.Mesh(new THREE.LatheGeometry(profile, 48), this.material);
+    body.rotation.x = Math.PI / 2;
+    this.group.add(body);
+  }
+
+  put(place, axis, index, gun) {
+    const cutters = this.scene.cutters;
+    let use = cutters.length ? cutters[0] : null;
+    for (const c of cutters) if (c.first <= index) use = c;
+    if (this.group.children.length === 0 || use !== this.cutter) this.build(use);
+    if (this.cone) this.cone.visible = gun;
+    this.group.position.copy(place);
+    this.group.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), axis);
+  }
+}
