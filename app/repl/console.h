@@ -57,6 +57,7 @@ std::string loadFile(Console& console, const std::string& rest);
 std::string undo(Console& console, const std::string& rest);
 std::string redo(Console& console, const std::string& rest);
 std::string plot(Console& console, const std::string& rest);
+std::string view(Console& console, const std::string& rest);
 std::string tellTime(Console& console, const std::string& rest);  // motion.cpp
 std::string step(Console& console, const std::string& rest);
 std::string set(Console& console, const std::string& rest);  // settings.cpp

@@ -28,6 +28,8 @@ constexpr std::array commands = {
                    explainEntity},
     ConsoleCommand{":distance", "A,B", "how far two entities are apart", 'n', measure},
     ConsoleCommand{":plot", "[FILE.svg]", "a picture of geometry and path", 'f', plot},
+    ConsoleCommand{":view", "[FILE.html]", "a page to turn, play and measure in a browser", 'f',
+                   view},
     ConsoleCommand{":undo", "[N]", "takes back the last statements", ' ', undo},
     ConsoleCommand{":redo", "[N]", "brings them again", ' ', redo},
     ConsoleCommand{":save", "FILE", "the accepted statements as a part program; - shows them", 'f',

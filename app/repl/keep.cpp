@@ -1,4 +1,4 @@
-// Commands that write, read and take back: :save, :load, :undo, :redo, :plot.
+// Commands that write, read and take back: :save, :load, :undo, :redo, :plot, :view.
 #include <charconv>
 #include <iostream>
 
@@ -7,6 +7,7 @@
 #include "app/output_set.h"
 #include "app/repl/console.h"
 #include "app/source_file.h"
+#include "app/view/scene_builder.h"
 
 namespace arelem::app::repl {
 
@@ -138,6 +139,33 @@ std::string redo(Console& console, const std::string& rest) {
 
 std::string plot(Console& console, const std::string& rest) {
   return picture(console, rest.empty() ? "session.svg" : rest, "svg");
+}
+
+std::string view(Console& console, const std::string& rest) {
+  const std::string path = rest.empty() ? "session.html" : rest;
+  const InterruptFlag& interrupted = console.interrupt.flag();
+  Compilation job(console.settings);
+  if (!load(job, "session", console.session.text(), interrupted)) {
+    return "interrupted";
+  }
+  static_cast<void>(evaluate(job, interrupted));
+  const backend::Scene scene = buildScene(job, interrupted);
+  if (interrupted) {
+    return "interrupted; nothing is written";
+  }
+  auto file = openOutput(path);
+  if (!file) {
+    return wordsOf(file.failure());
+  }
+  backend::writePage((*file)->stream(), scene);
+  if (auto bytes = (*file)->complete(); !bytes) {
+    return wordsOf(bytes.failure());
+  }
+  if (auto name = (*file)->commit(false); !name) {
+    return wordsOf(name.failure());
+  }
+  console.out << path << "  open it in a browser\n";
+  return "";
 }
 
 }  // namespace arelem::app::repl

@@ -98,11 +98,12 @@ class Piped(ArelemCase):
 
     def test_files_and_pictures(self):
         self.write("p.apt", SCENE + "C1=CIRCLE/QQ,1,1\nP9=POINT/9,9\nFROM/0,0,0\nGOTO/10,0,0\nFINI\n")
-        out = self.session(":show P9\n:plot p.svg\n:plot no/such/folder.svg\n", "p.apt", code=1)
+        out = self.session(":show P9\n:plot p.svg\n:view p.html\n:plot no/such/folder.svg\n", "p.apt", code=1)
         self.assertIn("E0201", self.err)
         self.assertIn("without the statements that have errors", out)
         self.assertIn("P9 = POINT  (9, 9, 0)", out)
         self.assertIn("<svg", (self.folder / "p.svg").read_text())
+        self.assertIn("<html", (self.folder / "p.html").read_text())
         self.assertIn("no/such", self.err)
 
     def test_help(self):
