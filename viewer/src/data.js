@@ -62,6 +62,10 @@ function derive(s) {
     s.speed[i] = s.seconds[i] > 0 ? length / s.seconds[i] : 0;
   }
   for (let i = 1; i + 1 < n; ++i) s.curvature[i] = curvatureAt(p, i);
+  for (const f of s.films) for (let i = 0; i < f.corners.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], f.corners[i]);
+    high[i % 3] = Math.max(high[i % 3], f.corners[i]);
+  }
   if (n === 0) {
     low.fill(-50);
     high.fill(50);
