@@ -1,21 +1,8 @@
 #include "app/cl_moves.h"
 
-namespace arelem::app {
+#include "ir/words/units.h"
 
-namespace {
-double millimetersOf(Word unit) {
-  switch (unit) {
-    case Word::CM:
-      return 10.0;
-    case Word::INCHES:
-      return 25.4;
-    case Word::FEET:
-      return 304.8;
-    default:
-      return 1.0;
-  }
-}
-}  // namespace
+namespace arelem::app {
 
 void ClMoves::accept(const cl::Record& record) {
   if (const auto* units = std::get_if<cl::Units>(&record.body)) {

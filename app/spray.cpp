@@ -4,7 +4,7 @@
 #include "app/command.h"
 #include "app/numbered_file.h"
 #include "app/options.h"
-#include "app/output_file.h"
+#include "app/picture_file.h"
 #include "app/spray_progress.h"
 #include "app/spray_report.h"
 #include <unistd.h>
@@ -32,23 +32,6 @@ bool writeFilm(std::ostream& out, const std::string& path, const backend::FilmPi
   return true;
 }
 
-/// One picture or table of one statement.
-void putFilm(Compilation& job, const std::string& path, const backend::FilmPicture& picture) {
-  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
-  if (!file) {
-    job.log.accept(file.takeFailure());
-    return;
-  }
-  if (!writeFilm((*file)->stream(), path, picture)) {
-    job.log.accept(fail(diag::OutputWrite, path, std::uint64_t{0}, "the picture cannot be made"));
-    return;
-  }
-  Result<std::string> name = (*file)->commit(false);
-  if (!name) {
-    job.log.accept(name.takeFailure());
-  }
-}
-
 void show(Compilation& job, const SprayOptions& options) {
   const auto& all = job.evaluation.sprayed;
   std::vector<backend::ReportedSpray> reports;
@@ -57,7 +40,8 @@ void show(Compilation& job, const SprayOptions& options) {
     reports.push_back(reported(job, *all[i], &map));
     const backend::FilmPicture picture = pictureOf(*all[i], map);
     for (const std::string& path : options.films) {
-      putFilm(job, numbered(path, i, all.size()), picture);
+      putPicture(job, numbered(path, i, all.size()),
+                 [&](std::ostream& out) { return writeFilm(out, path, picture); });
     }
   }
   if (options.json) {

@@ -4,7 +4,7 @@
 #include "app/command.h"
 #include "app/numbered_file.h"
 #include "app/options.h"
-#include "app/output_file.h"
+#include "app/picture_file.h"
 #include "app/stencil_report.h"
 
 #include "backend/film/picture.h"
@@ -54,32 +54,15 @@ bool writeFilm(std::ostream& out,
   return writeFilmPng(out, picture);
 }
 
-template <class Write>
-void put(Compilation& job, const std::string& path, Write&& write) {
-  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
-  if (!file) {
-    job.log.accept(file.takeFailure());
-    return;
-  }
-  if (!write((*file)->stream())) {
-    job.log.accept(fail(diag::OutputWrite, path, std::uint64_t{0}, "the picture cannot be made"));
-    return;
-  }
-  Result<std::string> name = (*file)->commit(false);
-  if (!name) {
-    job.log.accept(name.takeFailure());
-  }
-}
-
 void show(Compilation& job, const StencilOptions& options) {
   const auto& all = job.evaluation.stencils;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const std::string& path : options.films) {
-      put(job, numbered(path, i, all.size()),
-          [&](std::ostream& out) { return writeFilm(out, path, *all[i], options.cell); });
+      putPicture(job, numbered(path, i, all.size()),
+                 [&](std::ostream& out) { return writeFilm(out, path, *all[i], options.cell); });
     }
     for (const std::string& path : options.shares) {
-      put(job, numbered(path, i, all.size()), [&](std::ostream& out) {
+      putPicture(job, numbered(path, i, all.size()), [&](std::ostream& out) {
         writeCellsSvg(out, sharePictureOf(*all[i]));
         return true;
       });

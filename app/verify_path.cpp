@@ -6,15 +6,13 @@
 
 #include "ir/diag/render_text.h"
 #include "ir/diag/verify.h"
+#include "ir/words/units.h"
 
 namespace arelem::app {
 
 void Path::accept(const cl::Record& record) {
   if (const auto* units = std::get_if<cl::Units>(&record.body)) {
-    millimeters = units->unit == Word::CM       ? 10.0
-                  : units->unit == Word::INCHES ? 25.4
-                  : units->unit == Word::FEET   ? 304.8
-                                                : 1.0;
+    millimeters = millimetersOf(units->unit);
   }
   if (const auto* post = std::get_if<cl::Post>(&record.body);
       post != nullptr && post->word == Word::SPRAY && !locations.empty()) {

@@ -6,8 +6,10 @@
 
 #include "backend/g97/divide.h"
 #include "backend/robot/envelope.h"
+#include "backend/robot/feed.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/robot.h"
+#include "ir/words/units.h"
 
 namespace arelem::backend {
 
@@ -15,8 +17,6 @@ namespace {
 using namespace g97;
 using robot::Pose;
 
-constexpr double secondsOfAMinute = 60.0;
-constexpr double millimetersOfAnInch = 25.4;
 constexpr int fastest = 9999;
 constexpr double halfTurn = 180.0;
 
@@ -56,17 +56,7 @@ class G97Writer : public Writer {
   }
 
   void operator()(const cl::Motion& motion) {
-    const std::size_t stride = motion.stride();
-    for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
-      const double* c = motion.coordinates.data() + i;
-      Pose pose;
-      pose.point = millimeters_ * Vec3(c[0], c[1], c[2]);
-      if (motion.withAxis) {
-        pose.axis = Vec3(c[3], c[4], c[5]);
-      }
-      if (motion.withSide) {
-        pose.side = Vec3(c[6], c[7], c[8]);
-      }
+    for (const Pose& pose : robot::posesOf(motion, millimeters_)) {
       ++location_;
       moveTo(pose, motion.kind == cl::Motion::Kind::from);
     }
@@ -98,12 +88,7 @@ class G97Writer : public Writer {
       without(spell(text.word));
     }
   }
-  void operator()(const cl::Units& units) {
-    millimeters_ = units.unit == Word::CM       ? 10.0
-                   : units.unit == Word::INCHES ? millimetersOfAnInch
-                   : units.unit == Word::FEET   ? 12.0 * millimetersOfAnInch
-                                                : 1.0;
-  }
+  void operator()(const cl::Units& units) { millimeters_ = millimetersOf(units.unit); }
   template <class Other>
   void operator()(const Other&) {
   }  // what tells of surfaces, tolerances and the cutter moves nothing
@@ -119,15 +104,6 @@ class G97Writer : public Writer {
     if (told_.insert(std::string(word)).second) {
       sink_.accept(diagnose(record_->origin, diag::G97Without, word));
     }
-  }
-  static const double* numberAt(const cl::Post& post, std::size_t i) {
-    return i < post.arguments.size() ? std::get_if<double>(&post.arguments[i]) : nullptr;
-  }
-  static bool has(const cl::Post& post, Word word) {
-    return std::any_of(post.arguments.begin(), post.arguments.end(), [&](const cl::Value& value) {
-      const Word* found = std::get_if<Word>(&value);
-      return found != nullptr && *found == word;
-    });
   }
 
   /// A sequence code at the location reached last; a second one there needs a block of its own.
@@ -147,7 +123,7 @@ class G97Writer : public Writer {
     }
     std::string text = found->second;
     if (const std::size_t hole = text.find("{1}"); hole != std::string::npos) {
-      const double* number = numberAt(post, 0);
+      const double* number = robot::numberAt(post, 0);
       if (number == nullptr) {
         return without(spell(post.word));
       }
@@ -157,23 +133,21 @@ class G97Writer : public Writer {
   }
 
   void feed(const cl::Post& post) {
-    const double* value = numberAt(post, 0);
-    if (value == nullptr || !(*value > 0.0) || has(post, Word::IPR) || has(post, Word::MMPR)) {
+    const double* value = robot::numberAt(post, 0);
+    const std::optional<double> speed = robot::speedOf(post, millimeters_);
+    if (!speed) {
       report(fail(diag::G97FeedWord, value == nullptr  ? "no number"
                                      : !(*value > 0.0) ? fmt::format("{:.6g}", *value)
                                                        : std::string("a feed per turn")));
       return;
     }
-    speed_ = has(post, Word::MMPS)   ? *value
-             : has(post, Word::MMPM) ? *value / secondsOfAMinute
-             : has(post, Word::IPM)  ? *value * millimetersOfAnInch / secondsOfAMinute
-                                     : *value * millimeters_ / secondsOfAMinute;
+    speed_ = *speed;
     rapid_ = false;
   }
 
   /// SPRAY/ON, n and SPRAY/OFF, n at the location before; only where the state changes.
   void spray(const cl::Post& post) {
-    const double* number = numberAt(post, 1);
+    const double* number = robot::numberAt(post, 1);
     const int wanted = number == nullptr ? 1 : static_cast<int>(*number);
     const std::vector<int>& outputs = machine_.g97.outputs;
     if (wanted < 1 || (!outputs.empty() && static_cast<std::size_t>(wanted) > outputs.size())) {
@@ -182,7 +156,7 @@ class G97Writer : public Writer {
       return;
     }
     const int output = outputs.empty() ? wanted : outputs[static_cast<std::size_t>(wanted) - 1];
-    const bool on = has(post, Word::ON);
+    const bool on = robot::hasWord(post, Word::ON);
     if (on == (on_.count(output) != 0)) {
       return;
     }

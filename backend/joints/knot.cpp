@@ -7,6 +7,7 @@
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
 #include "ir/diag/robot.h"
+#include "ir/words/units.h"
 
 namespace arelem::joints {
 
@@ -16,7 +17,7 @@ void KnotReader::accept(const cl::Record& record) {
   } else if (const auto* word = std::get_if<cl::Post>(&record.body)) {
     post(*word, record.origin);
   } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
-    millimeters_ = robot::millimetersOf(*units);
+    millimeters_ = millimetersOf(units->unit);
   }
 }
 

@@ -7,11 +7,11 @@
 
 #include "backend/text/clean.h"
 #include "backend/text/number.h"
+#include "ir/words/units.h"
 
 namespace arelem::backend::ngc {
 
 namespace {
-constexpr double millimetersOfAnInch = 25.4;
 constexpr std::uint64_t lineStep = 10;
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "backend/ngc/arc.h"
 #include "ir/diag/ngc.h"
 #include "ir/space/tolerance.h"
+#include "ir/words/units.h"
 
 namespace arelem::backend::ngc {
 
@@ -14,7 +15,6 @@ namespace {
 using robot::ToolPose;
 using robot::TurnedPlace;
 
-constexpr double millimetersOfAnInch = 25.4;
 constexpr double secondsOfAMinute = 60.0;
 constexpr int feedDecimals = 4;
 /// Coordinates have at most six digits before the point, mm.

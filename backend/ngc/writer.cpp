@@ -8,6 +8,7 @@
 #include "backend/robot/machine.h"
 #include "ir/cl/vendor.h"
 #include "ir/diag/ngc.h"
+#include "ir/words/units.h"
 
 namespace arelem::backend {
 
@@ -19,19 +20,6 @@ using ngc::Control;
 constexpr int secondsDecimals = 3;
 constexpr int speedDecimals = 1;
 constexpr double secondsOfAMinute = 60.0;
-
-double millimetersOf(Word unit) {
-  switch (unit) {
-    case Word::CM:
-      return 10.0;
-    case Word::INCHES:
-      return 25.4;
-    case Word::FEET:
-      return 304.8;
-    default:
-      return 1.0;
-  }
-}
 
 /// OUTTOL before any statement, part unit.
 constexpr double defaultBand = 0.0005;

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "ir/words/units.h"
+
 namespace arelem::robot {
 
 namespace {
 constexpr double secondsOfAMinute = 60.0;
-constexpr double millimetersOfAnInch = 25.4;
 }  // namespace
 
 const double* numberAt(const cl::Post& post, std::size_t place) {
@@ -18,13 +19,6 @@ bool hasWord(const cl::Post& post, Word word) {
     const Word* found = std::get_if<Word>(&value);
     return found != nullptr && *found == word;
   });
-}
-
-double millimetersOf(const cl::Units& units) {
-  return units.unit == Word::CM       ? 10.0
-         : units.unit == Word::INCHES ? millimetersOfAnInch
-         : units.unit == Word::FEET   ? 12.0 * millimetersOfAnInch
-                                      : 1.0;
 }
 
 std::optional<double> speedOf(const cl::Post& feedRate, double millimeters) {

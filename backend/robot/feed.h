@@ -10,9 +10,6 @@ namespace arelem::robot {
 /// Whether the word stands in it.
 [[nodiscard]] bool hasWord(const cl::Post& post, Word word);
 
-/// Millimeters of one unit of length of the records.
-[[nodiscard]] double millimetersOf(const cl::Units& units);
-
 /// The speed of a FEDRAT in mm/s: without a unit its number is lengths of `millimeters` per minute.
 /// None where it is not positive or per revolution.
 [[nodiscard]] std::optional<double> speedOf(const cl::Post& feedRate, double millimeters);

@@ -19,6 +19,24 @@ double degrees(double y, double x) {
 }
 }  // namespace
 
+std::vector<Pose> posesOf(const cl::Motion& motion, double millimeters) {
+  const std::size_t stride = motion.stride();
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
+    const double* c = motion.coordinates.data() + i;
+    Pose pose;
+    pose.point = millimeters * Vec3(c[0], c[1], c[2]);
+    if (motion.withAxis) {
+      pose.axis = Vec3(c[3], c[4], c[5]);
+    }
+    if (motion.withSide) {
+      pose.side = Vec3(c[6], c[7], c[8]);
+    }
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
 Matrix3 matrixOf(const Euler& e) {
   return about(Vec3::UnitZ(), e.yaw) * about(Vec3::UnitY(), e.pitch) * about(Vec3::UnitZ(), e.roll);
 }

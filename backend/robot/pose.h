@@ -1,7 +1,9 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "backend/robot/machine.h"
+#include "ir/cl/record.h"
 
 namespace arelem::robot {
 
@@ -12,6 +14,9 @@ struct Pose {
   Vec3 axis = Vec3::UnitZ();
   std::optional<Vec3> side;
 };
+
+/// The locations of a record, in millimeters.
+[[nodiscard]] std::vector<Pose> posesOf(const cl::Motion& motion, double millimeters);
 
 /// ZYZ angles about moving axes, R = Rz(yaw) Ry(pitch) Rz(roll), degrees; pitch 0 to 180.
 struct Euler {

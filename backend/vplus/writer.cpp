@@ -12,6 +12,7 @@
 #include "backend/vplus/blank.h"
 #include "backend/vplus/name.h"
 #include "ir/diag/robot.h"
+#include "ir/words/units.h"
 
 namespace arelem::backend {
 
@@ -71,17 +72,7 @@ class VplusWriter : public Writer {
   }
 
   void operator()(const cl::Motion& motion) {
-    const std::size_t stride = motion.stride();
-    for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
-      const double* c = motion.coordinates.data() + i;
-      Pose pose;
-      pose.point = millimeters_ * Vec3(c[0], c[1], c[2]);
-      if (motion.withAxis) {
-        pose.axis = Vec3(c[3], c[4], c[5]);
-      }
-      if (motion.withSide) {
-        pose.side = Vec3(c[6], c[7], c[8]);
-      }
+    for (const Pose& pose : posesOf(motion, millimeters_)) {
       ++location_;
       moveTo(pose, motion.kind == cl::Motion::Kind::from);
     }
@@ -129,7 +120,7 @@ class VplusWriter : public Writer {
     clean.resize(std::min(clean.size(), static_cast<std::size_t>(machine_.vplus.columns) - 4));
     line("; " + clean);
   }
-  void operator()(const cl::Units& units) { millimeters_ = millimetersOf(units); }
+  void operator()(const cl::Units& units) { millimeters_ = millimetersOf(units.unit); }
   template <class Other>
   void operator()(const Other&) {
   }  // what tells of surfaces, tolerances and the cutter moves nothing

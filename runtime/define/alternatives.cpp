@@ -5,6 +5,7 @@
 
 #include "ir/define/continuation.h"
 #include "ir/space/tolerance.h"
+#include "runtime/define/parameter_symbol.h"
 
 namespace arelem::define {
 
@@ -13,22 +14,6 @@ struct Choice {
   std::size_t position = 0;
   std::vector<Word> words;  ///< the written one first
 };
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
-
-Symbol symbolOf(const Parameter& parameter) {
-  return std::visit(
-      Overloaded{[](Omitted) { return Symbol::empty(); }, [](double) { return Symbol::scalar(); },
-                 [](Word word) { return Symbol::of(word); },
-                 [](const EntityPtr& entity) { return Symbol::of(entity->type); },
-                 [](const std::string&) { return Symbol::text(); }},
-      parameter);
-}
 
 std::vector<Choice> choices(FormId form, std::span<const Parameter> parameters) {
   std::vector<Symbol> symbols;

@@ -10,6 +10,7 @@
 #include "ir/diag/diagnostic.h"
 #include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
+#include "runtime/define/parameter_symbol.h"
 #include "runtime/define/resolve.h"
 #include "runtime/geometry/kinds.h"
 
@@ -33,6 +34,7 @@ struct Overloaded : F... {
 };
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
+}  // namespace
 
 Symbol symbolOf(const Parameter& parameter) {
   return std::visit(
@@ -43,6 +45,7 @@ Symbol symbolOf(const Parameter& parameter) {
       parameter);
 }
 
+namespace {
 /// "CENTER", "`XLARGE` or `XSMALL`", "a circle, a line or a scalar" ...
 std::string choiceOf(const std::vector<std::string>& texts) {
   std::string list;

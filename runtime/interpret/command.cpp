@@ -1,6 +1,7 @@
 #include "runtime/interpret/command.h"
 
 #include "ir/diag/interpret.h"
+#include "ir/words/units.h"
 #include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/printing.h"
 
@@ -28,19 +29,6 @@ std::optional<bool> onOff(State& state, const ir::Command& command) {
 void canon(State& state, const ir::Command& command) {
   if (const std::optional<bool> on = onOff(state, command)) {
     state.redefinable = *on;
-  }
-}
-
-double millimetersOf(Word unit) {
-  switch (unit) {
-    case Word::CM:
-      return 10.0;
-    case Word::INCHES:
-      return 25.4;
-    case Word::FEET:
-      return 304.8;
-    default:
-      return 1.0;
   }
 }
 

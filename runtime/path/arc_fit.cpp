@@ -7,12 +7,12 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/path/arc_run.h"
+#include "runtime/path/point_records.h"
 
 namespace arelem::path {
 
 namespace {
 
-constexpr std::size_t numbersPerRecord = 240;
 /// A run is an arc when it takes the place of at least so many cut vectors.
 constexpr std::size_t leastPoints = 4;
 /// Each of the two errors of an arc (its points, its chords) may use half of the allowance.
@@ -177,27 +177,7 @@ class Stage : public ArcFitter {
     put(on);
   }
 
-  void put(const std::vector<Vec3>& points) {
-    if (points.empty()) {
-      return;
-    }
-    cl::Record record = first_;
-    auto& motion = std::get<cl::Motion>(record.body);
-    motion.kind = cl::Motion::Kind::go;
-    motion.coordinates.clear();
-    for (const Vec3& p : points) {
-      if (motion.coordinates.size() + motion.stride() > numbersPerRecord) {
-        next_.accept(record);
-        motion.coordinates.clear();
-        motion.kind = cl::Motion::Kind::continuation;
-      }
-      motion.coordinates.insert(motion.coordinates.end(), {p.x(), p.y(), p.z()});
-      if (motion.withAxis) {
-        motion.coordinates.insert(motion.coordinates.end(), {axis_.x(), axis_.y(), axis_.z()});
-      }
-    }
-    next_.accept(record);
-  }
+  void put(const std::vector<Vec3>& points) { putPoints(next_, first_, points, axis_); }
 
   cl::RecordSink& next_;
   double share_;

@@ -10,6 +10,7 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/path/cl_spline.h"
+#include "runtime/path/point_records.h"
 
 namespace arelem::path {
 
@@ -18,7 +19,6 @@ constexpr double fullTurn = 2.0 * std::numbers::pi;
 /// Largest turn over one cut vector, however coarse the tolerance is.
 constexpr double mostStep = std::numbers::pi / 6.0;
 constexpr double defaultBand = 0.0005;
-constexpr std::size_t numbersPerRecord = 240;
 /// Bounds the vectors of one arc of any radius and tolerance.
 constexpr double mostSteps = 1e6;
 

@@ -8,6 +8,8 @@
 
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
+#include "ir/words/units.h"
+#include "runtime/path/point_records.h"
 #include "runtime/path/smooth_order.h"
 #include "runtime/spline/fit.h"
 #include "runtime/timing/machine_limits.h"
@@ -16,7 +18,6 @@ namespace arelem::path {
 
 namespace {
 
-constexpr std::size_t numbersPerRecord = 240;
 constexpr int samplesOfASpan = 5;
 
 std::string_view nameOf(const cl::Post& post) {
@@ -46,7 +47,7 @@ class Stage : public Smoother {
     }
     flush();
     if (const auto* units = std::get_if<cl::Units>(&record.body)) {
-      unit_ = timing::millimetersOf(units->unit);
+      unit_ = millimetersOf(units->unit);
     }
     if (name == "SMOOTH") {
       return command(record, *post);  // no output has to know of it
@@ -216,24 +217,7 @@ class Stage : public Smoother {
   }
 
   void put(const cl::Record& like, std::span<const Vec3> points, const std::optional<Vec3>& axis) {
-    cl::Record record = like;
-    auto& motion = std::get<cl::Motion>(record.body);
-    motion.kind = cl::Motion::Kind::go;
-    motion.coordinates.clear();
-    for (const Vec3& p : points) {
-      if (motion.coordinates.size() + motion.stride() > numbersPerRecord) {
-        next_.accept(record);
-        motion.coordinates.clear();
-        motion.kind = cl::Motion::Kind::continuation;
-      }
-      motion.coordinates.insert(motion.coordinates.end(), {p.x(), p.y(), p.z()});
-      if (motion.withAxis) {
-        motion.coordinates.insert(motion.coordinates.end(), {axis->x(), axis->y(), axis->z()});
-      }
-    }
-    if (!motion.coordinates.empty()) {
-      next_.accept(record);
-    }
+    putPoints(next_, like, points, axis.value_or(Vec3::UnitZ()));
   }
 
   cl::RecordSink& next_;

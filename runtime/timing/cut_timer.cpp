@@ -6,6 +6,7 @@
 #include "ir/cl/vendor.h"
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
+#include "ir/words/units.h"
 #include "runtime/timing/machine_limits.h"
 #include "runtime/timing/spline_follower.h"
 #include "runtime/timing/spline_limits.h"
@@ -15,7 +16,6 @@ namespace arelem::timing {
 namespace {
 
 constexpr double secondsOfAMinute = 60.0;
-constexpr double millimetersOfAnInch = 25.4;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Of a CIRCLE or CYLNDR: center, axis, radius.
 constexpr std::size_t arcNumbers = 7;

@@ -7,10 +7,6 @@
 
 namespace arelem::timing {
 
-namespace {
-constexpr double millimetersOfAnInch = 25.4;
-}  // namespace
-
 Result<Limits> machineLimits(const cl::Post& post) {
   std::array<double, 3> values{};
   if (post.arguments.size() != values.size()) {
@@ -26,19 +22,6 @@ Result<Limits> machineLimits(const cl::Post& post) {
     values[i] = *number;
   }
   return Limits{values[0], values[1], values[2]};
-}
-
-double millimetersOf(Word unit) {
-  switch (unit) {
-    case Word::CM:
-      return 10.0;
-    case Word::INCHES:
-      return millimetersOfAnInch;
-    case Word::FEET:
-      return 12.0 * millimetersOfAnInch;
-    default:
-      return 1.0;
-  }
 }
 
 }  // namespace arelem::timing

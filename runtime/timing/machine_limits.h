@@ -8,7 +8,4 @@ namespace arelem::timing {
 /// Reads MACHLM/velocity, acceleration, jerk in mm/s, mm/s2, mm/s3. Errors: E0395.
 [[nodiscard]] Result<Limits> machineLimits(const cl::Post& post);
 
-/// Of a unit of UNITS.
-[[nodiscard]] double millimetersOf(Word unit);
-
 }  // namespace arelem::timing

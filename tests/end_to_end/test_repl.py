@@ -174,6 +174,8 @@ class Terminal(ArelemCase):
         return text
 
     def exit_code(self):
+        """Ends it as a user does. To be called at a prompt: while the terminal is not the editor's,
+        an end of input is the terminal's own affair and the editor never sees it."""
         self.send("\x04")
         deadline = time.monotonic() + 10
         while time.monotonic() < deadline:
@@ -236,6 +238,7 @@ class Terminal(ArelemCase):
         self.expect(r"> ")
         self.send("A+1\r")
         self.expect(r"ANS1 = 6")
+        self.expect(r"> ")
         self.assertEqual(self.exit_code(), 0)
 
     def test_history_is_kept(self):
@@ -243,7 +246,8 @@ class Terminal(ArelemCase):
         self.expect(r"> ")
         self.send("P1=POINT/7,8\r")
         self.expect(r"P1 = POINT")
-        self.exit_code()
+        self.expect(r"> ")
+        self.assertEqual(self.exit_code(), 0)
         history = self.folder / ".local/state/arelem/history"
         self.assertEqual(history.read_text(), "P1=POINT/7,8\n")
         self.start()
@@ -256,6 +260,7 @@ class Terminal(ArelemCase):
         self.expect(r"> ")
         self.send("P1=POINT/7,8\rP2=POINT/9,9\r")
         self.expect(r"P2 = POINT")
+        self.expect(r"> ")
         self.send("\x04")
         self.expect(r"history file .* cannot be kept: .*goes on without it")
 
@@ -272,6 +277,7 @@ class Terminal(ArelemCase):
         self.expect(r">")
         self.send("A=41+1\r")
         self.expect(r"A = 42")
+        self.expect(r">")
         self.assertEqual(self.exit_code(), 0)
 
     def test_dumb_terminal(self):
