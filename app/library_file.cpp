@@ -9,10 +9,23 @@
 
 namespace arelem::app {
 
-Result<LibraryFile> readLibraryFile(const std::string& name, const Settings& settings) {
-  std::vector<std::string> folders = settings.libraryPath;
-  for (std::string& folder : installedLibrary()) {
-    folders.push_back(std::move(folder));
+Result<LibraryFile> readLibraryFile(const std::string& name,
+                                    const Settings& settings,
+                                    const std::string& shelf) {
+  std::vector<std::string> folders;
+  const auto add = [&](const std::string& root) {
+    folders.push_back(root);
+    const std::filesystem::path inner = std::filesystem::path(root) / shelf;
+    std::error_code missing;
+    if (!shelf.empty() && std::filesystem::is_directory(inner, missing)) {
+      folders.push_back(inner.string());
+    }
+  };
+  for (const std::string& root : settings.libraryPath) {
+    add(root);
+  }
+  for (const std::string& root : installedLibrary()) {
+    add(root);
   }
   std::error_code error;
   const Found found = std::filesystem::exists(name, error) ? Found{} : findInside(name, folders);

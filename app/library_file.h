@@ -12,8 +12,10 @@ struct LibraryFile {
   std::string name;  ///< as messages show it
 };
 
-/// A file by its path, or by its name in the folders of -I and of the standard library.
+/// A file by its path, or by its name in the folders of -I and of the standard library and in the
+/// shelf of each: a folder inside it, such as `machines`.
 [[nodiscard]] Result<LibraryFile> readLibraryFile(const std::string& name,
-                                                  const Settings& settings);
+                                                  const Settings& settings,
+                                                  const std::string& shelf = "");
 
 }  // namespace arelem::app

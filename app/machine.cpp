@@ -6,7 +6,7 @@ namespace arelem::app {
 
 namespace {
 Result<robot::Machine> readFile(const std::string& name, const Settings& settings) {
-  Result<LibraryFile> file = readLibraryFile(name, settings);
+  Result<LibraryFile> file = readLibraryFile(name, settings, "machines");
   if (!file) {
     return file.takeFailure();
   }

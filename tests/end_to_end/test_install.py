@@ -23,6 +23,9 @@ class Install(ArelemCase):
         program = self.write("a.apt", "LIBRY/TLEND\nFROM/0,0,0\nGOTO/1,2,3\nCALL/TLEND\nFINI\n")
         done = subprocess.run([binary, "check", program], capture_output=True, text=True, cwd=self.folder)
         self.assertNotIn("E0242", done.stderr)
+        painted = subprocess.run([binary, program, "-o", "a.lng", "--machine", "g97_painter.machine.toml"],
+                                 capture_output=True, text=True, cwd=self.folder)
+        self.assertEqual(painted.returncode, 0, painted.stderr)
         explained = subprocess.run([binary, "explain", "E0201"], capture_output=True, text=True, cwd="/")
         self.assertIn("# E0201", explained.stdout)
 

@@ -50,7 +50,7 @@ class Turning(NgcCase):
     def compare(self, text, name):
         """The trunnion of the library turns by 120 degrees; some guns point up from below."""
         file = self.folder / "machine.toml"
-        library = (PROJECT / "stdlib" / f"{name}.machine.toml").read_text()
+        library = (PROJECT / "stdlib" / "machines" / f"{name}.machine.toml").read_text()
         file.write_text(library.replace("range = [-120, 120]", "range = [-190, 190]"))
         machine = turning.Machine(file)
         calls = self.interpret(text, "--machine", "machine.toml", *DATA)
@@ -101,7 +101,7 @@ class Turning(NgcCase):
     def test_holes_square_to_a_slope(self):
         text = ("CUTTER/6\nMULTAX/ON\nSPINDL/900,CLW\nFROM/0,0,90,0,0,1\nRAPID\nGOTO/0,0,60,0,0,1\nCYCLE/DRILL,8,MMPM,90,2\n"
                 "GOTO/10,0,20,.6,0,.8\nGOTO/10,12,20,.6,0,.8\nCYCLE/OFF\nRAPID\nGOTO/0,0,90,0,0,1\nFINI\n")
-        machine = turning.Machine(PROJECT / "stdlib" / "mill5_table_table.machine.toml")
+        machine = turning.Machine(PROJECT / "stdlib" / "machines" / "mill5_table_table.machine.toml")
         calls = self.interpret(text, "--machine", "mill5_table_table.machine.toml")
         bottoms = [machine.pose(m.end, m.axes) for m in paths.canonical_moves(calls) if m.feed is not None]
         for y in (0, 12):  # 8 mm along the tool axis

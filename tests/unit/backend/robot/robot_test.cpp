@@ -52,8 +52,10 @@ TEST(MachineFile, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(MachineFile, ShippedOnesAreGood) {
-  for (const std::string name : {"adept_three", "path_s", "path_b"}) {
-    std::ifstream in(ARELEM_SOURCE_DIR "/stdlib/" + name + ".machine.toml");
+  for (const std::string name :
+       {"adept_three", "elbow_robot", "g97_painter", "mill3", "mill5_head_head", "mill5_head_table",
+        "mill5_table_table", "path_b", "path_s", "stencil_robot"}) {
+    std::ifstream in(ARELEM_SOURCE_DIR "/stdlib/machines/" + name + ".machine.toml");
     std::stringstream text;
     text << in.rdbuf();
     const auto read = readMachine(text.str(), name);
