@@ -23,7 +23,8 @@ class Install(ArelemCase):
         program = self.write("a.apt", "LIBRY/TLEND\nFROM/0,0,0\nGOTO/1,2,3\nCALL/TLEND\nFINI\n")
         done = subprocess.run([binary, "check", program], capture_output=True, text=True, cwd=self.folder)
         self.assertNotIn("E0242", done.stderr)
-        painted = subprocess.run([binary, program, "-o", "a.lng", "--machine", "g97_painter.machine.toml"],
+        moved_far = self.write("b.apt", "UNITS/MM\nFROM/0,0,500\nRAPID\nGOTO/1,0,500\nFINI\n")
+        painted = subprocess.run([binary, moved_far, "-o", "a.lng", "--machine", "g97_painter.machine.toml"],
                                  capture_output=True, text=True, cwd=self.folder)
         self.assertEqual(painted.returncode, 0, painted.stderr)
         explained = subprocess.run([binary, "explain", "E0201"], capture_output=True, text=True, cwd="/")
