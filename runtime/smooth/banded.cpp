@@ -4,44 +4,38 @@
 
 namespace arelem::smooth {
 
-namespace {
-constexpr std::size_t coordinates = 3;
-}  // namespace
-
 BandedSystem::BandedSystem(std::size_t points, bool closed)
-    : rows_(coordinates * points),
+    : rows_(points),
       closed_(closed),
       isDense_(closed && points < densePoints),
-      inner_(closed && !isDense_ ? rows_ - border : rows_) {
+      inner_(closed && !isDense_ ? rows_ - band : rows_) {
   clear();
 }
 
 void BandedSystem::clear() {
   if (isDense_) {
-    dense_ =
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows_), static_cast<Eigen::Index>(rows_));
+    dense_.setZero(static_cast<Eigen::Index>(rows_), static_cast<Eigen::Index>(rows_));
   } else {
     entries_.assign(rows_, {});
   }
 }
 
-void BandedSystem::add(std::size_t i, std::size_t j, double value) {
-  if (isDense_) {
-    const auto r = static_cast<Eigen::Index>(i);
-    const auto c = static_cast<Eigen::Index>(j);
-    dense_(r, c) += value;
-    if (i != j) {
-      dense_(c, r) += value;
-    }
+void BandedSystem::add(std::size_t i, std::size_t ahead, double value) {
+  if (!isDense_) {
+    entries_[i][ahead] += value;
     return;
   }
-  // The pair is kept at the row from which the other is at most a band ahead.
-  const std::size_t ahead = j >= i ? j - i : j + rows_ - i;
-  if (ahead <= band) {
-    entries_[i][ahead] += value;
-  } else {
-    entries_[j][i >= j ? i - j : i + rows_ - j] += value;
+  const auto r = static_cast<Eigen::Index>(i);
+  const auto c = static_cast<Eigen::Index>((i + ahead) % rows_);
+  dense_(r, c) += value;
+  if (ahead != 0) {
+    dense_(c, r) += value;
   }
+}
+
+double BandedSystem::diagonal(std::size_t i) const {
+  const auto r = static_cast<Eigen::Index>(i);
+  return isDense_ ? dense_(r, r) : entries_[i][0];
 }
 
 void BandedSystem::factor() {
@@ -59,16 +53,16 @@ void BandedSystem::factorBand() {
   factor_.assign(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(inner_));
   for (std::size_t i = 0; i < inner_; ++i) {
     std::array<double, band + 1>& row = factor_[i];
-    const double pivot = row[0];
+    row[0] = 1.0 / row[0];
     // What row i takes from the rows below it, then the row itself becomes a column of L.
     for (std::size_t k = 1; k <= band && i + k < inner_; ++k) {
-      const double share = row[k] / pivot;
+      const double share = row[k] * row[0];
       for (std::size_t j = k; j <= band; ++j) {
         factor_[i + k][j - k] -= share * row[j];
       }
     }
     for (std::size_t k = 1; k <= band; ++k) {
-      row[k] /= pivot;
+      row[k] *= row[0];
     }
   }
 }
@@ -76,15 +70,13 @@ void BandedSystem::factorBand() {
 template <class Row>
 void BandedSystem::solveBand(std::vector<Row>& x) const {
   for (std::size_t i = 0; i < inner_; ++i) {
-    const std::size_t most = std::min(band, inner_ - 1 - i);
-    for (std::size_t k = 1; k <= most; ++k) {
-      x[i + k] -= factor_[i][k] * x[i];
+    for (std::size_t k = 1; k <= std::min(band, i); ++k) {
+      x[i] -= factor_[i - k][k] * x[i - k];
     }
   }
   for (std::size_t i = inner_; i-- > 0;) {
-    x[i] /= factor_[i][0];
-    const std::size_t most = std::min(band, inner_ - 1 - i);
-    for (std::size_t k = 1; k <= most; ++k) {
+    x[i] *= factor_[i][0];
+    for (std::size_t k = std::min(band, inner_ - 1 - i); k > 0; --k) {
       x[i] -= factor_[i][k] * x[i + k];
     }
   }
@@ -92,7 +84,7 @@ void BandedSystem::solveBand(std::vector<Row>& x) const {
 
 /// [B C; C' D]: Y = B^-1 C is kept, and the inverse of D - C' Y.
 void BandedSystem::factorBorder() {
-  std::vector<BorderColumn> c(inner_, BorderColumn::Zero());
+  std::vector<BorderRow> c(inner_, BorderRow::Zero());
   Border d = Border::Zero();
   const auto column = [&](std::size_t row) { return static_cast<Eigen::Index>(row - inner_); };
   for (std::size_t i = 0; i < rows_; ++i) {
@@ -110,38 +102,44 @@ void BandedSystem::factorBorder() {
       }
     }
   }
-  borderColumns_ = c;
-  solveBand(borderColumns_);
+  borderRows_ = c;
+  solveBand(borderRows_);
   for (std::size_t i = 0; i < inner_; ++i) {
-    if (!c[i].isZero(0.0)) {
-      d -= c[i] * borderColumns_[i].transpose();
-    }
+    d -= c[i].transpose() * borderRows_[i];
   }
   borderInverse_ = d.inverse();
 }
 
-void BandedSystem::solve(std::vector<double>& x) const {
+void BandedSystem::solveDense(std::vector<Vec3>& x) const {
+  Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic>> right(x.front().data(), 3,
+                                                             static_cast<Eigen::Index>(rows_));
+  const Eigen::MatrixXd solution = denseFactor_.solve(right.transpose());
+  right = solution.transpose();
+}
+
+void BandedSystem::solve(std::vector<Vec3>& x) const {
   if (isDense_) {
-    Eigen::Map<Eigen::VectorXd> right(x.data(), static_cast<Eigen::Index>(rows_));
-    right = denseFactor_.solve(right).eval();
-    return;
+    return solveDense(x);
   }
   if (!closed_) {
-    solveBand(x);
-    return;
+    return solveBand(x);
   }
   // The right side of the border, less C' B^-1 f.
-  BorderColumn rest = Eigen::Map<BorderColumn>(&x[inner_]);
+  Eigen::Matrix<double, band, 3> rest;
+  for (std::size_t k = 0; k < band; ++k) {
+    rest.row(static_cast<Eigen::Index>(k)) = x[inner_ + k].transpose();
+  }
   for (std::size_t i = 0; i < inner_; ++i) {
-    rest -= borderColumns_[i] * x[i];
+    rest -= borderRows_[i].transpose() * x[i].transpose();
   }
   solveBand(x);
-  const BorderColumn last = borderInverse_ * rest;
+  const Eigen::Matrix<double, band, 3> last = borderInverse_ * rest;
   for (std::size_t i = 0; i < inner_; ++i) {
-    x[i] -= borderColumns_[i].dot(last);
+    x[i] -= (borderRows_[i] * last).transpose();
   }
-  Eigen::Map<BorderColumn> end(&x[inner_]);
-  end = last;
+  for (std::size_t k = 0; k < band; ++k) {
+    x[inner_ + k] = last.row(static_cast<Eigen::Index>(k)).transpose();
+  }
 }
 
 }  // namespace arelem::smooth

@@ -32,6 +32,18 @@ Vec3 Bezier::at(double t) const {
          s * s * s * control[3];
 }
 
+double Bezier::curvature(double t) const {
+  const double s = (t - begin) / (end - begin);
+  const double r = 1.0 - s;
+  const Vec3 a = control[1] - control[0];
+  const Vec3 b = control[2] - control[1];
+  const Vec3 c = control[3] - control[2];
+  const Vec3 first = 3.0 * (r * r * a + 2.0 * r * s * b + s * s * c);
+  const Vec3 second = 6.0 * (r * (b - a) + s * (c - b));
+  const double square = first.squaredNorm();
+  return square > 0.0 ? first.cross(second).norm() / (square * std::sqrt(square)) : 0.0;
+}
+
 std::pair<Bezier, Bezier> Bezier::halves() const {
   const Vec3 a = 0.5 * (control[0] + control[1]);
   const Vec3 b = 0.5 * (control[1] + control[2]);
@@ -68,6 +80,14 @@ double Bezier::length() const {
     sum += node.weight * (r * r * a + 2.0 * r * s * b + s * s * c).norm();
   }
   return 3.0 * sum;
+}
+
+double hullOfHalves(const Bezier& piece, int halvings) {
+  if (halvings == 0) {
+    return piece.hullRadius();
+  }
+  const auto [left, right] = piece.halves();
+  return std::max(hullOfHalves(left, halvings - 1), hullOfHalves(right, halvings - 1));
 }
 
 double startCurvatureInPlane(const std::array<Vec3, 4>& control) {

@@ -13,6 +13,8 @@ struct Bezier {
   double end = 1.0;
 
   [[nodiscard]] Vec3 at(double t) const;
+  /// |p' x p''| / |p'|^3; 0 where p' is null.
+  [[nodiscard]] double curvature(double t) const;
   /// Both halves at the middle parameter (de Casteljau).
   [[nodiscard]] std::pair<Bezier, Bezier> halves() const;
   /// No point of the piece is farther than this from its chord: the larger distance of the inner
@@ -28,6 +30,10 @@ struct Bezier {
 /// distance of P2 from the line P0 P1. Source: Naseath, eq. 3-6 with its last term corrected.
 /// In the xy plane the sign is + for a left turn.
 [[nodiscard]] double startCurvatureInPlane(const std::array<Vec3, 4>& control);
+
+/// No point of the piece is farther from the origin than this: the hulls of its parts after so many
+/// halvings.
+[[nodiscard]] double hullOfHalves(const Bezier& piece, int halvings);
 
 /// Distance of p from the segment from a to b.
 [[nodiscard]] double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);

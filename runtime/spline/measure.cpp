@@ -42,14 +42,6 @@ struct Candidate {
   bool operator<(const Candidate& other) const { return bound > other.bound; }
 };
 
-double hullOfHalves(const Bezier& piece, int halvings) {
-  if (halvings == 0) {
-    return piece.hullRadius();
-  }
-  const auto [left, right] = piece.halves();
-  return std::max(hullOfHalves(left, halvings - 1), hullOfHalves(right, halvings - 1));
-}
-
 }  // namespace
 
 std::vector<Vec3> chordPoints(const CubicSpline& curve, double tolerance) {
@@ -127,14 +119,14 @@ double deviationBound(const CubicSpline& a, const CubicSpline& b, int halvings) 
 
 CurvatureFigures curvatureFigures(const CubicSpline& curve, int perSpan) {
   CurvatureFigures figures;
-  const auto knots = curve.knots();
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t span = 0; span < curve.spans(); ++span) {
+    const Bezier piece = curve.piece(span);
     const int first = span == 0 ? 0 : 1;
     for (int i = first; i <= perSpan; ++i) {
       const double share = static_cast<double>(i) / perSpan;
-      const double k = curve.curvature(knots[span] + share * (knots[span + 1] - knots[span]));
+      const double k = piece.curvature(piece.begin + share * (piece.end - piece.begin));
       figures.most = std::max(figures.most, k);
       sum += k;
       ++count;

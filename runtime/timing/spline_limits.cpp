@@ -24,18 +24,18 @@ void appendCurve(SpeedLimits& path,
                  int perSpan,
                  double feed,
                  double acceleration) {
-  const auto knots = curve.knots();
   double before = curve.curvature(curve.begin());
   Vec3 last = curve.at(curve.begin());
   for (std::size_t span = 0; span < curve.spans(); ++span) {
-    const double step = (knots[span + 1] - knots[span]) / perSpan;
+    const spline::Bezier piece = curve.piece(span);
+    const double step = (piece.end - piece.begin) / perSpan;
     for (int i = 1; i <= perSpan; ++i) {
-      const double t = i == perSpan ? knots[span + 1] : knots[span] + i * step;
-      const double now = curve.curvature(t);
-      const double middle = curve.curvature(t - 0.5 * step);
+      const double t = i == perSpan ? piece.end : piece.begin + i * step;
+      const double now = piece.curvature(t);
+      const double middle = piece.curvature(t - 0.5 * step);
       const double most = std::max({before, middle, now});
-      const Vec3 at = curve.at(t);
-      const Vec3 half = curve.at(t - 0.5 * step);
+      const Vec3 at = piece.at(t);
+      const Vec3 half = piece.at(t - 0.5 * step);
       path.lengths.push_back((half - last).norm() + (at - half).norm());
       path.speeds.push_back(std::min(feed, curveSpeed(most, acceleration)));
       path.corners.push_back(std::numeric_limits<double>::infinity());

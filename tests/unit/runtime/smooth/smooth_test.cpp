@@ -183,35 +183,75 @@ TEST(BandedSystem, SolvesAsADenseOne) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (const bool closed : {false, true}) {
-    for (const std::size_t points : {std::size_t{5}, std::size_t{14}}) {
-      const auto n = static_cast<Eigen::Index>(3 * points);
+    for (const std::size_t points : {std::size_t{5}, std::size_t{7}, std::size_t{14}}) {
+      const auto n = static_cast<Eigen::Index>(points);
       BandedSystem system(points, closed);
       Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
       for (std::size_t span = 0; span + (closed ? 0 : 3) < points; ++span) {
-        Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-        for (std::size_t k = 0; k < 12; ++k) {
-          row(static_cast<Eigen::Index>((3 * span + k) % (3 * points))) = value(random);
-        }
-        dense += row * row.transpose();
-      }
-      dense += 0.5 * Eigen::MatrixXd::Identity(n, n);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        for (Eigen::Index k = i; k < n; ++k) {
-          if (dense(i, k) != 0.0) {
-            system.add(static_cast<std::size_t>(i), static_cast<std::size_t>(k), dense(i, k));
+        const std::array<double, 4> row{value(random), value(random), value(random), value(random)};
+        for (std::size_t i = 0; i < 4; ++i) {
+          for (std::size_t k = i; k < 4; ++k) {
+            system.add((span + i) % points, k - i, row[i] * row[k]);
+          }
+          for (std::size_t k = 0; k < 4; ++k) {
+            dense(static_cast<Eigen::Index>((span + i) % points),
+                  static_cast<Eigen::Index>((span + k) % points)) += row[i] * row[k];
           }
         }
       }
+      for (std::size_t i = 0; i < points; ++i) {
+        system.add(i, 0, 0.5);
+      }
+      dense += 0.5 * Eigen::MatrixXd::Identity(n, n);
       system.factor();
-      std::vector<double> x(3 * points);
-      Eigen::VectorXd right(n);
+      std::vector<Vec3> x(points);
+      Eigen::MatrixXd right(n, 3);
       for (Eigen::Index i = 0; i < n; ++i) {
-        right(i) = x[static_cast<std::size_t>(i)] = value(random);
+        x[static_cast<std::size_t>(i)] = {value(random), value(random), value(random)};
+        right.row(i) = x[static_cast<std::size_t>(i)].transpose();
       }
       system.solve(x);
-      const Eigen::VectorXd expected = dense.ldlt().solve(right);
+      const Eigen::MatrixXd expected = dense.ldlt().solve(right);
       for (Eigen::Index i = 0; i < n; ++i) {
-        EXPECT_NEAR(x[static_cast<std::size_t>(i)], expected(i), 1e-9) << closed << points;
+        EXPECT_LT((x[static_cast<std::size_t>(i)] - expected.row(i).transpose()).norm(), 1e-9)
+            << closed << points;
+      }
+    }
+  }
+}
+
+CubicSpline longWave(std::size_t m, bool closed) {
+  std::vector<Vec3> control;
+  for (std::size_t i = 0; i < m; ++i) {
+    const double a = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(m);
+    const double r = 0.1 * static_cast<double>(m) + std::sin(0.9 * static_cast<double>(i));
+    control.emplace_back(r * std::cos(a), r * std::sin(a), std::cos(0.7 * static_cast<double>(i)));
+  }
+  return *CubicSpline::uniform(control, closed);
+}
+
+/// Windows meet without a trace: the largest curvature of the long path falls as that of a path
+/// that fits into one window, and the ends of an open path stay.
+TEST(AllMethods, LongPathsAreAsSmoothAsShortOnes) {
+  for (const bool closed : {false, true}) {
+    for (const Method method : {Method::source, Method::tube, Method::time}) {
+      Options options;
+      options.tolerance = 0.3;
+      options.method = method;
+      const CubicSpline brief = longWave(200, closed);
+      const CubicSpline curve = longWave(2500, closed);
+      const auto few = smooth(brief, options);
+      const auto many = smooth(curve, options);
+      ASSERT_TRUE(few.ok() && many.ok());
+      const double left = curvatureFigures(few->curve, 6).most / curvatureFigures(brief, 6).most;
+      EXPECT_LT(curvatureFigures(many->curve, 6).most / curvatureFigures(curve, 6).most,
+                1.25 * left)
+          << closed << static_cast<int>(method);
+      EXPECT_LE(sampledDeviation(curve, many->curve), options.tolerance);
+      EXPECT_LE(many->deviation, options.tolerance);
+      if (!closed && method != Method::source) {
+        EXPECT_EQ(many->curve.control().front(), curve.control().front());
+        EXPECT_EQ(many->curve.control().back(), curve.control().back());
       }
     }
   }
