@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace arelem::smooth {
 
@@ -17,6 +18,9 @@ constexpr std::array samplePlaces = {1.0 / 6.0, 0.5, 5.0 / 6.0};
 constexpr std::size_t reach = 48;
 /// Derivatives shorter than this are cusps: their curvature is that of a small but finite speed.
 constexpr double leastSpeed = 1e-9;
+/// A curve that turns by more than this within a knot interval, in radians, has a cusp: it has to
+/// be bent open, not to be passed faster.
+constexpr double mostTurn = 1.5;
 constexpr double overRelaxation = 1.6;
 /// Held control points are stiffer than the others by this.
 constexpr double stiffness = 1e6;
@@ -75,8 +79,7 @@ Tube::Tube(const CubicSpline& original, const Stretch& stretch, double radius)
       stretch_(stretch),
       radius_(radius),
       size_(stretch.isRing ? stretch.count : stretch.count + 3),
-      system_(size_, stretch.isRing),
-      shift_(size_, Vec3::Zero()) {
+      system_(size_, stretch.isRing) {
   prepare();
 }
 
@@ -95,25 +98,24 @@ void Tube::prepare() {
     const CubicSpline::Weights w = original_.pieceWeights(span);
     weights_.push_back(w);
     widths_.push_back(knots[span + 1] - knots[span]);
-    bounds_.push_back({w[0], i, radius_, 0.0, Vec3::Zero(), Vec3::Zero()});
-    bounds_.push_back(
-        {rowOf(w, {0.125, 0.375, 0.375, 0.125}), i, radius_, 0.0, Vec3::Zero(), Vec3::Zero()});
+    bounds_.push_back({w[0], i});
+    bounds_.push_back({rowOf(w, {0.125, 0.375, 0.375, 0.125}), i});
   }
-  if (!stretch_.isRing) {
-    bounds_.push_back(
-        {weights_.back()[3], stretch_.count - 1, radius_, 0.0, Vec3::Zero(), Vec3::Zero()});
+  if (stretch_.isRing) {
+    return;
   }
+  bounds_.push_back({weights_.back()[3], stretch_.count - 1});
   // At the end of the whole curve the first control point is its end; elsewhere three meet.
-  const std::size_t atStart = stretch_.first == 0 && !original_.closed() ? 1 : heldPoints;
-  const bool endsThere = stretch_.first + stretch_.count == original_.spans();
-  const std::size_t atEnd = endsThere && !original_.closed() ? 1 : heldPoints;
-  if (!stretch_.isRing) {
-    for (std::size_t i = 0; stretch_.holdsStart && i < std::min(atStart, size_); ++i) {
-      held_.push_back(i);
-    }
-    for (std::size_t i = 0; stretch_.holdsEnd && i < std::min(atEnd, size_); ++i) {
-      held_.push_back(size_ - 1 - i);
-    }
+  const bool beginsThere = stretch_.first == 0 && !original_.closed();
+  const bool endsThere =
+      stretch_.first + stretch_.count == original_.spans() && !original_.closed();
+  joinsStart_ = stretch_.holdsStart && !beginsThere;
+  joinsEnd_ = stretch_.holdsEnd && !endsThere;
+  for (std::size_t i = 0; stretch_.holdsStart && i < (beginsThere ? 1 : heldPoints); ++i) {
+    held_.push_back(i);
+  }
+  for (std::size_t i = 0; stretch_.holdsEnd && i < (endsThere ? 1 : heldPoints); ++i) {
+    held_.push_back(size_ - 1 - i);
   }
   stiff_.assign(held_.size(), 0.0);
   target_.assign(held_.size(), Vec3::Zero());
@@ -126,7 +128,18 @@ void Tube::start(std::vector<Vec3> shift) {
   }
   for (Bound& bound : bounds_) {
     bound.split = combined(bound.weights, bound.from, shift_);
-    bound.dual.setZero();
+    bound.allowed = radius_;
+  }
+  // Held control points hold the curve between them, whatever the next one does; and beside them it
+  // may stay where it is.
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  const std::size_t last = bounds_.size() - 1;
+  for (std::size_t b = 0; joinsStart_ && b < 3; ++b) {
+    bounds_[b].allowed = b < 2 ? unbounded : std::max(radius_, bounds_[b].split.norm());
+  }
+  for (std::size_t b = 0; joinsEnd_ && b < 3; ++b) {
+    Bound& bound = bounds_[last - b];
+    bound.allowed = b < 2 ? unbounded : std::max(radius_, bound.split.norm());
   }
 }
 
@@ -153,9 +166,10 @@ double Tube::deviationOf(std::size_t i) const {
 /// Where the difference spline is farther out between two bounds than at them, these are tighter.
 void Tube::tighten() {
   for (Bound& bound : bounds_) {
-    bound.radius = radius_;
+    bound.radius = bound.allowed;
   }
-  for (std::size_t i = 0; i < stretch_.count; ++i) {
+  const std::size_t end = stretch_.count - (joinsEnd_ ? 1 : 0);
+  for (std::size_t i = joinsStart_ ? 1 : 0; i < end; ++i) {
     const std::size_t last = std::min(2 * i + 2, bounds_.size() - 1);
     double at = 0.0;
     for (std::size_t b = 2 * i; b <= last; ++b) {
@@ -233,7 +247,8 @@ void Tube::gather() {
   system_.clear();
   gradient_.assign(size_, Vec3::Zero());
   for (const Sample& sample : samples_) {
-    const double square = sample.now.squaredNorm();
+    const double turns = mostTurn / (sample.measure * samplePlaces.size());
+    const double square = std::min(sample.now.squaredNorm(), turns * turns);
     const double stretch = 4.0 * square * sample.along.squaredNorm();
     Vec3 bend = sample.now;
     Vec3 back = 2.0 * square * sample.along;

@@ -13,7 +13,7 @@ struct Stretch {
   std::size_t first = 0;   ///< knot interval
   std::size_t count = 0;   ///< intervals; of a closed curve it may go round
   bool isRing = false;     ///< all of a closed curve
-  bool holdsStart = true;  ///< the first control points keep their displacement, see `Tube::hold`
+  bool holdsStart = true;  ///< the first control points keep their displacements
   bool holdsEnd = true;    ///< the last ones
 };
 
@@ -28,10 +28,11 @@ class Tube {
  public:
   Tube(const spline::CubicSpline& original, const Stretch& stretch, double radius);
 
-  /// Displacements of the control points of the stretch, `count` + 3 of them (a ring: `count`).
-  [[nodiscard]] const std::vector<Vec3>& shift() const { return shift_; }
+  /// Control points of the stretch: `count` + 3 of them (a ring: `count`).
+  [[nodiscard]] std::size_t size() const { return size_; }
   /// Starts from these displacements; the ones at held ends stay as they are.
   void start(std::vector<Vec3> shift);
+  [[nodiscard]] const std::vector<Vec3>& shift() const { return shift_; }
 
   /// Some turns of the method of multipliers with weights (curvature / largest curvature near
   /// it)^exponent. The bounds pull with so many times the stiffness of their control points: little
@@ -44,10 +45,11 @@ class Tube {
   struct Bound {
     Row weights;
     std::size_t from;
-    double radius;
-    double penalty;
-    Vec3 split;  ///< the copy of the place inside its ball
-    Vec3 dual;   ///< scaled multiplier
+    double allowed = 0.0;  ///< its distance from the origin
+    double radius = 0.0;   ///< the same, less what the places beside it are farther out
+    double penalty = 0.0;
+    Vec3 split = Vec3::Zero();  ///< the copy of the place inside its ball
+    Vec3 dual = Vec3::Zero();   ///< scaled multiplier
   };
   struct Sample {
     std::size_t from;
@@ -79,6 +81,8 @@ class Tube {
   const Stretch stretch_;
   const double radius_;
   std::size_t size_;
+  bool joinsStart_ = false;  // to what was solved before
+  bool joinsEnd_ = false;
   BandedSystem system_;
   std::vector<spline::CubicSpline::Weights> weights_;
   std::vector<double> widths_;

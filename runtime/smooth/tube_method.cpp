@@ -33,13 +33,13 @@ class Solver {
   CubicSpline run() {
     const std::size_t spans = original_.spans();
     if (spans <= windowSpans + 2 * aheadSpans) {
-      solve({0, spans, original_.closed(), options_.fixedEnds, options_.fixedEnds}, 0);
+      solve({0, spans, original_.closed(), options_.fixedEnds, options_.fixedEnds});
     } else if (original_.closed()) {
       // The seam is nothing special: the first window begins before it, the last one ends at it.
-      solve({spans - aheadSpans, windowSpans + 2 * aheadSpans, false, false, false}, aheadSpans);
+      solve({spans - aheadSpans, windowSpans + 2 * aheadSpans, false, false, false});
       slide(windowSpans, true);
     } else {
-      solve({0, windowSpans + aheadSpans, false, options_.fixedEnds, false}, 0);
+      solve({0, windowSpans + aheadSpans, false, options_.fixedEnds, false});
       slide(windowSpans, options_.fixedEnds);
     }
     std::vector<Vec3> control = original_.control();
@@ -60,27 +60,33 @@ class Solver {
     while (!interrupted()) {
       const std::size_t left = spans - first;
       if (left <= windowSpans + aheadSpans) {
-        return solve({first, left, false, true, holdsEnd}, 0);
+        return solve({first, left, false, true, holdsEnd});
       }
-      solve({first, windowSpans + aheadSpans, false, true, false}, 0);
+      solve({first, windowSpans + aheadSpans, false, true, false});
       first += windowSpans;
     }
   }
 
-  /// Keeps the displacements of a window but for the first ones.
-  void solve(const Stretch& stretch, std::size_t skipped) {
+  /// What windows saw ahead fades out from the join on, so that the next one begins without a jump.
+  static double faded(std::size_t fromEnd) {
+    const std::size_t held = BandedSystem::band;
+    const std::size_t away = fromEnd < held ? 0 : fromEnd - held + 1;
+    return 1.0 - static_cast<double>(std::min(away, aheadSpans)) / aheadSpans;
+  }
+
+  void solve(const Stretch& stretch) {
     Tube tube(original_, stretch, options_.tolerance);
     const std::size_t size = shift_.size();
-    std::vector<Vec3> given(tube.shift().size());
+    std::vector<Vec3> given(tube.size());
     for (std::size_t i = 0; i < given.size(); ++i) {
-      given[i] = shift_[(stretch.first + i) % size];
+      given[i] = faded(std::min(i, given.size() - 1 - i)) * shift_[(stretch.first + i) % size];
     }
     tube.start(std::move(given));
     for (int i = 0; i < rounds && !interrupted(); ++i) {
       const double share = static_cast<double>(i) / (rounds - 1);
       tube.round(exponent, firstPull * std::pow(lastPull / firstPull, share), turnsOfARound);
     }
-    for (std::size_t i = skipped; i < tube.shift().size(); ++i) {
+    for (std::size_t i = 0; i < tube.shift().size(); ++i) {
       shift_[(stretch.first + i) % size] = tube.shift()[i];
     }
   }

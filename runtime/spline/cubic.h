@@ -101,7 +101,7 @@ class CubicSpline {
 
 struct CurvatureFigures {
   double most = 0.0;
-  double mean = 0.0;  ///< over the parameter samples
+  double mean = 0.0;  ///< over the length
 };
 /// Sampled `perSpan` times a knot interval, ends included.
 [[nodiscard]] CurvatureFigures curvatureFigures(const CubicSpline& curve, int perSpan);

@@ -119,20 +119,27 @@ double deviationBound(const CubicSpline& a, const CubicSpline& b, int halvings) 
 
 CurvatureFigures curvatureFigures(const CubicSpline& curve, int perSpan) {
   CurvatureFigures figures;
-  double sum = 0.0;
-  std::size_t count = 0;
+  double turned = 0.0;
+  double length = 0.0;
+  double before = 0.0;
   for (std::size_t span = 0; span < curve.spans(); ++span) {
     const Bezier piece = curve.piece(span);
-    const int first = span == 0 ? 0 : 1;
-    for (int i = first; i <= perSpan; ++i) {
-      const double share = static_cast<double>(i) / perSpan;
-      const double k = piece.curvature(piece.begin + share * (piece.end - piece.begin));
+    Vec3 last = piece.control[0];
+    for (int i = 0; i <= perSpan; ++i) {
+      const double t = piece.begin + (piece.end - piece.begin) * i / perSpan;
+      const double k = piece.curvature(t);
       figures.most = std::max(figures.most, k);
-      sum += k;
-      ++count;
+      if (i > 0) {
+        const Vec3 at = piece.at(t);
+        const double step = (at - last).norm();
+        length += step;
+        turned += 0.5 * step * (before + k);
+        last = at;
+      }
+      before = k;
     }
   }
-  figures.mean = sum / static_cast<double>(count);
+  figures.mean = length > 0.0 ? turned / length : 0.0;
   return figures;
 }
 
