@@ -14,6 +14,11 @@ namespace {
 constexpr int mostRounds = 40;
 /// Pieces are halved this often before their hulls are compared with single legs.
 constexpr int halvings = 3;
+/// Share of the tolerance that corners are cut by at first.
+constexpr double inside = 0.98;
+/// Control points of one distance beside a corner, and how much wider each next one is.
+constexpr std::size_t evenPlaces = 3;
+constexpr double growth = 1.6;
 
 /// A control point and the leg of the polyline that it lies on.
 struct Placed {
@@ -58,10 +63,22 @@ class Follower {
     const Vec3 in = (points_[i] - points_[(i + n - 1) % n]).normalized();
     const Vec3 out = (points_[(i + 1) % n] - points_[i]).normalized();
     const double half = 0.5 * (out - in).norm();
-    return half > 0.0 ? 3.0 * tolerance_ / half : std::numeric_limits<double>::infinity();
+    return half > 0.0 ? inside * 3.0 * tolerance_ / half : std::numeric_limits<double>::infinity();
   }
 
-  /// Control points at every corner, and at h and 2h from it on legs that are long enough.
+  /// Distances from a corner along a leg up to `most`: the reach h, 2 h, 3 h, then wider and wider.
+  /// That leaves room to begin a bend before the corner, and few points on long legs.
+  static std::vector<double> graded(double reach, double most) {
+    std::vector<double> places;
+    double step = reach;
+    for (double s = reach; s < most && std::isfinite(reach); s += step) {
+      places.push_back(s);
+      step *= places.size() < evenPlaces ? 1.0 : growth;
+    }
+    return places;
+  }
+
+  /// Control points at every corner and on the legs beside it.
   void place() {
     placed_.clear();
     double arc = 0.0;
@@ -71,15 +88,17 @@ class Follower {
       const double length = along.norm();
       const double before = reach_[leg];
       const double after = reach_[(leg + 1) % points_.size()];
+      // Each corner has its half of the leg, or all of it where the other one needs nothing.
+      const double half = std::isfinite(before) && std::isfinite(after) ? 0.5 : 0.8;
       std::vector<double> places{0.0};
-      for (const double h : {before, 2.0 * before}) {
-        if (h < 0.4 * length) {
-          places.push_back(h);
-        }
+      for (const double s : graded(before, half * length)) {
+        places.push_back(s);
       }
-      for (const double h : {2.0 * after, after}) {
-        if (length - h > places.back() + 0.1 * std::min(h, length)) {
-          places.push_back(length - h);
+      std::vector<double> back = graded(after, half * length);
+      for (std::size_t i = back.size(); i-- > 0;) {
+        const double gap = length - back[i] - places.back();
+        if (gap > 0.3 * (back[i] - (i > 0 ? back[i - 1] : 0.0))) {
+          places.push_back(length - back[i]);
         }
       }
       for (const double s : places) {

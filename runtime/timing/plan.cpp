@@ -105,7 +105,7 @@ class NodeChooser {
     connect(i, j, std::min(after_[i].mostSpeed, speed));
   }
 
-  /// Sets a node at `corner`; false when it would be slower than a neighbor.
+  /// Sets a node at `corner`; false when a faster neighbor could not be reached from it.
   bool insert(std::size_t corner, double wanted) {
     const std::size_t i = marks_.before(corner);
     const std::size_t j = marks_.after(corner);
@@ -118,7 +118,9 @@ class NodeChooser {
       speed = std::min(speed, reachable(speed_[neighbor], distance, wanted, limits_));
     }
     for (const std::size_t neighbor : {i, j}) {
-      if (!isFree(neighbor) && speed < speed_[neighbor]) {
+      const double distance = std::abs(places_[corner] - places_[neighbor]);
+      if (!isFree(neighbor) && speed < speed_[neighbor] &&
+          changeDistance(speed, speed_[neighbor], limits_) > distance) {
         return false;
       }
     }
