@@ -21,6 +21,10 @@ constexpr double leastSpeed = 1e-9;
 /// A curve that turns by more than this within a knot interval, in radians, has a cusp: it has to
 /// be bent open, not to be passed faster.
 constexpr double mostTurn = 1.5;
+/// A cusp can hide between samples: where the speed |p'| falls below this share of that of the
+/// given curve it is held up, with so many times the weight of the curvature nearby.
+constexpr double leastSpeedShare = 0.7;
+constexpr double speedWeight = 10.0;
 constexpr double overRelaxation = 1.6;
 /// Held control points are stiffer than the others by this.
 constexpr double stiffness = 1e6;
@@ -196,18 +200,30 @@ void Tube::takeSamples() {
       const Row first = rowOf(weights_[i], firstDerivative(s, h));
       Row second = rowOf(weights_[i], secondDerivative(s, h));
       Vec3 velocity = Vec3::Zero();
+      Vec3 givenVelocity = Vec3::Zero();
       Vec3 bend = Vec3::Zero();
       for (std::size_t k = 1; k < 4; ++k) {  // the rows sum to 0
         velocity += first[k] * (points[k] - points[0]);
+        givenVelocity += first[k] * (given(i + k) - given(i));
         bend += second[k] * (points[k] - points[0]);
       }
+      const double least = leastSpeedShare * leastSpeedShare * givenVelocity.squaredNorm();
       const double square = std::max(velocity.squaredNorm(), leastSpeed * leastSpeed);
       const double along = velocity.dot(bend) / square;
       for (std::size_t k = 0; k < 4; ++k) {
         second[k] = (second[k] - along * first[k]) / square;
       }
-      samples_.push_back({i, second, first, (bend - along * velocity) / square, velocity / square,
-                          h * std::sqrt(square) / static_cast<double>(samplePlaces.size()), 0.0});
+      Sample& one = samples_.emplace_back();
+      one.from = i;
+      one.first = first;
+      one.curvature = second;
+      one.now = (bend - along * velocity) / square;
+      one.along = velocity / square;
+      one.measure = h * std::sqrt(square) / static_cast<double>(samplePlaces.size());
+      if (velocity.squaredNorm() < least) {
+        one.lag = leastSpeedShare * givenVelocity - velocity;
+        one.hold = speedWeight * one.measure / least;
+      }
     }
   }
 }
@@ -237,6 +253,7 @@ void Tube::reweigh(double exponent) {
     const double share = most[s] > 0.0 ? curvatures[s] / most[s] : 1.0;
     const double wanted = share > 0.0 ? std::max(exponent * std::log(share), least) : least;
     weightLogs_[s] += way * (wanted - weightLogs_[s]);
+    samples_[s].hold *= most[s] * most[s];
     samples_[s].weight = std::exp(weightLogs_[s]) * samples_[s].measure;
   }
 }
@@ -252,18 +269,22 @@ void Tube::gather() {
     const double stretch = 4.0 * square * sample.along.squaredNorm();
     Vec3 bend = sample.now;
     Vec3 back = 2.0 * square * sample.along;
+    Vec3 up = sample.lag;
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3& shift = shift_[local(sample.from + i)];
       bend -= sample.curvature[i] * shift;
       back += stretch * sample.first[i] * shift;
+      up += sample.first[i] * shift;
     }
     for (std::size_t i = 0; i < 4; ++i) {
       gradient_[local(sample.from + i)] +=
-          sample.weight * (sample.curvature[i] * bend - sample.first[i] * back);
+          sample.weight * (sample.curvature[i] * bend - sample.first[i] * back) -
+          sample.hold * sample.first[i] * up;
       for (std::size_t k = i; k < 4; ++k) {
         system_.add(local(sample.from + i), k - i,
                     sample.weight * (sample.curvature[i] * sample.curvature[k] +
-                                     stretch * sample.first[i] * sample.first[k]));
+                                     stretch * sample.first[i] * sample.first[k]) +
+                        sample.hold * sample.first[i] * sample.first[k]);
       }
     }
   }

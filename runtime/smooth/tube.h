@@ -52,12 +52,15 @@ class Tube {
     Vec3 dual = Vec3::Zero();   ///< scaled multiplier
   };
   struct Sample {
-    std::size_t from;
-    Row curvature;  ///< k by the control points, speed and its change as they are
-    Row first;      ///< p' by the control points
-    Vec3 now;       ///< k
-    Vec3 along;     ///< p' / |p'|^2
-    double measure, weight;
+    std::size_t from = 0;
+    Row curvature{};            ///< k by the control points, speed and its change as they are
+    Row first{};                ///< p' by the control points
+    Vec3 now = Vec3::Zero();    ///< k
+    Vec3 along = Vec3::Zero();  ///< p' / |p'|^2
+    Vec3 lag = Vec3::Zero();    ///< what p' lacks
+    double measure = 0.0;       ///< length of path
+    double weight = 0.0;        ///< of |k|^2, with the measure
+    double hold = 0.0;          ///< weight of the lag
   };
 
   [[nodiscard]] std::size_t local(std::size_t i) const { return i < size_ ? i : i - size_; }

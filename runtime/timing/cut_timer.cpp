@@ -206,8 +206,9 @@ class CutTimer::Path {
       arcBefore_ = false;
     }
     const Vec3 direction = step / length;
-    add(length, limit, inArc ? unlimited : corner(direction));
+    add(length, limit, inArc ? unlimited : corner(direction, length));
     direction_ = direction;
+    lengthBefore_ = length;
     at_ = to;
   }
 
@@ -218,9 +219,9 @@ class CutTimer::Path {
     return std::max((from - axis.dot(from) * axis).norm(), tolerance::coincidence);
   }
 
-  double corner(const Vec3& next) {
+  [[nodiscard]] double corner(const Vec3& next, double length) const {
     return direction_ ? cornerSpeed(direction_->dot(next), machine_.deviation,
-                                    machine_.limits.acceleration)
+                                    machine_.limits.acceleration, std::min(lengthBefore_, length))
                       : 0.0;
   }
 
@@ -281,6 +282,7 @@ class CutTimer::Path {
   bool arcBefore_ = false;
   std::optional<Vec3> at_;
   std::optional<Vec3> direction_;  // of the last move; none: the tool stands
+  double lengthBefore_ = 0.0;      // its length
   std::optional<cl::SurfaceValue> surface_;
   std::optional<cl::SurfaceValue> run_;
   std::optional<SplineFollower> follower_;

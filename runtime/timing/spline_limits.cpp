@@ -10,13 +10,17 @@ double curveSpeed(double curvature, double acceleration) {
                          : std::numeric_limits<double>::infinity();
 }
 
-double cornerSpeed(double cosine, double deviation, double acceleration) {
-  // Half the turn: the circle has the radius r with r (1 / cos(half) - 1) = deviation.
+double cornerSpeed(double cosine, double deviation, double acceleration, double shorter) {
+  // Half the turn: a circle of radius r passes the corner at r (1 / cos(half) - 1) and touches the
+  // legs at r tan(half).
   const double cosHalf = std::sqrt(std::clamp(0.5 * (1.0 + cosine), 0.0, 1.0));
-  if (!(cosHalf < 1.0)) {
+  const double sinHalf = std::sqrt(std::clamp(0.5 * (1.0 - cosine), 0.0, 1.0));
+  if (!(cosHalf < 1.0) || !(sinHalf > 0.0)) {
     return std::numeric_limits<double>::infinity();
   }
-  return std::sqrt(acceleration * deviation * cosHalf / (1.0 - cosHalf));
+  const double byDeviation = deviation * cosHalf * (1.0 + cosHalf) / (sinHalf * sinHalf);
+  const double byLength = 0.5 * shorter * cosHalf / sinHalf;
+  return std::sqrt(acceleration * std::min(byDeviation, byLength));
 }
 
 void appendCurve(SpeedLimits& path,

@@ -17,7 +17,12 @@ void appendCurve(SpeedLimits& path,
 [[nodiscard]] double curveSpeed(double curvature, double acceleration);
 
 /// Speed through a corner of a polyline that turns by `cosine`, when the path may leave it by
-/// `deviation`: that of the circle that touches both legs and passes the corner there.
-[[nodiscard]] double cornerSpeed(double cosine, double deviation, double acceleration);
+/// `deviation`: that of the circle that touches both legs and passes the corner there, and touches
+/// them no farther from it than half of `shorter`, their shorter length, so that corners of fine
+/// chords cost what the curve costs that they stand for.
+[[nodiscard]] double cornerSpeed(double cosine,
+                                 double deviation,
+                                 double acceleration,
+                                 double shorter);
 
 }  // namespace arelem::timing

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/smooth/smooth.h"
 #include "runtime/timing/spline_limits.h"
 #include "tests/unit/runtime/spline/naseath_cases.h"
 
@@ -136,10 +137,40 @@ TEST(Plan, FreeEndsAreTheSourcesIdealTime) {
 }
 
 TEST(Plan, CornersByPencil) {
-  EXPECT_EQ(cornerSpeed(1.0, 0.01, 4000.0), infinite);
-  EXPECT_EQ(cornerSpeed(-1.0, 0.01, 4000.0), 0.0);
+  EXPECT_EQ(cornerSpeed(1.0, 0.01, 4000.0, 10.0), infinite);
+  EXPECT_EQ(cornerSpeed(-1.0, 0.01, 4000.0, 10.0), 0.0);
   // A right angle: r = 0.01 * cos 45 / (1 - cos 45) = 0.0241421, v = sqrt(4000 r).
-  EXPECT_NEAR(cornerSpeed(0.0, 0.01, 4000.0), std::sqrt(4000.0 * 0.024142135623731), 1e-6);
+  EXPECT_NEAR(cornerSpeed(0.0, 0.01, 4000.0, 10.0), std::sqrt(4000.0 * 0.024142135623731), 1e-6);
+  // Legs of 0.02: the circle touches them 0.01 from the corner, r = 0.01.
+  EXPECT_NEAR(cornerSpeed(0.0, 0.01, 4000.0, 0.02), std::sqrt(40.0), 1e-9);
+}
+
+/// Chords of a circle are passed as fast as the circle, however short they are.
+TEST(Plan, CornersOfChordsAreThoseOfTheCircle) {
+  for (const double angle : {0.2, 0.01, 1e-4}) {
+    const double radius = 2.0;
+    const double chord = 2.0 * radius * std::sin(0.5 * angle);
+    EXPECT_NEAR(cornerSpeed(std::cos(angle), 10.0, 4000.0, chord), std::sqrt(4000.0 * radius),
+                angle * angle * 100.0);
+  }
+}
+
+/// A speed limit that falls and rises again takes no longer when it is described by more pieces:
+/// where its lowest place is between two nodes of unequal speed a node was refused once, and the
+/// whole way to the next one went as slowly.
+TEST(Plan, MorePiecesTakeNoLonger) {
+  const auto curve = smooth::smooth(spline::naseathSpline(6),
+                                    {.tolerance = 0.125, .method = smooth::Method::time});
+  double before = infinite;
+  for (const int perSpan : {3, 6, 12, 25, 50, 100}) {
+    SpeedLimits path;
+    path.freeEnds = true;
+    appendCurve(path, curve->curve, perSpan, 400.0, 4000.0);
+    path.corners.push_back(400.0);
+    const double now = Plan(std::move(path), {400.0, 4000.0, 20000.0}).duration();
+    EXPECT_LT(now, 1.002 * before) << perSpan;
+    before = now;
+  }
 }
 
 TEST(Plan, AMillionMoves) {
