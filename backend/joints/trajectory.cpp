@@ -44,12 +44,12 @@ std::vector<Leg> legsOf(const std::vector<Knot>& knots) {
   return legs;
 }
 
-/// The speed at which the tool may pass from one leg to the next: its change within the window must
-/// not exceed the acceleration.
+/// The speed at which the tool may pass from one leg to the next: its change must not exceed the
+/// acceleration, which is twice the mean one in the middle of the window.
 double cornerSpeed(const Leg& before, const Leg& after, double acceleration, double window) {
   const double turn = (after.direction.head<3>() - before.direction.head<3>()).norm();
   const double slower = std::min(before.speed, after.speed);
-  return turn > 0.0 ? std::min(slower, acceleration * window / turn) : slower;
+  return turn > 0.0 ? std::min(slower, 0.5 * acceleration * window / turn) : slower;
 }
 
 void lookAhead(std::vector<Leg>& legs,
@@ -86,17 +86,11 @@ Place Trajectory::Phase::placeAt(double t) const {
 Place Trajectory::Phase::speedAt(double t) const {
   return (speed + acceleration * (t - start)) * direction;
 }
-Place Trajectory::Phase::integralAt(double t) const {
-  const double d = t - start;
-  return integral + d * from + (0.5 * speed * d * d + acceleration * d * d * d / 6.0) * direction;
-}
-
 void Trajectory::add(Phase phase, double seconds) {
   if (seconds <= 0.0) {
     return;
   }
   phase.start = raw_;
-  phase.integral = phases_.empty() ? Place(Place::Zero()) : phases_.back().integralAt(raw_);
   phases_.push_back(phase);
   raw_ += seconds;
 }
@@ -158,22 +152,51 @@ const Trajectory::Phase& Trajectory::phaseAt(double t) const {
   return *(next - 1);
 }
 
-Place Trajectory::integral(double t) const {
-  if (t <= 0.0) {
-    return t * phases_.front().from;
+Place Trajectory::rawPlace(double t) const {
+  const double within = std::clamp(t, 0.0, raw_);
+  return phaseAt(within).placeAt(within);
+}
+Place Trajectory::rawSpeed(double t) const {
+  return t <= 0.0 || t >= raw_ ? Place(Place::Zero()) : phaseAt(t).speedAt(t);
+}
+
+double Trajectory::nextBreak(double t) const {
+  if (t < 0.0) {
+    return 0.0;
   }
-  const Place whole = phaseAt(std::min(t, raw_)).integralAt(std::min(t, raw_));
-  return t <= raw_ ? whole : Place(whole + (t - raw_) * phases_.back().placeAt(raw_));
+  const auto next = std::upper_bound(phases_.begin(), phases_.end(), t,
+                                     [](double time, const Phase& p) { return time < p.start; });
+  return next != phases_.end() ? next->start : t < raw_ ? raw_ : t + window_;
+}
+
+/// The weighted mean over the window that ends at `time`. Between breaks a place times its weight
+/// is cubic in time, which two points of Gauss integrate exactly.
+template <class Quantity>
+Place Trajectory::mean(double time, const Quantity& of) const {
+  const double half = 0.5 * window_;
+  const double middle = time - half;
+  const double point = 1.0 / std::sqrt(3.0);
+  Place sum = Place::Zero();
+  for (double from = time - window_; from < time;) {
+    const double to = std::min({time, from < middle ? middle : time, nextBreak(from)});
+    const double center = 0.5 * (from + to);
+    const double reach = 0.5 * (to - from);
+    for (const double t : {center - point * reach, center + point * reach}) {
+      sum += reach * (half - std::abs(t - middle)) * of(t);
+    }
+    from = to;
+  }
+  return sum / (half * half);
 }
 
 State Trajectory::at(double time) const {
-  const double early = std::max(0.0, time - window_);
-  const double late = std::min(time, raw_);
+  const double half = 0.5 * window_;
   State state;
-  state.place = (integral(time) - integral(time - window_)) / window_;
-  state.speed = (phaseAt(late).placeAt(late) - phaseAt(early).placeAt(early)) / window_;
-  state.acceleration = (phaseAt(late).speedAt(late) - phaseAt(early).speedAt(early)) / window_;
-  state.gun = phaseAt(std::clamp(time - 0.5 * window_, 0.0, raw_)).gun;
+  state.place = mean(time, [&](double t) { return rawPlace(t); });
+  state.speed = mean(time, [&](double t) { return rawSpeed(t); });
+  state.acceleration =
+      (rawPlace(time) - 2.0 * rawPlace(time - half) + rawPlace(time - window_)) / (half * half);
+  state.gun = phaseAt(std::clamp(time - half, 0.0, raw_)).gun;
   return state;
 }
 

@@ -18,9 +18,11 @@ struct State {
 
 /// How the tool goes through its knots in time: straight from one to the next, at the speed of each
 /// move as far as one acceleration along the path allows it (looking ahead), at rest where it must
-/// stop. The mean of that over a window of time follows: speeds become continuous, corners are
-/// rounded by at most acceleration window^2 / 8, and where the tool stops, for a window, it stands
-/// exactly at its knot. The speed of a corner is held so that it turns with that acceleration.
+/// stop. A weighted mean of that over a window of time follows, with weights that rise to the
+/// middle of the window and fall again: the mean over half of it, twice. Accelerations become
+/// continuous, corners are rounded by at most acceleration window^2 / 24, and where the tool stops,
+/// for a window, it stands exactly at its knot. The speed of a corner is held so that it turns with
+/// that acceleration.
 class Trajectory {
  public:
   /// Acceleration in mm/s2, window in s.
@@ -40,18 +42,22 @@ class Trajectory {
     Place direction = Place::Zero();  // for one mm of path
     double speed = 0.0;
     double acceleration = 0.0;
-    Place integral = Place::Zero();  // of the place from time 0 to the start
     bool gun = false;
     std::size_t knot = 0;
 
     [[nodiscard]] Place placeAt(double t) const;
     [[nodiscard]] Place speedAt(double t) const;
-    [[nodiscard]] Place integralAt(double t) const;
   };
   void stand(const Place& place, double seconds, bool gun, std::size_t knot);
   void add(Phase phase, double seconds);
   [[nodiscard]] const Phase& phaseAt(double t) const;
-  [[nodiscard]] Place integral(double t) const;
+  /// Before the mean is taken: at rest in front of the path and behind it.
+  [[nodiscard]] Place rawPlace(double t) const;
+  [[nodiscard]] Place rawSpeed(double t) const;
+  /// The next time behind `t` at which another phase begins.
+  [[nodiscard]] double nextBreak(double t) const;
+  template <class Quantity>
+  [[nodiscard]] Place mean(double time, const Quantity& of) const;
 
   std::vector<Phase> phases_;
   double raw_ = 0.0;

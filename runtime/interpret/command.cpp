@@ -128,7 +128,7 @@ void execute(State& state, const ir::Command& command) {
       canon(state, command);
       return;
     case WordClass::stencil:
-      stencil(state, command);
+      command.word == Word::ENGRAV ? engrave(state, command) : stencil(state, command);
       return;
     case WordClass::units:
       units(state, command);

@@ -26,6 +26,8 @@ void post(State& state, const ir::Command& command);
 
 /// STENCL: letters painted on the ground.
 void stencil(State& state, const ir::Command& command);
+/// ENGRAV: lines of letters cut into a face.
+void engrave(State& state, const ir::Command& command);
 /// SPRAY/ON and SPRAY/OFF as they stand; SPRAY of a region or surface: passes of a gun.
 void spray(State& state, const ir::Command& command);
 

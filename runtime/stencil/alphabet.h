@@ -43,6 +43,7 @@ struct Symbol {
   std::string name;  ///< one character, or a name in angle brackets: "<RIGHT>"
   double width = 4.0;
   std::vector<Stroke> strokes;
+  std::vector<Edge> pens;  ///< what ENGRAV cuts, on the pen grid; none: the middles of the strokes
 };
 
 /// The shapes that STENCL paints, in units of their grid: y up from the foot of the letters.
@@ -51,6 +52,10 @@ struct Alphabet {
   double width = 4.0;    ///< of a space
   double height = 25.0;  ///< of all symbols: what HEIGHT of STENCL is the size of
   double spacing = 1.0;  ///< between two symbols
+  /// The grid of the pen lines: single lines of natural width, which need no room for a stroke.
+  double penWidth = 4.0;
+  double penHeight = 6.0;
+  double penSpacing = 1.5;
   std::vector<Symbol> symbols;
 
   [[nodiscard]] const Symbol* find(std::string_view name) const;

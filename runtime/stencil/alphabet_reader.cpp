@@ -66,8 +66,12 @@ class Reader : private AlphabetLine {
       symbol();
     } else if (take("STROKE")) {
       stroke();
+    } else if (take("PENGRID")) {
+      penGrid();
+    } else if (take("PEN")) {
+      pen();
     } else {
-      wrong("SPACING, PRIMITIVE, FIRST, SECOND, SYMBOL or STROKE");
+      wrong("SPACING, PRIMITIVE, FIRST, SECOND, SYMBOL, STROKE, PENGRID or PEN");
     }
     end();
   }
@@ -104,6 +108,10 @@ class Reader : private AlphabetLine {
       return;
     }
     (*open_).*back = take("BACK");
+    pieces(edge);
+  }
+
+  void pieces(Edge& edge) {
     while (more() && !failure_) {
       if (edge.pieces.size() >= mostPieces) {
         tooMany(mostPieces, "pieces of an edge");
@@ -114,6 +122,27 @@ class Reader : private AlphabetLine {
     if (edge.pieces.empty()) {
       wrong("SPLINE, ARC or FROM");
     }
+  }
+
+  void penGrid() {
+    alphabet_.penWidth = positive("a positive width");
+    alphabet_.penHeight = positive("a positive height");
+    alphabet_.penSpacing = positive("a positive space between two symbols");
+  }
+
+  /// A line that ENGRAV cuts.
+  void pen() {
+    finishShape();
+    if (alphabet_.symbols.empty()) {
+      wrongAt(1, "a pen line stands before the first SYMBOL");
+      return;
+    }
+    Symbol& symbol = alphabet_.symbols.back();
+    if (symbol.pens.size() >= mostStrokes) {
+      tooMany(mostStrokes, "pen lines of a symbol");
+      return;
+    }
+    pieces(symbol.pens.emplace_back());
   }
 
   void piece(Edge& edge) {
@@ -190,7 +219,7 @@ class Reader : private AlphabetLine {
       tooMany(mostSymbols, "symbols");
       return;
     }
-    Symbol symbol{std::string(name.text), alphabet_.width, {}};
+    Symbol symbol{std::string(name.text), alphabet_.width, {}, {}};
     if (take("WIDTH")) {
       symbol.width = positive("a positive width");
     }

@@ -119,11 +119,15 @@ std::vector<Vec2> divideEdge(const Edge& edge, int cells, Division division) {
   return divideEqually(edge, cells);
 }
 
-std::vector<Line> linesOf(
-    const Stroke& stroke, double symbolWidth, double gridHeight, int cells, Division division) {
-  std::vector<Line> lines = stroke.shape->isStraight()
-                                ? straightLines(stroke.shape->lines, cells)
-                                : curvedLines(*stroke.shape, cells, division);
+std::vector<Line> linesOf(const Shape& shape, int cells, Division division) {
+  return shape.isStraight() ? straightLines(shape.lines, cells)
+                            : curvedLines(shape, cells, division);
+}
+
+std::vector<Line> placedLines(const Stroke& stroke,
+                              std::vector<Line> lines,
+                              double symbolWidth,
+                              double gridHeight) {
   for (Line& line : lines) {
     line.first = placed(stroke.placing, symbolWidth, gridHeight, line.first);
     line.second = placed(stroke.placing, symbolWidth, gridHeight, line.second);
@@ -135,6 +139,11 @@ std::vector<Line> linesOf(
     std::reverse(lines.begin(), lines.end());
   }
   return lines;
+}
+
+std::vector<Line> linesOf(
+    const Stroke& stroke, double symbolWidth, double gridHeight, int cells, Division division) {
+  return placedLines(stroke, linesOf(*stroke.shape, cells, division), symbolWidth, gridHeight);
 }
 
 }  // namespace arelem::stencil

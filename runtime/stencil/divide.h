@@ -14,8 +14,16 @@ enum class Division {
 /// with at most one line behind it; others, and circles, are divided into equal lengths by both.
 [[nodiscard]] std::vector<Vec2> divideEdge(const Edge& edge, int cells, Division division);
 
-/// The fan lines of a stroke in the order they are painted, in units of the grid, at its place in a
-/// symbol of this width. `cells` of a curved shape; a straight one has its own.
+/// The fan lines of a shape as it stands in the file, in units of the grid. `cells`: of a curved
+/// shape, of each part of a straight one.
+[[nodiscard]] std::vector<Line> linesOf(const Shape& shape, int cells, Division division);
+/// The lines of a stroke's shape in the order they are painted, at its place in a symbol of this
+/// width.
+[[nodiscard]] std::vector<Line> placedLines(const Stroke& stroke,
+                                            std::vector<Line> lines,
+                                            double symbolWidth,
+                                            double gridHeight);
+/// Both.
 [[nodiscard]] std::vector<Line> linesOf(
     const Stroke& stroke, double symbolWidth, double gridHeight, int cells, Division division);
 

@@ -31,14 +31,19 @@ class Chain {
       : most_(limits.most), count_(lines.size()) {
     const auto samples = static_cast<std::size_t>(2.0 * std::ceil(most_ / coarse)) + 1;
     step_ = 2.0 * most_ / static_cast<double>(samples - 1);
+    std::vector<double> steepness;
+    for (std::size_t k = 0; k < samples; ++k) {
+      steepness.push_back(steepnessOf(tiltAt(k), fan));
+    }
     for (std::size_t i = 0; i + 1 < count_; ++i) {
       Cell& cell = cells_.emplace_back();
       turn_.push_back(limits.rate * seconds[i]);
-      if (areaOf(lines[i], lines[i + 1]) <= tolerance::rounding) {
+      const Balance balance = balanceOf(lines[i], lines[i + 1]);
+      if (balance.area <= tolerance::rounding) {
         continue;
       }
-      for (std::size_t k = 0; k < samples; ++k) {
-        cell.worst.push_back(spreadOf(lines[i], lines[i + 1], fan, tiltAt(k)).worst());
+      for (const double m : steepness) {
+        cell.worst.push_back(spreadOf(balance.lean, m).worst());
       }
       cell.best = static_cast<std::size_t>(std::min_element(cell.worst.begin(), cell.worst.end()) -
                                            cell.worst.begin());

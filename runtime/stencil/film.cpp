@@ -8,22 +8,12 @@
 namespace arelem::stencil {
 
 namespace {
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Film over the mean film at the share `s` of a cell's lines.
 double filmAt(const PaintedCell& cell, double s, double fan, double rate) {
-  constexpr double h = 1e-4;
-  const double low = std::max(0.0, s - h);
-  const double high = std::min(1.0, s + h);
+  const double paint = paintAt(s, steepnessOf(cell.tilt, fan)) * cell.seconds;
   const auto [a, b] = cell.lines();
-  const double paint = (paintUpTo(high, fan, cell.tilt) - paintUpTo(low, fan, cell.tilt)) /
-                       (high - low) * cell.seconds;
-  const Vec2 along = a.second - a.first;
-  const Vec2 next = b.second - b.first;
-  const Vec2 over = b.first + s * next - a.first - s * along;
-  const double area = 0.5 * std::abs(cross(along + next, over));
+  const Balance balance = balanceOf(a, b);
+  const double area = balance.area * std::abs(1.0 + balance.lean * (2.0 * s - 1.0));
   return area > tolerance::rounding ? paint / area / rate : 1.0;
 }
 }  // namespace
@@ -75,7 +65,7 @@ Evenness evennessOf(std::span<const Track> tracks, const FanGun& gun) {
     result.mostShare = std::max({result.mostShare, cell.share, 100.0 - cell.share});
     const double mean = cell.seconds / cell.area / rate;
     const auto [a, b] = cell.lines();
-    for (const double strip : filmOf(a, b, gun.fan, cell.tilt)) {
+    for (const double strip : filmOf(balanceOf(a, b).lean, steepnessOf(cell.tilt, gun.fan))) {
       const double film = mean * strip;
       result.film.add({film, film});
       constexpr double tenPercent = 0.1;

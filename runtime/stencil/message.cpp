@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "ir/diag/stencil.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/angle.h"
-#include "runtime/stencil/cell.h"
+#include "runtime/stencil/rails.h"
 
 namespace arelem::stencil {
 
@@ -30,59 +29,19 @@ std::string_view nameAt(std::string_view text, std::size_t i) {
   return text.substr(i, 1);
 }
 
-/// Divides each stroke once: symbols of a text share their primitives.
-class Divider {
- public:
-  Divider(const Alphabet& alphabet, const Writing& writing)
-      : alphabet_(alphabet), writing_(writing) {}
-
-  std::vector<Line> lines(const Stroke& stroke, double width) {
-    const bool straight = stroke.shape->isStraight();
-    const int cells = straight || writing_.cells == 0 ? stroke.cells : writing_.cells;
-    const auto [entry, isNew] = known_.try_emplace(Key{&stroke, cells}, std::vector<Line>{});
-    if (isNew) {
-      entry->second = linesOf(stroke, width, alphabet_.height, cells, writing_.division);
-      if (writing_.best && !straight) {
-        entry->second = improved(stroke, width, entry->second);
-      }
-    }
-    return entry->second;
+/// The shares of its edge's length at which the lines of a stroke stand.
+std::vector<double> sharesOf(const Stroke& stroke, const std::vector<Vec2>& ends) {
+  std::vector<double> shares = {0.0};
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double step = stroke.shape->isStraight() ? (ends[i] - ends[i - 1]).norm() : 1.0;
+    shares.push_back(shares.back() + step);
   }
-
- private:
-  using Key = std::pair<const Stroke*, int>;
-
-  /// The best division of the primitive as it stands in the file, put in its place.
-  std::vector<Line> improved(const Stroke& stroke, double width, const std::vector<Line>& lines) {
-    std::vector<Line>& best = best_[{stroke.shape.get(), static_cast<int>(lines.size())}];
-    Stroke plain;
-    plain.shape = stroke.shape;
-    if (best.empty()) {
-      best = linesOf(plain, width, alphabet_.height, static_cast<int>(lines.size()) - 1,
-                     writing_.division);
-      Edge second = stroke.shape->second;
-      const Measured measured(second);
-      best = bestDivision(best, measured, (*writing_.best)[0], (*writing_.best)[1]);
-    }
-    std::vector<Line> placedLines = best;
-    for (Line& line : placedLines) {
-      line.first = placed(stroke.placing, width, alphabet_.height, line.first);
-      line.second = placed(stroke.placing, width, alphabet_.height, line.second);
-      if (stroke.swap) {
-        std::swap(line.first, line.second);
-      }
-    }
-    if (stroke.reverse) {
-      std::reverse(placedLines.begin(), placedLines.end());
-    }
-    return placedLines;
+  const double all = shares.back();
+  for (double& share : shares) {
+    share = all > 0.0 ? share / all : 0.0;
   }
-
-  const Alphabet& alphabet_;
-  const Writing& writing_;
-  std::map<Key, std::vector<Line>> known_;
-  std::map<std::pair<const Shape*, int>, std::vector<Line>> best_;
-};
+  return shares;
+}
 
 bool isSame(const Line& a, const Line& b) {
   return (a.first - b.first).norm() <= tolerance::coincidence &&
@@ -90,21 +49,71 @@ bool isSame(const Line& a, const Line& b) {
 }
 
 /// The strokes of one symbol as runs, on the grid.
-std::vector<Run> runsOnGrid(const Symbol& symbol, Divider& divider, Division division) {
-  std::vector<Run> runs;
-  for (std::size_t i = 0; i < symbol.strokes.size(); ++i) {
-    const Stroke& stroke = symbol.strokes[i];
-    std::vector<Line> lines = divider.lines(stroke, symbol.width);
-    if (!stroke.join || runs.empty()) {
-      runs.push_back({symbol.name, 0, i + 1, std::move(lines)});
-      continue;
+class Grid {
+ public:
+  Grid(const Alphabet& alphabet, const Writing& writing) : alphabet_(alphabet), writing_(writing) {}
+
+  std::vector<Run> runs(const Symbol& symbol) {
+    std::vector<Run> runs;
+    std::array<Rail, 2> rails;
+    for (std::size_t i = 0; i < symbol.strokes.size(); ++i) {
+      const Stroke& stroke = symbol.strokes[i];
+      const std::vector<Line> lines =
+          placedLines(stroke, divided(stroke), symbol.width, alphabet_.height);
+      const bool joins = stroke.join && !runs.empty();
+      if (!joins) {
+        finish(runs, rails);
+        runs.push_back({symbol.name, 0, i + 1, {}});
+      }
+      std::vector<Line>& all = runs.back().lines;
+      const bool drop =
+          joins && (writing_.division == Division::asSource || isSame(all.back(), lines.front()));
+      all.insert(all.end(), lines.begin() + (drop ? 1 : 0), lines.end());
+      if (writing_.leaning) {
+        extend(rails, stroke, symbol.width, lines, drop);
+      }
     }
-    std::vector<Line>& before = runs.back().lines;
-    const bool drop = division == Division::asSource || isSame(before.back(), lines.front());
-    before.insert(before.end(), lines.begin() + (drop ? 1 : 0), lines.end());
+    finish(runs, rails);
+    return runs;
   }
-  return runs;
-}
+
+ private:
+  void extend(std::array<Rail, 2>& rails,
+              const Stroke& stroke,
+              double width,
+              const std::vector<Line>& lines,
+              bool drop) const {
+    const Edges edges = edgesOf(stroke, width, alphabet_.height);
+    std::array<std::vector<Vec2>, 2> ends;
+    for (const Line& line : lines) {
+      ends[0].push_back(line.first);
+      ends[1].push_back(line.second);
+    }
+    rails[0].extend(edges.first, sharesOf(stroke, ends[0]), drop);
+    rails[1].extend(edges.second, sharesOf(stroke, ends[1]), drop);
+  }
+  void finish(std::vector<Run>& runs, std::array<Rail, 2>& rails) const {
+    if (writing_.leaning && !runs.empty()) {
+      runs.back().lines = evenlyLeaning(rails[0], rails[1]);
+      rails = {};
+    }
+  }
+
+  /// Symbols share their shapes: each is divided once.
+  const std::vector<Line>& divided(const Stroke& stroke) {
+    const bool given = stroke.shape->isStraight() || writing_.cells == 0;
+    const int cells = given ? stroke.cells : writing_.cells;
+    const auto [entry, isNew] = divided_.try_emplace({stroke.shape.get(), cells});
+    if (isNew) {
+      entry->second = linesOf(*stroke.shape, cells, writing_.division);
+    }
+    return entry->second;
+  }
+
+  const Alphabet& alphabet_;
+  const Writing& writing_;
+  std::map<std::pair<const Shape*, int>, std::vector<Line>> divided_;
+};
 }  // namespace
 
 Result<std::vector<const Symbol*>> symbolsOf(std::string_view text, const Alphabet& alphabet) {
@@ -148,14 +157,19 @@ Result<std::vector<Run>> runsOf(std::string_view text,
   const auto [sine, cosine] = geometry::sinCosDegrees(placement.angle);
   const Vec2 along(cosine, sine);
   const Vec2 up(-sine, cosine);
-  Divider divider(alphabet, writing);
+  Grid grid(alphabet, writing);
+  std::map<const Symbol*, std::vector<Run>> known;  // symbols come again
   std::vector<Run> runs;
   std::size_t poses = 0;
   double x = 0.0;
   for (std::size_t position = 0; position < symbols->size(); ++position) {
     const Symbol* symbol = (*symbols)[position];
     if (symbol != nullptr) {
-      for (Run& run : runsOnGrid(*symbol, divider, writing.division)) {
+      const auto [entry, isNew] = known.try_emplace(symbol);
+      if (isNew) {
+        entry->second = grid.runs(*symbol);
+      }
+      for (Run run : entry->second) {
         for (Line& line : run.lines) {
           for (Vec2* p : {&line.first, &line.second}) {
             *p = placement.origin + (x + scale * p->x()) * along + scale * p->y() * up;

@@ -20,13 +20,13 @@ struct Run {
   std::size_t position = 0;  ///< of the symbol in the text, from 0
   std::size_t stroke = 0;    ///< number of its first stroke in the symbol, from 1
   std::vector<Line> lines;
+  bool backwards = false;  ///< against the direction of the alphabet
 };
 
 struct Writing {
   Division division = Division::equal;
-  int cells = 0;  ///< of a curved primitive; 0: as the alphabet says
-  /// Best division for a gun of this fan and largest tilt; none: as `division` says.
-  std::optional<std::array<double, 2>> best;
+  int cells = 0;         ///< of a curved primitive; 0: as the alphabet says
+  bool leaning = false;  ///< with the lines of each run moved for the evenest film
 };
 
 /// The symbols of a text in order: characters, and names in angle brackets. A blank is "".

@@ -1,3 +1,5 @@
+#include "runtime/stencil/order.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -12,16 +14,6 @@ Vec2 beginOf(const Run& run) {
 Vec2 endOf(const Run& run) {
   return middleOf(run.lines.back());
 }
-
-/// A run in its place, forwards or backwards.
-struct Visit {
-  std::size_t run = 0;
-  Vec2 begin = Vec2::Zero();
-  Vec2 end = Vec2::Zero();
-  bool backwards = false;
-
-  [[nodiscard]] Visit turned() const { return {run, end, begin, !backwards}; }
-};
 
 double lengthOf(const std::vector<Visit>& visits, const Vec2& start) {
   double length = 0.0;
@@ -103,20 +95,24 @@ double travelOf(const std::vector<Run>& runs, const Vec2& start) {
   return length;
 }
 
+std::vector<Visit> shortest(std::vector<Visit> given, const Vec2& start) {
+  std::vector<Visit> near = nearestNext(given, start);
+  exchange(near, start);
+  exchange(given, start);
+  return lengthOf(near, start) < lengthOf(given, start) ? near : given;
+}
+
 void shorten(std::vector<Run>& runs, const Vec2& start) {
   std::vector<Visit> given;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     given.push_back({i, beginOf(runs[i]), endOf(runs[i]), false});
   }
-  std::vector<Visit> near = nearestNext(given, start);
-  exchange(near, start);
-  exchange(given, start);
-  const std::vector<Visit>& best = lengthOf(near, start) < lengthOf(given, start) ? near : given;
   std::vector<Run> ordered;
-  for (const Visit& visit : best) {
+  for (const Visit& visit : shortest(std::move(given), start)) {
     ordered.push_back(std::move(runs[visit.run]));
     if (visit.backwards) {
       std::reverse(ordered.back().lines.begin(), ordered.back().lines.end());
+      ordered.back().backwards = !ordered.back().backwards;
     }
   }
   runs = std::move(ordered);

@@ -30,7 +30,7 @@ enum class TiltRule : std::uint8_t {
   best            ///< makes the film of each cell as even as it can be
 };
 struct TiltLimits {
-  double most = 25.4;  ///< of the axis that Blank's end effector has
+  double most = 25.4;   ///< of the axis that Blank's end effector has
   double rate = 120.0;  ///< deg/s: 600 steps of 0.2 degrees
 };
 

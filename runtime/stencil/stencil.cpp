@@ -1,17 +1,45 @@
 #include "runtime/stencil/stencil.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "runtime/stencil/film.h"
 
 namespace arelem::stencil {
 
 namespace {
+/// The same stroke in the same direction: planned alike wherever it stands.
+using Kind = std::tuple<std::string, std::size_t, bool>;
+Kind kindOf(const Run& run) {
+  return {run.symbol, run.stroke, run.backwards};
+}
+
+Track shifted(Track track, const Vec2& by) {
+  for (Pose& pose : track.poses) {
+    pose.place += by;
+    pose.line.first += by;
+    pose.line.second += by;
+  }
+  return track;
+}
+
 Result<std::vector<Track>> planAll(const std::vector<Run>& runs, const Job& job) {
   std::vector<Track> tracks;
-  for (const Run& run : runs) {
+  std::map<Kind, std::size_t> known;  // index of run and track
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Run& run = runs[i];
+    if (const auto [entry, isNew] = known.try_emplace(kindOf(run), i); !isNew) {
+      const Run& first = runs[entry->second];
+      tracks.push_back(
+          shifted(tracks[entry->second], run.lines.front().first - first.lines.front().first));
+      tracks.back().position = run.position;
+      continue;
+    }
     Result<Track> track = planRun(run, job);
     if (!track) {
       return track.takeFailure();
@@ -28,27 +56,24 @@ double departureOf(const Run& run, Job job) {
   return evennessOf({&*track, 1}, job.gun).film.worst();
 }
 
-/// Each run with the division that gives the evener film. Both divisions have the same first and
-/// last lines; a run may have been turned round.
+/// Each run with the lines that give the evener film.
 void takeEvener(std::vector<Run>& runs, std::vector<Run>& others, const Job& job) {
   std::map<std::pair<std::size_t, std::size_t>, Run*> byPlace;
   for (Run& other : others) {
     byPlace[{other.position, other.stroke}] = &other;
   }
-  std::map<std::pair<std::string, std::size_t>, bool> known;  // symbols come again
+  std::map<Kind, bool> known;
   for (Run& run : runs) {
     Run& other = *byPlace.at({run.position, run.stroke});
-    const Vec2 begin = middleOf(run.lines.front());
-    if ((middleOf(other.lines.front()) - begin).norm() >
-        (middleOf(other.lines.back()) - begin).norm()) {
+    if (run.backwards) {
       std::reverse(other.lines.begin(), other.lines.end());
     }
-    const auto [better, isNew] = known.try_emplace({run.symbol, run.stroke}, false);
+    const auto [better, isNew] = known.try_emplace(kindOf(run), false);
     if (isNew) {
       better->second = departureOf(other, job) < departureOf(run, job);
     }
     if (better->second) {
-      run.lines = other.lines;
+      run.lines = std::move(other.lines);
     }
   }
 }
@@ -69,11 +94,20 @@ double fastestJob(const std::vector<Run>& runs, Job job) {
   const double most = job.gun.speed;
   job.gun.speed = 0.0;
   job.speedTimesWidth = 1.0;
+  std::vector<Run> kinds;
+  std::set<Kind> known;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(kinds),
+               [&](const Run& run) { return known.insert(kindOf(run)).second; });
   constexpr int rounds = 6;
+  constexpr double same = 1e-4;
   for (int i = 0; i < rounds; ++i) {
-    const Result<std::vector<Track>> tracks = planAll(runs, job);
+    const Result<std::vector<Track>> tracks = planAll(kinds, job);
     const double fastest = fastestOf(*tracks);
-    job.speedTimesWidth *= fastest > 0.0 ? most / fastest : 1.0;
+    const double factor = fastest > 0.0 ? most / fastest : 1.0;
+    job.speedTimesWidth *= factor;
+    if (std::abs(factor - 1.0) < same) {
+      break;
+    }
   }
   constexpr double spare = 0.999;
   return spare * job.speedTimesWidth;
@@ -127,7 +161,7 @@ Result<Painted> paint(const Statement& s,
   };
   setSpeed();
   if (job.tilt == TiltRule::best) {
-    writing.best = {job.gun.fan, job.limits.most};
+    writing.leaning = true;
     Result<std::vector<Run>> others = runsOf(s.text, alphabet, s.placement, writing, limits);
     takeEvener(*runs, *others, job);
     setSpeed();

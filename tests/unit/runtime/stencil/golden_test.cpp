@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -159,6 +160,8 @@ std::vector<Line> primitiveOne() {
 TEST(StencilGolden, PaintOfPrimitiveOne) {
   const json none = caseOf("BLANK-ratio-no-tilt")["expected"];
   const json trapezoid = caseOf("BLANK-ratio-trapezoid")["expected"];
+  const json trapezoidMost = caseOf("BLANK-ratio-trapezoid-max");
+  const json fifteen = caseOf("BLANK-beta-15");
   const json quad = caseOf("BLANK-ratio-quad")["expected"];
   const std::vector<Line> lines = primitiveOne();
   std::vector<double> shares;
@@ -200,8 +203,14 @@ TEST(StencilGolden, PaintOfPrimitiveOne) {
   EXPECT_NEAR(fraction, trapezoid["mean_fraction"], tolerance);
   EXPECT_NEAR(least, trapezoid["min"], tolerance);
   EXPECT_NEAR(most, trapezoid["max"], tolerance);
+  // The two halves of a cell sum to 100, so that the published 52 does not fit the published 47.
+  EXPECT_NEAR(most, trapezoidMost["expected"]["max"], tolerance);
+  EXPECT_NEAR(most + least, 100.0, tolerance);
+  EXPECT_GT(most - trapezoidMost["published"]["max"].get<double>(), trapezoidMost["published_tol"]);
   EXPECT_NEAR(tiltFor(fraction, 63.5), trapezoid["beta"], tolerance);
-  EXPECT_NEAR(tiltFor(fraction, 63.5), 15.0, 0.1);  // the letter P of section 2.7.2
+  // The letter P of section 2.7.2.
+  EXPECT_NEAR(tiltFor(fraction, 63.5), fifteen["expected"]["beta"], tolerance);
+  EXPECT_NEAR(tiltFor(fraction, 63.5), fifteen["published"]["beta"], fifteen["published_tol"]);
   EXPECT_NEAR(sLeast, quad["s_min"], tolerance);
   EXPECT_NEAR(sMost, quad["s_max"], tolerance);
   EXPECT_NEAR(sSum, quad["s_mean"], tolerance);
@@ -299,6 +308,65 @@ TEST(StencilGolden, LetterPoints) {
     ++rows;
   }
   EXPECT_EQ(rows, 225U);
+}
+
+/// The lines of the programs of 1996 among the cases are those of the files that the V+ tests and
+/// the end-to-end tests compare byte for byte.
+TEST(StencilGolden, LinesOfTheListings) {
+  for (const std::string name : {"S", "B"}) {
+    const json lines = caseOf("BLANK-" + name + "-vplus")["expected"]["lines"];
+    std::istringstream file(
+        textOf(ARELEM_SOURCE_DIR "/tests/data/stencil/letter" + name + "_vplus.txt"));
+    std::string line;
+    std::size_t i = 0;
+    while (std::getline(file, line)) {
+      ASSERT_LT(i, lines.size());
+      EXPECT_EQ(line, lines[i].get<std::string>()) << name << i;
+      ++i;
+    }
+    EXPECT_EQ(i, lines.size()) << name;
+  }
+}
+
+/// Rows that nothing of ours computes say so themselves.
+TEST(StencilGolden, RowsOutsideTheProject) {
+  const json deflection = caseOf("BLANK-chap3");  // of the pantograph's links under their load
+  EXPECT_EQ(deflection["status"], "differs");
+  EXPECT_NE(deflection["note"].get<std::string>().find("outside the project"), std::string::npos);
+  const json drawn = caseOf("BLANK-figs");  // curves without numbers; `--to joint-plots` draws them
+  EXPECT_EQ(drawn["status"], "not reproducible");
+  EXPECT_FALSE(drawn.contains("expected"));
+}
+
+/// Fails for a row that no test names: by its id, or by the beginning of ids that a test goes
+/// through.
+TEST(StencilGolden, EveryRowHasATest) {
+  std::vector<std::string> named;
+  for (const char* file :
+       {"/tests/unit/runtime/stencil/golden_test.cpp", "/tests/unit/backend/joints/joints_test.cpp",
+        "/tests/unit/backend/robot/robot_test.cpp"}) {
+    const std::string text = textOf(ARELEM_SOURCE_DIR + std::string(file));
+    ASSERT_FALSE(text.empty()) << file;
+    const std::regex quoted("(casesOf\\(|starts_with\\()?\"(BLANK-[^\" ]*)\"");
+    for (std::sregex_iterator i(text.begin(), text.end(), quoted), end; i != end; ++i) {
+      named.push_back((*i)[2].str() + ((*i)[1].matched ? "*" : ""));
+    }
+  }
+  const auto isNamed = [&](const std::string& id) {
+    return std::any_of(named.begin(), named.end(), [&](const std::string& name) {
+      return name.back() == '*' ? id.starts_with(name.substr(0, name.size() - 1)) : id == name;
+    });
+  };
+  for (const std::string& name : {"S", "B"}) {  // put together by the tests
+    for (const std::string& what : {"-grid", "-vplus"}) {
+      named.push_back("BLANK-" + name + what);
+    }
+  }
+  const std::string all = "BLANK";
+  for (const std::string& id : casesOf(all)) {
+    EXPECT_TRUE(isNamed(id)) << id << " is not checked by any test";
+  }
+  EXPECT_FALSE(isNamed("BLANK-new"));
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ const Alphabet& roadway() {
   return alphabet;
 }
 
-std::vector<stencil::Run> runs(const std::string& text, double height = 2500.0, double angle = 0.0) {
+std::vector<stencil::Run> runs(const std::string& text,
+                               double height = 2500.0,
+                               double angle = 0.0) {
   auto made = runsOf(text, roadway(), {Vec2::Zero(), height, angle, std::nullopt}, {}, {});
   EXPECT_TRUE(made.ok());
   return *std::move(made);
@@ -162,19 +164,33 @@ TEST(Cell, PaintOfATiltedFan) {
   EXPECT_NEAR(paintUpTo(shareOf(10.0, 63.5), 63.5, 10.0), 0.5, 1e-12);
 }
 
-TEST(Cell, BestDivisionIsNotWorse) {
-  const Stroke& bowl = roadway().find("P")->strokes[1];
-  const auto lines = linesOf(bowl, 4.0, 25.0, 20, Division::equal);
-  const auto best = bestDivision(lines, Measured(bowl.shape->second), 63.5, 25.4);
-  const auto worst = [](const std::vector<Line>& all) {
-    double w = 0.0;
-    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-      w = std::max(
-          w, spreadOf(all[i], all[i + 1], 63.5, bestTilt(all[i], all[i + 1], 63.5, 25.4)).worst());
+/// Moving lines leaves the strokes as they are.
+TEST(Plan, LeaningKeepsTheStrokes) {
+  const Alphabet alphabet = roadway();
+  Placement placement;
+  placement.height = 25.0;
+  Writing leaning;
+  leaning.leaning = true;
+  for (const Symbol& symbol : alphabet.symbols) {
+    const auto equal = runsOf(symbol.name, alphabet, placement, {}, Limits{});
+    const auto moved = runsOf(symbol.name, alphabet, placement, leaning, Limits{});
+    ASSERT_EQ(equal->size(), moved->size()) << symbol.name;
+    for (std::size_t i = 0; i < equal->size(); ++i) {
+      const std::vector<Line>& a = (*equal)[i].lines;
+      const std::vector<Line>& b = (*moved)[i].lines;
+      ASSERT_EQ(a.size(), b.size()) << symbol.name;
+      EXPECT_LT((middleOf(a.front()) - middleOf(b.front())).norm(), 1e-9) << symbol.name;
+      EXPECT_LT((middleOf(a.back()) - middleOf(b.back())).norm(), 1e-9) << symbol.name;
+      double areaA = 0.0;
+      double areaB = 0.0;
+      for (std::size_t k = 0; k + 1 < a.size(); ++k) {
+        areaA += areaOf(a[k], a[k + 1]);
+        areaB += areaOf(b[k], b[k + 1]);
+      }
+      // Chords between other points of the same curves.
+      EXPECT_NEAR(areaA, areaB, 2e-3 * areaA) << symbol.name << " " << i;
     }
-    return w;
-  };
-  EXPECT_LT(worst(best), worst(lines));
+  }
 }
 
 }  // namespace
