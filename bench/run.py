@@ -88,6 +88,20 @@ def growth(arelem, folder):
     return rows
 
 
+def stencils(arelem, out):
+    """A message of 20 letters to a CL tape by each rule of tilt: under 50 ms is the aim of the whole process."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for rule in ("QUADR", "BEST"):
+            source = pathlib.Path(folder) / "stencil.apt"
+            source.write_text((HERE / "stencil_20.apt").read_text().replace("BEST", rule))
+            run = median_run([arelem, "compile", str(source), "-o", out])
+            work = "20 letters" if run.code == 0 else f"exit {run.code}"
+            rate = f"{20 / run.seconds:,.0f}" if run.code == 0 else ""
+            rows.append((f"STENCL, 20 letters, TILT {rule}", work, f"{run.seconds:.3f}", rate, f"{run.megabytes:.0f}"))
+    return rows
+
+
 def measure(arelem):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
@@ -110,6 +124,7 @@ def measure(arelem):
                 rows.append((what, f"exit {run.code}", "", "", ""))
                 continue
             rows.append((what, f"{lines} statements", f"{run.seconds:.3f}", f"{lines / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
+        rows += stencils(arelem, out)
         rows += growth(arelem, folder)
         starts = [Run([arelem, "compile", str(SPEED / "empty.apt"), "-o", out]) for _ in range(25)]
         start = statistics.median(r.seconds for r in starts)

@@ -96,6 +96,10 @@ class Reader {
     t.flag("crlf", style.crlf);
     t.flag("control_z", style.controlZ);
     t.whole("columns", style.columns, 60, 148);
+    t.number("approach", style.approach, 0.0, longest);
+    if (t.has("tool")) {
+      t.list("tool", style.tool.emplace(), -longest, longest);
+    }
   }
 
   void envelope(Table& t) {

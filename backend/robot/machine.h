@@ -84,6 +84,11 @@ struct VplusStyle {
   bool crlf = true;
   bool controlZ = false;  ///< a form feed behind .END and SUB at the end, as the controller stores
   int columns = 80;
+  /// Rapid moves leave their place and come to the next one straight along the tool, by DEPARTS and
+  /// APPROS of this many mm; 0: they go straight from place to place.
+  double approach = 0.0;
+  /// From the flange to the tool point, x, y, z, yaw, pitch, roll: TOOL; none: as the robot has it.
+  std::optional<std::array<double, 6>> tool;
 };
 
 /// Where the tool point may stand, seen from the base of the robot.
@@ -131,7 +136,7 @@ struct Machine {
   double rapid = 500.0;          ///< of RAPID moves, mm/s
   double acceleration = 2000.0;  ///< along the path of joint tables, mm/s2
   double interval = 0.032;       ///< of joint tables, s
-  double blend = 0.064;          ///< over which a joint table takes the mean of the path, s
+  double blend = 0.128;          ///< over which a joint table takes the mean of the path, s
   std::optional<Scara> scara;
   std::optional<Pantograph> pantograph;
   std::optional<Elbow> elbow;

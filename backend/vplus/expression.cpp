@@ -33,6 +33,7 @@ void Scope::forget() {
   unset_.clear();
   reals_.clear();
   locations_.clear();
+  labels_.clear();
 }
 
 void Scope::wrong(std::string_view wanted) {
@@ -92,7 +93,13 @@ void Scope::label() {
   }
   constexpr double most = 65535.0;
   const double value = token().number;
-  value == std::floor(value) && value <= most ? next() : wrong("a label from 0 to 65535");
+  if (value != std::floor(value) || value > most) {
+    return wrong("a label from 0 to 65535");
+  }
+  if (!labels_.insert(static_cast<int>(value)).second) {
+    return wrongAt(column(), fmt::format("the label {:g} stands twice", value));
+  }
+  next();
 }
 void Scope::anyWord(std::string_view wanted) {
   token().kind == Token::Kind::word ? next() : wrong(wanted);
@@ -135,13 +142,13 @@ void Scope::setLocation(const std::string& name, const Place& place) {
   locations_[name] = place;
 }
 
-void Scope::list() {
-  for (;;) {
+std::size_t Scope::list() {
+  for (std::size_t count = 1;; ++count) {
     if (!isSign(",") && !isSign("]") && !isSign(")") && !atEnd()) {
       expression();
     }
     if (error_ || !takeSign(",")) {
-      return;
+      return count;
     }
   }
 }

@@ -58,8 +58,8 @@ class Scope {
   // ---- values; none where only the robot knows them
   std::optional<double> expression();
   Place location();
-  void list();   ///< expressions with commas; some may be absent
-  void items();  ///< of TYPE and CALL: texts, expressions, locations' names
+  std::size_t list();  ///< how many expressions with commas; some may be absent
+  void items();        ///< of TYPE and CALL: texts, expressions, locations' names
 
  private:
   [[nodiscard]] const Token& token() const { return line_[at_]; }
@@ -80,6 +80,7 @@ class Scope {
   std::set<std::string> unset_;
   std::map<std::string, std::optional<double>> reals_;
   std::map<std::string, Place> locations_;
+  std::set<int> labels_;
 };
 
 }  // namespace arelem::vplus

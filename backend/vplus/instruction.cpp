@@ -56,9 +56,12 @@ bool Instructions::motionWord(const std::string& word) {
     scope_.location();
     scope_.sign(",");
     scope_.expression();
-  } else if (word == "DEPART" || word == "DEPARTS" || word == "DELAY") {
+  } else if (word == "DEPART" || word == "DEPARTS") {
     scope_.next();
     scope_.expression();
+  } else if (word == "DELAY") {
+    scope_.next();
+    time();
   } else if (word == "BREAK" || word == "RETURN" || word == "PAUSE" || word == "STOP" ||
              word == "LEFTY" || word == "RIGHTY" || word == "ABOVE" || word == "BELOW" ||
              word == "FLIP" || word == "NOFLIP") {
@@ -84,7 +87,7 @@ bool Instructions::settingWord(const std::string& word) {
     scope_.expression();
   } else if (word == "DURATION") {
     scope_.next();
-    scope_.expression();
+    time();
     scope_.take("ALWAYS");
   } else if (word == "COARSE" || word == "FINE" || word == "NULL" || word == "NONULL" ||
              word == "CPON" || word == "CPOFF") {
@@ -98,7 +101,11 @@ bool Instructions::settingWord(const std::string& word) {
     if (word == "TOOL" && !scope_.atEnd()) {
       scope_.location();
     } else if (word == "BASE" && !scope_.atEnd()) {
-      scope_.list();
+      const std::size_t column = scope_.column();
+      constexpr std::size_t most = 4;  // dx, dy, dz and a turn about z
+      if (scope_.list() > most) {
+        scope_.wrongAt(column, fmt::format("BASE takes {} values", most));
+      }
     }
   } else if (word == "ENABLE" || word == "DISABLE") {
     scope_.next();
@@ -112,6 +119,14 @@ bool Instructions::settingWord(const std::string& word) {
     return false;
   }
   return true;
+}
+
+void Instructions::time() {
+  const std::size_t column = scope_.column();
+  const std::optional<double> seconds = scope_.expression();
+  if (seconds && *seconds < 0.0) {
+    scope_.wrongAt(column, fmt::format("the time is {:g}; it is 0 or more", *seconds));
+  }
 }
 
 void Instructions::setSpeed() {
@@ -200,8 +215,12 @@ bool Instructions::blockWord(const std::string& word) {
     }
   } else if (word == "ELSE") {
     scope_.next();
-    if (blocks_.empty() || blocks_.back() != "IF") {
+    if (blocks_.empty() || !blocks_.back().starts_with("IF")) {
       scope_.wrongAt(1, "ELSE outside IF");
+    } else if (blocks_.back() != "IF") {
+      scope_.wrongAt(1, "a second ELSE");
+    } else {
+      blocks_.back() = "IF and ELSE";
     }
   } else if (word == "END") {
     scope_.next();

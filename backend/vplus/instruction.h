@@ -27,6 +27,7 @@ class Instructions {
   void move(bool straight);
   void lean(robot::Pose& pose) const;
   void setSpeed();
+  void time();
   void signal();
   void bits();
   void open(const std::string& word);

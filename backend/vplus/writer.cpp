@@ -27,6 +27,11 @@ std::string number(double value) {
   return fmt::format("{:.3f}", rounded == 0.0 ? 0.0 : rounded);
 }
 
+std::string trans(const std::array<double, 6>& v) {
+  return fmt::format("TRANS({}, {}, {}, {}, {}, {})", number(v[0]), number(v[1]), number(v[2]),
+                     number(v[3]), number(v[4]), number(v[5]));
+}
+
 class VplusWriter : public Writer {
  public:
   VplusWriter(std::ostream& out, const Context& context, DiagnosticSink& sink)
@@ -49,15 +54,19 @@ class VplusWriter : public Writer {
     text += "  ; made by arelem from CL data" + end;
     text += "  AUTO f" + end;
     const Frame& f = machine_.frame;
-    text += fmt::format("  SET f = TRANS({}, {}, {}, {}, {}, {})", number(f.shift.x()),
-                        number(f.shift.y()), number(f.shift.z()), number(f.angles[0]),
-                        number(f.angles[1]), number(f.angles[2])) +
+    text += "  SET f = " +
+            trans({f.shift.x(), f.shift.y(), f.shift.z(), f.angles[0], f.angles[1], f.angles[2]}) +
             end;
+    if (machine_.vplus.tool) {
+      text += "  TOOL " + trans(*machine_.vplus.tool) + end;
+    }
     text += "  ACCEL 100, 100" + end;
     for (const std::string& line : lines_) {
       text += "  " + line + end;
     }
-    if (!signalsAfterMove_.empty()) {
+    if (machine_.vplus.approach > 0.0 && before_) {
+      text += "  DEPARTS " + number(machine_.vplus.approach) + end;
+    } else if (!signalsAfterMove_.empty()) {
       text += "  BREAK" + end;
     }
     for (const std::string& line : signalsAfterMove_) {
@@ -173,17 +182,38 @@ class VplusWriter : public Writer {
       return;
     }
     check(inRobot, place, isFrom);
+    const bool over = rapid_ && !isFrom && machine_.vplus.approach > 0.0;
     setSpeed(place);
     const Euler e = eulerOf(toolFrame(written));
+    const std::string there =
+        "f:" + trans({pose.point.x(), pose.point.y(), pose.point.z(), e.yaw, e.pitch, e.roll});
     const bool joint = isFrom || location_ == 1;  // nothing is known of where the robot stands
-    line(fmt::format("{} f:TRANS({}, {}, {}, {}, {}, {})", joint ? "MOVE" : "MOVES",
-                     number(pose.point.x()), number(pose.point.y()), number(pose.point.z()),
-                     number(e.yaw), number(e.pitch), number(e.roll)));
+    if (over) {
+      approach(inRobot, there, place, joint);
+    }
+    motion((joint && !over ? "MOVE " : "MOVES ") + there);
+    before_ = inRobot;
+  }
+
+  /// A motion instruction; outputs that change on the fly do so as it begins.
+  void motion(std::string text) {
+    line(std::move(text));
     for (std::string& signal : signalsAfterMove_) {
       line(std::move(signal));
     }
     signalsAfterMove_.clear();
-    before_ = inRobot;
+  }
+
+  /// Away from the place before and over the next one, along the tool.
+  void approach(const Pose& pose, const std::string& there, const std::string& place, bool joint) {
+    const double away = machine_.vplus.approach;
+    if (before_) {
+      motion("DEPARTS " + number(away));
+    }
+    motion(fmt::format("{} {}, {}", joint ? "APPRO" : "APPROS", there, number(away)));
+    Pose raised = pose;
+    raised.point += away * pose.axis.normalized();
+    check(raised, "the approach to " + place, true);
   }
 
   /// Splits the pose into what the robot holds upright and what its tilt axis does.

@@ -17,13 +17,13 @@ class Engrave(ArelemCase):
         return [line for line in lines if re.match(r"(GOTO|RAPID|FEDRAT)", line)]
 
     def places(self, lines):
-        return [tuple(round(float(x), 6) for x in line[5:].split(",")[:3]) for line in lines if line.startswith("GOTO")]
+        return [tuple(round(float(x), 6) for x in line.split("/")[1].split(",")[:3]) for line in lines if line.startswith("GOTO")]
 
     def test_one_line(self):
         # An I of 12 mm from its foot: over it, down, along it, up.
         lines = self.cut("ENGRAV/'I',HEIGHT,12,DEEP,.3,CLEARP,2,FEDRAT,400,120")
         self.assertEqual(self.places(lines), [(0, 0, 2), (0, 0, -.3), (0, 12, -.3), (0, 12, 2)])
-        words = [re.sub(r"[^A-Z]", "", line.split("/")[0]) for line in lines]
+        words = [line.split("/")[0].strip() for line in lines]
         self.assertEqual(words, ["RAPID", "GOTO", "FEDRAT", "GOTO", "FEDRAT", "GOTO", "RAPID", "GOTO"])
 
     def test_passes_go_back_and_forth(self):
@@ -39,7 +39,7 @@ class Engrave(ArelemCase):
     def test_leaning_face(self):
         # On a plane turned by 90 degrees about x: the tool stands along -y of the base.
         lines = self.cut("M1=MATRIX/YZROT,90\nMULTAX/ON\nREFSYS/M1\nENGRAV/'I',HEIGHT,12,DEEP,.3,CLEARP,2\nREFSYS/NOMORE")
-        goto = [[float(x) for x in line[5:].split(",")] for line in lines if line.startswith("GOTO")]
+        goto = [[float(x) for x in line.split("/")[1].split(",")] for line in lines if line.startswith("GOTO")]
         for got, want in zip(goto, [(0, -2, 0), (0, .3, 0), (0, .3, 12), (0, -2, 12)]):
             for a, b in zip(got, want + (0, -1, 0)):
                 self.assertAlmostEqual(a, b, 6)
@@ -59,8 +59,8 @@ class Engrave(ArelemCase):
     def test_refusals_leave_the_file_alone(self):
         for statement, code in [("ENGRAV/'A%',HEIGHT,10,DEEP,.3,CLEARP,2", "E0560"),
                                 ("ENGRAV/' ',HEIGHT,10,DEEP,.3,CLEARP,2", "E0563"),
-                                ("ENGRAV/'A',HEIGHT,10,DEEP,.3,CLEARP,2,CHORD,1E-30", "E0564"),
-                                ("ENGRAV/'I',HEIGHT,10,DEEP,.3,1E-12,CLEARP,2", "E0564"),
+                                ("ENGRAV/'O',HEIGHT,10,DEEP,.3,CLEARP,2,CHORD,1.E-30", "E0564"),
+                                ("ENGRAV/'I',HEIGHT,10,DEEP,.3,1.E-12,CLEARP,2", "E0564"),
                                 ("ENGRAV/'A',HEIGHT,10,DEEP,.3", "E0568"),
                                 ("ENGRAV/HEIGHT,10", "E0568"),
                                 ("ENGRAV/'A',HEIGHT,10,DEEP,.3,CLEARP,2,CLEARP,3", "E0568"),

@@ -45,7 +45,7 @@ class Stencil(ArelemCase):
         self.assertIn("film over the mean film", (self.folder / "f.svg").read_text())
         self.assertIn("share of the cell, %", (self.folder / "s.svg").read_text())
         self.assertEqual((self.folder / "f.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
-        rows = list(csv.DictReader((self.folder / "f.csv").open()))
+        rows = list(csv.DictReader((self.folder / "f.csv").read_text().splitlines()))
         for row in rows:
             self.assertAlmostEqual(float(row["share_first"]) + float(row["share_second"]), 100, 3)
         # The bowl of Blank, section 2.5: 46.7 to 53.3 percent (case BLANK-ratio-trapezoid).
@@ -95,22 +95,6 @@ class Stencil(ArelemCase):
 
 
 class Alphabet(ArelemCase):
-    def test_table_of_the_manual_is_what_is_printed(self):
-        self.assertExit(0, "alphabet")
-        printed = {}
-        for line in self.out.splitlines()[3:]:
-            words = line.split()
-            printed[words[0]] = words[4:]
-        manual = (PROJECT / "docs" / "manual" / "stencil.md").read_text()
-        rows = re.findall(r"^\| (\S+(?:, \S+)*) \| ([\d.]+ [\d.]+) \| ([\d.]+ [\d.]+) \| ([\d.]+ [\d.]+) \| ([\d.]+ [\d.]+) \|$", manual, re.M)
-        listed = set()
-        for names, *films in rows:
-            for name in names.replace("`", "").split(", "):
-                self.assertEqual(" ".join(films).split(), printed[name], name)
-                listed.add(name)
-        for name, films in printed.items():
-            self.assertTrue(name in listed or set(films) == {"1.000"}, name)
-
     def test_chart_has_every_symbol(self):
         self.assertExit(0, "alphabet", "-o", "chart.svg")
         chart = (self.folder / "chart.svg").read_text()

@@ -156,6 +156,25 @@ TEST(Trajectory, StaysNearCornersAndIsSmooth) {
   EXPECT_LT(nearest, 1000.0 * 0.1 * 0.1 / 8.0);
 }
 
+/// Accelerations have no jumps: they are the derivative of the speed everywhere.
+TEST(Trajectory, AccelerationIsContinuous) {
+  const Trajectory path({knot(0.0, 0.0, 0.0), knot(30.0, 0.0, 200.0), knot(60.0, 6.0, 150.0),
+                         knot(90.0, 30.0, 180.0)},
+                        1000.0, 0.128);
+  constexpr double step = 1e-4;
+  for (double t = step; t < path.duration() - step; t += 3e-3) {
+    const State before = path.at(t - step);
+    const State now = path.at(t);
+    const State behind = path.at(t + step);
+    const joints::Place slope = (behind.speed - before.speed) / (2.0 * step);
+    // It changes by at most 4 v / (window / 2)^2 a second.
+    constexpr double jerk = 4.0 * 200.0 / (0.064 * 0.064);
+    EXPECT_LT((slope - now.acceleration).norm(), jerk * step) << t;
+    EXPECT_LT((behind.acceleration - now.acceleration).norm(), jerk * step) << t;
+    EXPECT_LT((now.speed - (behind.place - before.place) / (2.0 * step)).norm(), 0.01) << t;
+  }
+}
+
 TEST(Trajectory, StopsExactlyWhereItMust) {
   std::vector<Knot> knots = {knot(0.0, 0.0, 0.0), knot(300.0, 0.0, 200.0),
                              knot(300.0, 300.0, 200.0)};

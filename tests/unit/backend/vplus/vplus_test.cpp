@@ -75,6 +75,45 @@ TEST(Vplus, AStrokeIsACompleteProgram) {
             ".END\r\n");
 }
 
+/// With an approach rapid moves go up, across and down along the tool.
+TEST(Vplus, RapidMovesApproachAndDepart) {
+  robot::Machine machine;
+  machine.vplus.approach = 50.0;
+  machine.vplus.tool = {0.0, 0.0, 180.0, 0.0, 0.0, 90.0};
+  std::vector<cl::Record> records = stroke();
+  records.pop_back();
+  for (cl::Record& record : stroke()) {
+    records.push_back(std::move(record));
+  }
+  const std::string text = program(records, &machine);
+  EXPECT_THAT(text, HasSubstr("  TOOL TRANS(0.000, 0.000, 180.000, 0.000, 0.000, 90.000)\r\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("  APPRO f:TRANS(100.000, 0.000, 200.000, 0.000, 180.000, 180.000), 50.000\r\n"
+                "  MOVES f:TRANS(100.000, 0.000, 200.000, 0.000, 180.000, 180.000)\r\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("  SIGNAL -3\r\n"
+                "  ; Stroke 1\r\n"
+                "  SPEED 500.000, 100 MMPS ALWAYS\r\n"
+                "  DEPARTS 50.000\r\n"
+                "  APPROS f:TRANS(100.000, 0.000, 200.000, 0.000, 180.000, 180.000), 50.000\r\n"
+                "  MOVES f:TRANS(100.000, 0.000, 200.000, 0.000, 180.000, 180.000)\r\n"));
+  EXPECT_THAT(text, HasSubstr("  SIGNAL -3\r\n  DEPARTS 50.000\r\n  BREAK\r\n  RETURN\r\n"));
+  auto read = vplus::readProgram(text, "p.v2", nullptr);
+  ASSERT_TRUE(read.ok()) << read.failure().message;
+  EXPECT_EQ(read->moves.size(), 4U);  // places over others are no locations of the CL
+}
+
+/// On the fly the output changes as the tool departs.
+TEST(Vplus, DepartsSwitchOnTheFly) {
+  robot::Machine machine;
+  machine.vplus.approach = 50.0;
+  machine.vplus.onTheFly = true;
+  EXPECT_THAT(program(stroke(), &machine),
+              HasSubstr("  DEPARTS 50.000\r\n  SIGNAL -3\r\n  BREAK\r\n"));
+}
+
 TEST(Vplus, OnTheFlySignalsFollowTheMoveThatBegins) {
   robot::Machine machine;
   machine.vplus.onTheFly = true;
@@ -217,6 +256,12 @@ TEST(VplusReader, RefusesTheRest) {
   EXPECT_THAT(refusal("SET f = NULL\nf = 1"),
               HasSubstr("`F` is a location and cannot become a number"));
   EXPECT_THAT(refusal("SET p = SHIFT(q BY 1,2,3,4)"), HasSubstr("`,` stands where `)`"));
+  EXPECT_THAT(refusal("BASE 1,2,3,4,5"), HasSubstr("BASE takes 4 values"));
+  EXPECT_THAT(refusal("IF x THEN\nELSE\nELSE\nEND"), HasSubstr("a second ELSE"));
+  EXPECT_THAT(refusal("WHILE x DO\nELSE\nEND"), HasSubstr("ELSE outside IF"));
+  EXPECT_THAT(refusal("10 BREAK\n10 BREAK"), HasSubstr("the label 10 stands twice"));
+  EXPECT_THAT(refusal("DURATION -1"), HasSubstr("the time is -1"));
+  EXPECT_THAT(refusal("DELAY -1"), HasSubstr("the time is -1"));
   EXPECT_THAT(refusal("BREAK 3"), HasSubstr("`3` stands where the end of the line"));
   EXPECT_THAT(refusal("MOVE f:"), HasSubstr("the end of the line stands where a location"));
   EXPECT_THAT(refusal("x = " + std::string(200, '(')), HasSubstr("148"));
