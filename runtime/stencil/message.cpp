@@ -94,7 +94,8 @@ class Grid {
   }
   void finish(std::vector<Run>& runs, std::array<Rail, 2>& rails) const {
     if (writing_.leaning && !runs.empty()) {
-      runs.back().lines = evenlyLeaning(rails[0], rails[1]);
+      constexpr double bow = 0.0008;  // of the height: 2 mm of letters of 2440 mm
+      runs.back().lines = evenlyLeaning(rails[0], rails[1], bow * alphabet_.height);
       rails = {};
     }
   }

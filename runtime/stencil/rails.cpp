@@ -13,7 +13,8 @@ namespace {
 /// Moves the lines between two rails.
 class Search {
  public:
-  Search(const Rail& first, const Rail& second) : sides_{Side(first), Side(second)} {
+  Search(const Rail& first, const Rail& second, double bow)
+      : sides_{Side(first), Side(second)}, bow_(bow) {
     for (std::size_t i = 0; i < first.places().size(); ++i) {
       lines_.push_back({first.at(first.places()[i]), second.at(second.places()[i])});
     }
@@ -23,7 +24,8 @@ class Search {
   }
 
   std::vector<Line> run() {
-    if (lines_.size() < 3) {
+    constexpr double even = 1e-16;  // a lean of 0.01: a film within 1 / 20000
+    if (lines_.size() < 3 || *std::max_element(cost_.begin(), cost_.end()) < even) {
       return std::move(lines_);
     }
     double step = 1.0;  // in mean cells
@@ -61,6 +63,12 @@ class Search {
     return fourth * fourth;
   }
 
+  /// How far a circle's arc of this length leaves its chord: sqrt(3/8 arc (arc - chord)) for flat
+  /// ones.
+  static double bowOf(double arc, double chord) {
+    return std::sqrt(0.375 * arc * std::max(0.0, arc - chord));
+  }
+
   bool move(Side& side, std::size_t i, double cells) {
     constexpr double shortest = 0.1;  // of a mean cell: none shrinks to nothing
     const double place = side.places[i] + cells * side.mean;
@@ -69,11 +77,21 @@ class Search {
       return false;
     }
     Line tried = lines_[i];
-    (&side == sides_.data() ? tried.first : tried.second) = side.rail->at(place);
+    Vec2 Line::*const end = &side == sides_.data() ? &Line::first : &Line::second;
+    tried.*end = side.rail->at(place);
     const double before = costOf(lines_[i - 1], tried);
     const double behind = costOf(tried, lines_[i + 1]);
     if (!(before + behind < cost_[i - 1] + cost_[i])) {
       return false;
+    }
+    const auto bowTo = [&](std::size_t other, const Line& line, double at) {
+      return bowOf(std::abs(side.places[other] - at), (line.*end - lines_[other].*end).norm());
+    };
+    for (const std::size_t other : {i - 1, i + 1}) {
+      const double bow = bowTo(other, tried, place);
+      if (bow > bow_ && bow > bowTo(other, lines_[i], side.places[i])) {
+        return false;
+      }
     }
     lines_[i] = tried;
     side.places[i] = place;
@@ -85,6 +103,7 @@ class Search {
   std::array<Side, 2> sides_;
   std::vector<Line> lines_;
   std::vector<double> cost_;  // of each cell
+  double bow_;
 };
 
 std::vector<Vec2> pointsOf(const Edge& edge) {
@@ -183,8 +202,8 @@ Edges edgesOf(const Stroke& stroke, double symbolWidth, double gridHeight) {
   return edges;
 }
 
-std::vector<Line> evenlyLeaning(const Rail& first, const Rail& second) {
-  return Search(first, second).run();
+std::vector<Line> evenlyLeaning(const Rail& first, const Rail& second, double bow) {
+  return Search(first, second, bow).run();
 }
 
 }  // namespace arelem::stencil

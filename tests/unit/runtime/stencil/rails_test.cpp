@@ -91,7 +91,7 @@ TEST(Rails, EvenEdgesAreDividedEvenly) {
   const Rail first = railOf({{0.0, 0.0}, {10.0, 0.0}}, 5);
   Rail second;
   second.extend({{0.0, 1.0}, {10.0, 1.0}}, {0.0, 0.1, 0.2, 0.3, 0.4, 1.0}, false);
-  const std::vector<Line> lines = evenlyLeaning(first, second);
+  const std::vector<Line> lines = evenlyLeaning(first, second, 0.01);
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_LT(worstLean(lines), 0.02);
   EXPECT_EQ(lines.front().second, Vec2(0.0, 1.0));
@@ -125,7 +125,29 @@ TEST(Rails, ABendSharesItsLeanWithTheStraightBeforeIt) {
     given.push_back({first.at(first.places()[i]), second.at(second.places()[i])});
   }
   EXPECT_NEAR(worstLean(given), 1.0 / 3.0, 1e-3);
-  EXPECT_LT(worstLean(evenlyLeaning(first, second)), 0.2);
+  EXPECT_LT(worstLean(evenlyLeaning(first, second, 0.05)), 0.2);
+}
+
+/// The sides of cells stay as near to the edge as they are allowed to leave it.
+TEST(Rails, MovedLinesDoNotCutTheBend) {
+  std::vector<Vec2> inner;
+  std::vector<Vec2> outer;
+  for (int i = 0; i <= 256; ++i) {
+    const double angle = std::numbers::pi * i / 256.0;
+    inner.emplace_back(std::cos(angle), std::sin(angle));
+    outer.emplace_back(2.5 * std::cos(angle), 2.0 * std::sin(angle));
+  }
+  const Rail first = railOf(inner, 16);
+  const Rail second = railOf(outer, 16);
+  for (const double bow : {0.02, 0.2}) {
+    const std::vector<Line> lines = evenlyLeaning(first, second, bow);
+    double worst = 0.0;  // of the outer edge, seen as an ellipse
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+      const Vec2 middle = 0.5 * (lines[i].second + lines[i + 1].second);
+      worst = std::max(worst, 1.0 - Vec2(middle.x() / 2.5, middle.y() / 2.0).norm());
+    }
+    EXPECT_LT(2.0 * worst, 1.1 * bow + 0.02);
+  }
 }
 
 }  // namespace
