@@ -5,6 +5,7 @@
 #include "app/library_path.h"
 #include "app/source_file.h"
 #include "app/stopwatch.h"
+#include "app/view/curves.h"
 
 #include "runtime/path/chords.h"
 #include "runtime/path/curve_needs.h"
@@ -100,6 +101,7 @@ backend::Context backendContext(const Compilation& job) {
   for (const runtime::Defined& defined : job.evaluation.defined) {
     if (defined.entity) {
       context.entities.push_back(defined.entity);
+      context.curves.push_back(curvesOf(*defined.entity));
     }
   }
   for (const runtime::Printed& p : job.evaluation.printed) {

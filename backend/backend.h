@@ -30,10 +30,14 @@ struct ListingItem {
 };
 
 /// What a target may use beside the records.
+/// Polylines in space.
+using Curves = std::vector<std::vector<Vec3>>;
+
 struct Context {
   const SourceMap* sources = nullptr;
   const ir::Program* program = nullptr;  ///< null when the records were read from a file
   std::vector<EntityPtr> entities;       ///< in order of definition
+  std::vector<Curves> curves;  ///< of the entity of the same index, where only they can be drawn
   std::vector<ListingItem> printed;
   std::string_view deck;                    ///< what PUNCH wrote
   const robot::Machine* machine = nullptr;  ///< of --machine; null without

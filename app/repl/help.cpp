@@ -1,13 +1,17 @@
 // :help, and the list of all commands.
 #include <algorithm>
 #include <array>
+#include <cctype>
 
+#include "app/command.h"
 #include "app/language.h"
 #include "app/manual_pages.h"
 #include "app/messages.h"
 #include "app/nearest.h"
 #include "app/repl/console.h"
 
+#include "frontend/complete/complete.h"
+#include "ir/define/matcher.h"
 #include "ir/diag/display_text.h"
 
 namespace arelem::app::repl {
@@ -19,8 +23,10 @@ std::string leave(Console& console, const std::string& /*rest*/) {
 }
 
 constexpr std::array commands = {
-    ConsoleCommand{":help", "[WORD]", "this list; forms and statements of a word; a diagnostic",
-                   'w', help},
+    ConsoleCommand{
+        ":help", "[WORD]",
+        "this list; a word of the language; a diagnostic; a page of the manual; a command", 'w',
+        help},
     ConsoleCommand{":list", "[TYPE or NAME*]", "what the session has defined", 'w', listNames},
     ConsoleCommand{":show", "NAME, ...", "values, with the statement that defined them", 'n',
                    showEntity},
@@ -55,7 +61,9 @@ void printCommands(Console& console) {
   }
   console.out
       << "\nStatements are as in a file; `$` continues one. ANS is the last unnamed result: "
-         "try 3*SINF(30), then CIRCLE/0,0,ANS.\n";
+         "try 3*SINF(30), then CIRCLE/0,0,ANS.\n:help CIRCLE shows the forms of circles, :help "
+         "E0310 a "
+         "diagnostic, :help smoothing a page of the manual, :help topics all pages.\n";
 }
 
 /// Commands that begin with this text; the exact one alone.
@@ -72,10 +80,80 @@ std::vector<const ConsoleCommand*> commandsOf(const std::string& text) {
   return found;
 }
 
-bool printPage(Console& console, const std::string& code) {
-  for (const ManualPage& page : manualPages()) {
-    if (page.code == code) {
-      console.out << page.text;
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The page of this name, or nothing.
+const ManualPage* pageOf(std::span<const ManualPage> pages, const std::string& code) {
+  const auto found = std::find_if(pages.begin(), pages.end(),
+                                  [&](const ManualPage& page) { return page.code == code; });
+  return found == pages.end() ? nullptr : &*found;
+}
+
+void printTopics(Console& console) {
+  for (const ManualPage& page : manualTopics()) {
+    const std::string_view title = page.text.substr(0, page.text.find('\n'));
+    console.out << fmt::format("{:<14}{}\n", page.code,
+                               title.substr(std::min(title.find_first_not_of("# "), title.size())));
+  }
+}
+
+/// Whether a syntax line has the word as a whole one.
+bool hasWord(std::string_view syntax, std::string_view word) {
+  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t i = syntax.find(word); i != syntax.npos; i = syntax.find(word, i + 1)) {
+    const std::size_t end = i + word.size();
+    if ((i == 0 || !isPart(syntax[i - 1])) && (end == syntax.size() || !isPart(syntax[end]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Where a modifier may stand, or what else the tables know of a word.
+void printUses(Console& console, Word word) {
+  const std::string_view text = spell(word);
+  bool any = false;
+  for (const define::FormRow& form : define::formTable()) {
+    const std::string line = form.anyNoun ? "" : define::syntaxLine(form.noun, form.id);
+    if (hasWord(line, text)) {
+      console.out << line << "\n        " << form.meaning << '\n';
+      any = true;
+    }
+  }
+  for (const frontend::StatementForm& form : frontend::statementForms()) {
+    if (hasWord(form.pattern, text)) {
+      console.out << spell(form.word) << "/ " << form.pattern << "\n        " << form.meaning
+                  << '\n';
+      any = true;
+    }
+  }
+  const WordRow& known = row(word);
+  if (known.type == 2000) {
+    console.out << fmt::format(
+        "{}{}\n        post-processor word {}: it goes to the CL records as it is\n", text,
+        known.wordClass == WordClass::postWithoutParameters ? "" : "/ [parameters]", known.code);
+  } else if (!any) {
+    console.out << fmt::format("{} is a word of the language; the tables have no form of its own\n",
+                               text);
+  }
+}
+
+/// The page of a subject, or what `arelem COMMAND` is for.
+bool printTopic(Console& console, const std::string& subject) {
+  const std::string name =
+      subject.ends_with(".md") ? subject.substr(0, subject.size() - 3) : subject;
+  if (const ManualPage* page = pageOf(manualTopics(), name)) {
+    console.out << page->text;
+    return true;
+  }
+  for (const Command& command : app::commands()) {
+    if (command.name == name) {
+      console.out << fmt::format("arelem {}: {}; arelem {} --help tells its options\n", name,
+                                 command.summary, name);
       return true;
     }
   }
@@ -93,29 +171,40 @@ std::string help(Console& console, const std::string& rest) {
     return "";
   }
   const std::string word = upperCase(rest);
-  std::string command = rest;
-  std::transform(command.begin(), command.end(), command.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const bool colon = command.front() == ':';
-  if (colon) {
+  const std::string command = lowerCase(rest);
+  if (command.front() == ':') {
     for (const ConsoleCommand* c : commandsOf(command)) {
       console.out << fmt::format("{} {}\n        {}\n", c->name, c->arguments, c->summary);
       return "";
     }
   }
-  if (printLanguage(console.out, word) || printPage(console, word)) {
+  if (command == "topics") {
+    printTopics(console);
     return "";
   }
-  if (const std::optional<Word> known = findWord(word)) {
-    console.out << fmt::format(
-        "{} is a word of the language; no form of its own is in the tables\n", spell(*known));
+  if (const ManualPage* page = pageOf(manualPages(), word)) {
+    console.out << page->text;
     return "";
   }
-  std::vector<std::string> known;
+  const std::optional<Word> known = findWord(word);
+  const bool own = printLanguage(console.out, word);
+  if (known && !own) {
+    printUses(console, *known);
+  }
+  if (known || own) {
+    if (pageOf(manualTopics(), command) != nullptr) {
+      console.out << fmt::format("there is a page about it: :help {}.md\n", command);
+    }
+    return "";
+  }
+  if (printTopic(console, command)) {
+    return "";
+  }
+  std::vector<std::string> all;
   for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
-    known.emplace_back(spell(static_cast<Word>(i)));
+    all.emplace_back(spell(static_cast<Word>(i)));
   }
-  const std::string guess = nearest(word, known);
+  const std::string guess = nearest(word, all);
   return "there is no help on `" + displayText(rest) + "`" +
          (guess.empty() ? "" : "; did you mean `" + guess + "`?");
 }

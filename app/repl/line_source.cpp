@@ -43,6 +43,8 @@ struct EditorState {
   bool cancelled = false;
   bool terminated = false;
   Completer completer;
+  Highlighter highlighter;
+  bool plain = false;  ///< this line is drawn by the editor itself
   std::vector<std::string> candidates;
 };
 EditorState& state() {
@@ -104,13 +106,65 @@ char** completeLine(const char* text, int start, int end) {
   return state().candidates.empty() ? nullptr : rl_completion_matches(text, nextCandidate);
 }
 
+/// The prompt without the marks round its colors, and how wide it is.
+std::string shownPrompt(std::size_t& width) {
+  std::string prompt;
+  width = 0;
+  bool hidden = false;
+  for (const char* c = rl_display_prompt; c != nullptr && *c != '\0'; ++c) {
+    if (*c == RL_PROMPT_START_IGNORE || *c == RL_PROMPT_END_IGNORE) {
+      hidden = *c == RL_PROMPT_START_IGNORE;
+    } else {
+      prompt += *c;
+      width += hidden ? 0 : 1;
+    }
+  }
+  return prompt;
+}
+
+/// Draws a line that fits the row, in colors. Longer lines, and those with other than plain
+/// characters, are left to the editor, which has no colors.
+void drawLine() {
+  EditorState& s = state();
+  int rows = 0;
+  int columns = 0;
+  rl_get_screen_size(&rows, &columns);
+  std::size_t promptWidth = 0;
+  const std::string prompt = shownPrompt(promptWidth);
+  const std::string line(rl_line_buffer, static_cast<std::size_t>(rl_end));
+  const bool printable =
+      std::all_of(line.begin(), line.end(), [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
+  const bool fits =
+      columns > 0 && promptWidth + line.size() + 1 < static_cast<std::size_t>(columns);
+  if (!s.plain && !(fits && printable)) {
+    s.plain = true;
+    std::fputs("\r\033[K", rl_outstream);
+    rl_on_new_line();
+  }
+  if (s.plain) {
+    rl_redisplay();
+    return;
+  }
+  std::string shown = "\r" + prompt + s.highlighter(line) + "\033[K\r";
+  if (const std::size_t at = promptWidth + static_cast<std::size_t>(rl_point); at > 0) {
+    shown += "\033[" + std::to_string(at) + "C";
+  }
+  std::fputs(shown.c_str(), rl_outstream);
+  std::fflush(rl_outstream);
+  rl_on_new_line();  // the editor has drawn nothing, and moves nothing when the line ends
+}
+
 class Editor : public LineSource {
  public:
-  Editor(History& history, Completer completer) : history_(history) {
+  Editor(History& history, Completer completer, Highlighter highlighter) : history_(history) {
     if (::pipe2(state().pipe, O_CLOEXEC | O_NONBLOCK) != 0) {
       state().pipe[0] = state().pipe[1] = -1;
     }
     state().completer = std::move(completer);
+    state().highlighter = std::move(highlighter);
+    if (state().highlighter) {
+      rl_redisplay_function = drawLine;
+    }
     rl_readline_name = "arelem";
     rl_catch_signals = 0;  // they come through the pipe
     rl_getc_function = getKey;
@@ -128,6 +182,7 @@ class Editor : public LineSource {
   }
   ~Editor() override {
     clear_history();
+    rl_redisplay_function = rl_redisplay;
     state() = EditorState();
   }
   Editor(const Editor&) = delete;
@@ -135,9 +190,14 @@ class Editor : public LineSource {
 
   std::optional<Line> read(const std::string& prompt) override {
     forgetSignals();  // those that ended a computation
+    state().plain = !state().highlighter || state().highlighter("0").empty();
     char* const typed = ::readline(prompt.c_str());
+    if (!state().plain) {
+      std::fputs("\n", rl_outstream);
+      std::fflush(rl_outstream);
+    }
     if (typed == nullptr) {
-      std::cout << '\n';
+      std::cout << (state().plain ? "\n" : "");
       return std::nullopt;
     }
     Line line{typed, state().cancelled};
@@ -165,9 +225,11 @@ class Editor : public LineSource {
 };
 }  // namespace
 
-std::unique_ptr<LineSource> openLines(History& history, Completer completer) {
+std::unique_ptr<LineSource> openLines(History& history,
+                                      Completer completer,
+                                      Highlighter highlighter) {
   if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
-    return std::make_unique<Editor>(history, std::move(completer));
+    return std::make_unique<Editor>(history, std::move(completer), std::move(highlighter));
   }
   return std::make_unique<PlainLines>();
 }

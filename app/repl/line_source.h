@@ -30,7 +30,14 @@ class LineSource {
 /// Candidates for the line as far as it is typed.
 using Completer = std::function<frontend::Completion(const std::string& line)>;
 
-/// A line editor where input and output are terminals, else plain lines without a prompt.
-[[nodiscard]] std::unique_ptr<LineSource> openLines(History& history, Completer completer);
+/// The line with color codes, which change nothing of what is seen of it; "" while there are no
+/// colors.
+using Highlighter = std::function<std::string(const std::string& line)>;
+
+/// A line editor where input and output are terminals, else plain lines without a prompt. Without a
+/// highlighter the typed line has no colors.
+[[nodiscard]] std::unique_ptr<LineSource> openLines(History& history,
+                                                    Completer completer,
+                                                    Highlighter highlighter);
 
 }  // namespace arelem::app::repl

@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/options.h"
 #include "app/repl/console.h"
+#include "app/repl/highlight.h"
 #include "app/repl/line_source.h"
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -227,7 +228,7 @@ void greet(const LineSource& lines, History& history, bool quiet) {
 ExitCode converse(Console& console, const std::string& file, bool quiet) {
   History history(::isatty(STDIN_FILENO) == 1 ? History::usualPath() : "");
   std::string pending;
-  const auto lines = openLines(history, [&](const std::string& line) {
+  const auto complete = [&](const std::string& line) {
     if (!line.empty() && line.front() == ':') {
       return completeCommand(console.session, line);
     }
@@ -237,7 +238,20 @@ ExitCode converse(Console& console, const std::string& file, bool quiet) {
     frontend::Completion found = frontend::complete(pending + line, console.session.names());
     found.begin -= std::min(found.begin, pending.size());
     return found;
-  });
+  };
+  // Names are asked for once an entry, not at every key.
+  std::shared_ptr<const Run> seen;
+  std::vector<frontend::KnownName> names;
+  const auto color = [&](const std::string& line) {
+    if (seen != console.session.run()) {
+      seen = console.session.run();
+      names = console.session.names();
+    }
+    return console.style.color ? highlighted(line, names) : std::string();
+  };
+  const char* const terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe)
+  const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  const auto lines = openLines(history, complete, dumb ? Highlighter() : Highlighter(color));
   greet(*lines, history, quiet);
   console.interrupt.converse([&](int signal) { lines->wake(signal); });
   if (!file.empty()) {

@@ -9,6 +9,11 @@ namespace arelem::app {
 namespace {
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double assumedSpeed = 50.0;  // units a second, where no time law holds
+
+bool isPerSecond(const cl::Post& post) {
+  return std::any_of(post.arguments.begin(), post.arguments.end(),
+                     [](const cl::Value& v) { return v == cl::Value(Word::MMPS); });
+}
 }  // namespace
 
 PathTrace::PathTrace(backend::Scene& scene, const SourceMap& sources)
@@ -53,7 +58,7 @@ void PathTrace::command(const cl::Post& post) {
   if (post.word == Word::RAPID) {
     rapid_ = true;
   } else if (post.word == Word::FEDRAT && number != nullptr) {
-    feed_ = static_cast<float>(*number);
+    feed_ = static_cast<float>(*number * (isPerSecond(post) ? 60.0 : 1.0));
   } else if (post.word == Word::CYCLE) {
     cycle_ = word == nullptr || (*word != Word::OFF && *word != Word::NOMORE);
   } else if (post.word == Word::SPRAY) {
@@ -98,8 +103,10 @@ void PathTrace::move(const cl::Motion& motion, const cl::Record& record) {
   isn_ = record.isn;
   if (!continues) {
     beginStretch(record);
+    kind_ = rapid_ || cycle_ ? SceneMove::rapid : arc_ ? SceneMove::arc : SceneMove::feed;
+    rapid_ = false;
+    arc_ = false;
   }
-  SceneMove kind = rapid_ || cycle_ ? SceneMove::rapid : arc_ ? SceneMove::arc : SceneMove::feed;
   const bool first = from || scene_.kinds.empty();
   const std::size_t stride = motion.stride();
   for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
@@ -108,15 +115,13 @@ void PathTrace::move(const cl::Motion& motion, const cl::Record& record) {
       scene_.places.push_back(motion.coordinates[i + k]);
     }
     const bool start = from || scene_.kinds.empty();
-    const auto code = static_cast<std::uint8_t>(start ? SceneMove::start : kind);
+    const auto code = static_cast<std::uint8_t>(start ? SceneMove::start : kind_);
     if (!first) {
       moves_.push_back(static_cast<std::uint32_t>(scene_.kinds.size()));
     }
     scene_.kinds.push_back(gun_ ? code | backend::sceneGunOn : code);
     scene_.seconds.push_back(0.0F);
   }
-  rapid_ = false;
-  arc_ = continues && arc_;
 }
 
 void PathTrace::finish() {

@@ -32,6 +32,7 @@ class PathTrace : public cl::RecordSink {
   std::vector<std::uint32_t> moves_;  ///< location at the end of each move
   std::vector<int> isns_;
   int isn_ = 0;
+  backend::SceneMove kind_ = backend::SceneMove::feed;  ///< of the motion at present
   float feed_ = 0.0F;
   bool rapid_ = false, cycle_ = false, arc_ = false, gun_ = false, multax_ = false;
 };

@@ -11,6 +11,7 @@
 
 #include "backend/svg/writer.h"
 #include "ir/diag/output.h"
+#include "runtime/path/chords.h"
 
 namespace arelem::app {
 
@@ -62,12 +63,13 @@ backend::PictureViews viewsOf(const std::string& name) {
 }
 
 /// What has errors is left out of a picture; the rest is shown.
-std::string pictureOf(Compilation& job, const ViewOptions& options, const cl::Recording& path) {
+std::string pictureOf(Compilation& job, const ViewOptions& options, const cl::Recording& records) {
   std::ostringstream out;
   const backend::Context context = backendContext(job);
   const auto writer = backend::makePictureWriter(out, context, viewsOf(options.views));
-  for (const cl::Record& record : path.records) {
-    writer->accept(record);
+  const auto chords = path::makeChordStage(*writer, job.log);
+  for (const cl::Record& record : records.records) {
+    chords->accept(record);
   }
   writer->finish();
   return out.str();

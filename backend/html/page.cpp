@@ -52,12 +52,20 @@ std::string nameOf(const Entity& entity) {
 
 Json entitiesOf(const Scene& scene) {
   Json all = Json::array();
-  for (const EntityPtr& entity : scene.entities) {
+  for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+    const EntityPtr& entity = scene.entities[i];
     const bool finite = std::all_of(entity->canon.begin(), entity->canon.end(),
                                     [](double v) { return std::isfinite(v); });
     if (finite && entity->canon.size() <= 4000) {
       all.push_back(
           {{"name", nameOf(*entity)}, {"type", spell(entity->type)}, {"canon", entity->canon}});
+      for (const auto& curve : scene.curves[i]) {
+        Json places = Json::array();
+        for (const Vec3& p : curve) {
+          places.insert(places.end(), {p.x(), p.y(), p.z()});
+        }
+        all.back()["curves"].push_back(std::move(places));
+      }
     }
   }
   return all;
@@ -85,12 +93,15 @@ Json headOf(const Scene& scene) {
   }
   head["meshes"] = Json::array();
   for (const SceneMesh& mesh : scene.meshes) {
-    head["meshes"].push_back({{"name", mesh.name}});
+    head["meshes"].push_back({{"name", mesh.name}, {"auxiliary", mesh.auxiliary}});
   }
+  head["box"] = scene.box;
   head["films"] = Json::array();
   for (const SceneFilm& film : scene.films) {
     head["films"].push_back({{"name", film.name},
                              {"wanted", film.wanted},
+                             {"relative", film.relative},
+                             {"strips", film.strips},
                              {"columns", film.columns},
                              {"rows", film.rows}});
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "backend/backend.h"
 #include "ir/geometry/entity.h"
 #include "ir/space/vector.h"
 
@@ -27,14 +28,17 @@ struct SceneStretch {
 
 struct SceneMesh {
   std::string name;
+  bool auxiliary = false;              ///< a nested drive or check surface without a name
   std::vector<float> places, normals;  ///< three a vertex
   std::vector<std::uint32_t> triangles;
 };
 
-/// A film over the cells of a grid in space.
+/// A film over the cells of a grid in space, or over strips.
 struct SceneFilm {
   std::string name;
-  double wanted = 0.0;  ///< mm
+  double wanted = 0.0;    ///< mm
+  bool relative = false;  ///< `film` is a multiple of the mean film, which is not known
+  bool strips = false;    ///< `corners` has four places a strip, `film` its values there
   std::size_t columns = 0, rows = 0;
   std::vector<float> corners;  ///< (columns + 1)(rows + 1) places, row by row
   std::vector<float> film;     ///< mm, by cells; NaN beside the work
@@ -59,12 +63,15 @@ struct SceneCutter {
 struct Scene {
   std::string title;
   std::string unit;  ///< "mm", "units"
+  Word unitWord = Word::MM;
   std::vector<SceneSource> sources;
   std::vector<SceneMessage> messages;
   std::vector<EntityPtr> entities;
+  std::vector<Curves> curves;  ///< as in Context
   std::vector<SceneStretch> stretches;
   std::vector<SceneCutter> cutters;
   std::vector<SceneMesh> meshes;
+  std::vector<double> box;  ///< low and high of x, y, z: what of the meshes is shown
   std::vector<SceneFilm> films;
   std::vector<double> places;       ///< three a location
   std::vector<float> axes;          ///< three a location, or empty: all along z

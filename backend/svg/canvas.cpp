@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -22,7 +23,10 @@ constexpr std::string_view styles = R"(  <style>
     .rapid { fill: none; stroke: #d1242f; stroke-width: 1.1; stroke-dasharray: 5 3; stroke-linejoin: round; }
     .feed { fill: none; stroke: #0b57d0; stroke-width: 1.5; stroke-linejoin: round; }
     .arc { fill: none; stroke: #0a8f6c; stroke-width: 1.8; stroke-linejoin: round; }
+    .gun { fill: none; stroke: #b5179e; stroke-width: 2.4; stroke-linejoin: round; }
+    .thin { stroke-width: 0.7; }
     .arrow { fill: #0b57d0; stroke: none; }
+    .arrow.on { fill: #b5179e; }
     .tool { fill: #0b57d0; fill-opacity: 0.05; stroke: #0b57d0; stroke-opacity: 0.35; stroke-width: 0.8; }
     .begin { fill: #1a7f37; stroke: #ffffff; stroke-width: 1; }
     .finish { fill: #8a1c7c; stroke: #ffffff; stroke-width: 1; }
@@ -77,6 +81,26 @@ void Canvas::polyline(const std::vector<Pixel>& points, std::string_view attribu
   for (const Pixel& p : points) {
     out_ << separator << number(p.x) << ',' << number(p.y);
     separator = " ";
+  }
+  out_ << "\" " << attributes << "/>\n";
+}
+
+void Canvas::curve(const std::vector<PathPiece>& pieces, std::string_view attributes) {
+  if (std::none_of(pieces.begin(), pieces.end(), [](const auto& p) { return p.radius > 0.0; })) {
+    std::vector<Pixel> points;
+    std::transform(pieces.begin(), pieces.end(), std::back_inserter(points),
+                   [](const PathPiece& p) { return p.to; });
+    return polyline(points, attributes);
+  }
+  out_ << "  <path d=\"M" << number(pieces.front().to.x) << ',' << number(pieces.front().to.y);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const PathPiece& p = pieces[i];
+    if (p.radius > 0.0) {
+      out_ << fmt::format(" A{0},{0} 0 0 {1} ", number(p.radius), p.clockwise ? 1 : 0);
+    } else {
+      out_ << " L";
+    }
+    out_ << number(p.to.x) << ',' << number(p.to.y);
   }
   out_ << "\" " << attributes << "/>\n";
 }

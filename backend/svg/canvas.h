@@ -8,6 +8,14 @@
 
 namespace arelem::backend::svg {
 
+/// A part of a curve: straight, or with a radius along an arc of less than half a turn, clockwise
+/// as it is seen or not. Of the first piece only the place counts: the curve begins there.
+struct PathPiece {
+  Pixel to;
+  double radius = 0.0;
+  bool clockwise = false;
+};
+
 /// Writes SVG elements. Coordinates have two decimals; text is escaped here and nowhere else.
 class Canvas {
  public:
@@ -23,6 +31,8 @@ class Canvas {
   void circle(Pixel center, double radius, std::string_view attributes);
   void rectangle(const Box& box, std::string_view attributes);
   void polyline(const std::vector<Pixel>& points, std::string_view attributes);
+  /// A polyline where no piece is an arc.
+  void curve(const std::vector<PathPiece>& pieces, std::string_view attributes);
   void text(Pixel at, std::string_view words, std::string_view attributes);
   /// A group that shows nothing outside the box.
   void beginClip(const Box& box, int id);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -34,7 +35,12 @@ bool isComplete(const Entity& entity) {
 }
 }  // namespace
 
-void addExtent(const Entity& entity, Bounds& bounds) {
+void addExtent(const Entity& entity, const Curves& curves, Bounds& bounds) {
+  for (const auto& curve : curves) {
+    for (const Vec3& p : curve) {
+      bounds.add(p);
+    }
+  }
   if (!isComplete(entity)) {
     return;
   }
@@ -61,9 +67,12 @@ void addExtent(const Entity& entity, Bounds& bounds) {
   }
 }
 
-bool GeometryDrawer::draw(const Entity& entity) {
+bool GeometryDrawer::draw(const Entity& entity, const Curves& curves) {
   if (!isComplete(entity)) {
     return false;
+  }
+  if (!curves.empty()) {
+    return drawCurves(entity, curves);
   }
   switch (entity.type) {
     case EntityType::point:
@@ -91,6 +100,7 @@ bool GeometryDrawer::draw(const Entity& entity) {
       return tabulated(entity);
     case EntityType::vector:
     case EntityType::matrix:
+    case EntityType::gun:
       return true;  // there is nothing to see
     default:
       return false;
@@ -131,8 +141,10 @@ void GeometryDrawer::edge(double a, double b, double d, const std::string& name)
   const Pixel to = view_.place((*ends)[1].x(), (*ends)[1].y());
   canvas_.line(from, to, geometryClass);
   std::vector<Pixel> candidates;
-  for (const double t : {0.93, 0.07, 0.85, 0.15, 0.75, 0.25, 0.5}) {
-    candidates.push_back({from.x + t * (to.x - from.x) + 4, from.y + t * (to.y - from.y) - 3});
+  for (const double t : {0.93, 0.07, 0.85, 0.15, 0.75, 0.25, 0.6, 0.4, 0.5}) {
+    const Pixel on{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+    candidates.push_back({on.x + 4, on.y - 3});
+    candidates.push_back({on.x + 4, on.y + 12});
   }
   labels_.place(name, candidates);
 }
@@ -154,6 +166,7 @@ void GeometryDrawer::ring(const Vec3& center, double radius, const std::string& 
   const double d = r * std::sqrt(0.5);
   labels_.place(name, {{p.x + d + 3, p.y - d - 2},
                        {p.x + d + 3, p.y + d + 10},
+                       {p.x + 5, p.y - 4},
                        {p.x - 6, p.y - r - 3},
                        {p.x - 6, p.y - r + 13},
                        {p.x - 6, p.y + 4}});
@@ -257,6 +270,21 @@ bool GeometryDrawer::conic(const Entity& entity) {
   if (!segments.empty()) {
     const Pixel p = segments[segments.size() / 3].from;
     labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}});
+  }
+  return true;
+}
+
+bool GeometryDrawer::drawCurves(const Entity& entity, const Curves& curves) {
+  for (const auto& curve : curves) {
+    std::vector<Pixel> points;
+    std::transform(curve.begin(), curve.end(), std::back_inserter(points),
+                   [this](const Vec3& p) { return view_(p); });
+    canvas_.polyline(points, geometryClass);
+  }
+  const auto& first = curves.front();
+  if (!first.empty()) {
+    const Pixel p = view_(first[first.size() / 3]);
+    labels_.place(nameOf(entity), {{p.x + 5, p.y - 5}, {p.x + 5, p.y + 13}, {p.x - 30, p.y - 5}});
   }
   return true;
 }

@@ -1,14 +1,15 @@
 #pragma once
 #include <set>
 
+#include "backend/backend.h"
 #include "backend/svg/canvas.h"
 #include "backend/svg/labels.h"
 #include "ir/geometry/entity.h"
 
 namespace arelem::backend::svg {
 
-/// Adds the extent of an entity that has one: points, circles, spheres, patterns.
-void addExtent(const Entity& entity, Bounds& bounds);
+/// Adds the extent of an entity that has one: points, circles, spheres, patterns, curves.
+void addExtent(const Entity& entity, const Curves& curves, Bounds& bounds);
 
 /// Draws the geometry of the part program in one view: points, lines and planes seen edge on,
 /// circles, the outlines of cylinders, cones, spheres and tori however they lie, conics in the XY
@@ -18,8 +19,10 @@ class GeometryDrawer {
   GeometryDrawer(Canvas& canvas, const View& view)
       : canvas_(canvas), view_(view), labels_(view.box) {}
 
-  /// False when this view has no picture of the entity.
-  bool draw(const Entity& entity);
+  /// False when this view has no picture of the entity. `curves`: what else is known of its shape.
+  bool draw(const Entity& entity, const Curves& curves);
+  /// Where the names will stand.
+  Labels& labels() { return labels_; }
   void drawNames() { labels_.draw(canvas_); }
 
  private:
@@ -32,6 +35,7 @@ class GeometryDrawer {
   bool torus(const Entity& entity);
   bool conic(const Entity& entity);
   bool tabulated(const Entity& entity);
+  bool drawCurves(const Entity& entity, const Curves& curves);
 
   void cross(const Vec3& place);
   /// The curve at this distance from a circle seen at an angle: an outline of a torus.

@@ -6,12 +6,16 @@
 
 namespace arelem::backend::svg {
 
-/// Places names where no other name stands; those that find no room are left out.
+/// Places names where no other name stands, and beside the path where there is room for that; those
+/// that find no room are left out.
 class Labels {
  public:
-  explicit Labels(const Box& area) : area_(area) {}
+  explicit Labels(const Box& area);
 
-  /// Tries the places in order.
+  /// A line that names better do not cover.
+  void avoid(Pixel a, Pixel b);
+
+  /// Tries the places in order; the first one that is free of lines, else the first one.
   void place(const std::string& words, const std::vector<Pixel>& candidates);
   void draw(Canvas& canvas) const;
 
@@ -23,7 +27,11 @@ class Labels {
     Pixel at;
     Box box;
   };
+  [[nodiscard]] bool isCrossed(const Box& box) const;
+
   Box area_;
+  std::size_t columns_ = 0, rows_ = 0;
+  std::vector<bool> crossed_;  ///< cells of the area that a line passes
   std::vector<Label> labels_;
 };
 

@@ -87,12 +87,16 @@ void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {
   const auto kind = [&](MoveKind move, std::string_view lineClass, std::string_view words) {
     if (path.length(move) > 0.0) {
       sample(canvas, rows.next(), lineClass,
-             fmt::format("{}, {} long", words, shortNumber(path.length(move))));
+             fmt::format("{}, {} {}", words, shortNumber(path.length(move)),
+                         path.unit().empty() ? "long" : path.unit()));
     }
   };
-  kind(MoveKind::gun, gunLine, "gun on");
+  kind(MoveKind::gun, "class=\"gun\"", "gun on");
   kind(MoveKind::feed, "class=\"feed\"", path.length(MoveKind::gun) > 0.0 ? "gun off" : "feed");
-  kind(MoveKind::arc, "class=\"arc\"", "along a circle");
+  kind(MoveKind::arc, "class=\"arc\"",
+       !path.hasSplines()  ? "along a circle"
+       : path.hasCircles() ? "along circles and splines"
+                           : "along a spline");
   kind(MoveKind::rapid, "class=\"rapid\"", "rapid");
   if (path.locations() > 0) {
     dot(canvas, rows.next(), 4.0, "class=\"begin\"", "start");

@@ -6,10 +6,6 @@
 
 namespace arelem::backend::svg {
 
-/// How a path with the gun on is drawn.
-inline constexpr std::string_view gunLine =
-    "style=\"fill:none;stroke:#b5179e;stroke-width:2.4;stroke-linejoin:round\"";
-
 /// What the picture shows, for the legend.
 struct Shown {
   const PathCollector& path;

@@ -1,6 +1,7 @@
 #include "backend/svg/path.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "backend/text/clean.h"
@@ -62,8 +63,8 @@ void PathCollector::accept(const cl::Record& record) {
     move(*motion, record.isn);
   } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
     command(*post);
-  } else if (std::holds_alternative<cl::Surface>(record.body)) {
-    arc_ = true;
+  } else if (const auto* along = std::get_if<cl::Surface>(&record.body)) {
+    surface(along->surface);
   } else if (const auto* values = std::get_if<cl::Values>(&record.body)) {
     if (values->word == Word::CUTTER && !values->values.empty() &&
         std::isfinite(values->values[0])) {
@@ -71,10 +72,28 @@ void PathCollector::accept(const cl::Record& record) {
     }
   } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
     unit_ = spell(units->unit);
+    std::transform(unit_.begin(), unit_.end(), unit_.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   } else if (const auto* text = std::get_if<cl::Text>(&record.body)) {
     if (text->word == Word::PARTNO && partName_.empty()) {
       partName_ = std::string(trimmed(text->text));
     }
+  }
+}
+
+void PathCollector::surface(const cl::SurfaceValue& along) {
+  constexpr double straight = 1.0 - 1e-12;  // cosine: along a coordinate axis
+  arc_ = true;
+  about_ = -1;
+  if (along.canon.size() != 7) {
+    splines_ = true;
+    return;
+  }
+  circles_ = true;
+  const Vec3 axis(&along.canon[3]);
+  center_ = Vec3(along.canon.data());
+  for (int k = 0; k < 3; ++k) {
+    about_ = std::abs(axis[k]) >= straight * axis.norm() ? k : about_;
   }
 }
 
@@ -104,6 +123,7 @@ void PathCollector::move(const cl::Motion& motion, int isn) {
             : gun_           ? MoveKind::gun
             : arc_           ? MoveKind::arc
                              : MoveKind::feed;
+    along_ = arc_ ? about_ : -1;
     rapid_ = false;
     arc_ = false;
   }
@@ -125,7 +145,7 @@ void PathCollector::add(const Vec3& place, MoveKind kind) {
   if (kind != MoveKind::start) {
     lengths_[static_cast<std::size_t>(kind)] += (place - vertices_.back().place).norm();
   }
-  vertices_.push_back({place, kind});
+  vertices_.push_back({place, kind, kind == MoveKind::start ? -1 : along_, center_});
   if (vertices_.size() >= 2 * most_) {
     compress();
   }

@@ -16,6 +16,9 @@ enum class MoveKind : std::uint8_t { start, rapid, feed, arc, gun };
 struct Vertex {
   Vec3 place = Vec3::Zero();
   MoveKind kind = MoveKind::feed;
+  int about =
+      -1;  ///< the coordinate axis of the circle that the tool ran along; -1: no such circle
+  Vec3 center = Vec3::Zero();  ///< of that circle
 };
 
 /// Smallest box round everything added.
@@ -55,12 +58,17 @@ class PathCollector {
   [[nodiscard]] double deviation() const { return deviation_; }
   [[nodiscard]] double cutterDiameter() const { return diameter_; }
   [[nodiscard]] const std::string& partName() const { return partName_; }
+  /// In small letters; "" without UNITS.
   [[nodiscard]] const std::string& unit() const { return unit_; }
+  /// What the moves of kind `arc` run along.
+  [[nodiscard]] bool hasCircles() const { return circles_; }
+  [[nodiscard]] bool hasSplines() const { return splines_; }
 
   static constexpr std::size_t mostStops = 256;
 
  private:
   void command(const cl::Post& post);
+  void surface(const cl::SurfaceValue& surface);
   void move(const cl::Motion& motion, int isn);
   void add(const Vec3& place, MoveKind kind);
   void addStop();
@@ -86,10 +94,14 @@ class PathCollector {
   std::string partName_;
   std::string unit_;
   int isn_ = 0;
-  bool rapid_ = false;    ///< RAPID was read and not used yet
-  bool cycle_ = false;    ///< a drilling cycle is on: the tool goes from place to place at rapid
-  bool gun_ = false;      ///< SPRAY/ON was read, and no SPRAY/OFF since
-  bool arc_ = false;      ///< a circular surface was read for the next motion
+  bool rapid_ = false;  ///< RAPID was read and not used yet
+  bool cycle_ = false;  ///< a drilling cycle is on: the tool goes from place to place at rapid
+  bool gun_ = false;    ///< SPRAY/ON was read, and no SPRAY/OFF since
+  bool arc_ = false;    ///< a circle or a path spline was read for the next motion
+  bool circles_ = false, splines_ = false;
+  int about_ = -1;  ///< of the circle that was read, see Vertex
+  int along_ = -1;  ///< of the motion at present
+  Vec3 center_ = Vec3::Zero();
   bool pending_ = false;  ///< the last vertex ends a motion unless a continuation follows
   bool upright_ = true;   ///< the tool axis there is along z
   MoveKind kind_ = MoveKind::feed;

@@ -9,6 +9,7 @@
 
 #include "backend/svg/geometry.h"
 #include "backend/svg/legend.h"
+#include "backend/svg/path_drawer.h"
 
 namespace arelem::backend {
 
@@ -19,25 +20,9 @@ constexpr std::size_t mostVertices = 20000;
 constexpr std::size_t fewVertices = 3000;  // are drawn as they are
 constexpr std::size_t mostEntities = 500;
 constexpr std::size_t mostOutlines = 24;
-constexpr std::size_t mostArrows = 12;
 constexpr double thinnedPixels = 0.05;
-constexpr double arrowSegment = 36.0;  // pixels a segment needs for an arrow
 constexpr double geometryReach = 0.2;  // of the path's size: how far geometry may widen the picture
 constexpr double border = 0.04;
-
-/// Where more pixels of path than this stand on a pixel of the view, lines are drawn thin.
-constexpr double dense = 0.08;
-constexpr std::string_view thinLines = " style=\"stroke-width:0.7\"";
-
-std::string_view classOf(MoveKind kind) {
-  if (kind == MoveKind::rapid) {
-    return "class=\"rapid\"";
-  }
-  if (kind == MoveKind::gun) {
-    return gunLine;
-  }
-  return kind == MoveKind::arc ? "class=\"arc\"" : "class=\"feed\"";
-}
 
 class PictureWriter : public Writer {
  public:
@@ -71,15 +56,22 @@ class PictureWriter : public Writer {
   }
 
  private:
+  const Curves& curvesOf(std::size_t i) const {
+    static const Curves none;
+    return i < context_.curves.size() ? context_.curves[i] : none;
+  }
+  void addGeometry(Bounds& bounds) const {
+    for (std::size_t i = 0; i < context_.entities.size(); ++i) {
+      addExtent(*context_.entities[i], curvesOf(i), bounds);
+    }
+  }
   /// Of the path, or of the geometry where there is no path.
   Bounds pathBounds() const {
     if (!path_.bounds().empty) {
       return path_.bounds();
     }
     Bounds bounds;
-    for (const EntityPtr& entity : context_.entities) {
-      addExtent(*entity, bounds);
-    }
+    addGeometry(bounds);
     return bounds;
   }
   /// The path with its cutter, widened a little for the geometry near it.
@@ -90,9 +82,7 @@ class PictureWriter : public Writer {
     const Vec3 tool(radius, radius, 0.0);
     const double reach = geometryReach * path.size().norm();
     Bounds geometry;
-    for (const EntityPtr& entity : context_.entities) {
-      addExtent(*entity, geometry);
-    }
+    addGeometry(geometry);
     if (!geometry.empty) {
       const Vec3 flat(reach, reach, 0.0);  // heights come from the path alone
       box.add(geometry.low.cwiseMax(path.low - flat).cwiseMin(path.high + flat));
@@ -111,9 +101,10 @@ class PictureWriter : public Writer {
     if (b.empty) {
       return "no motion";
     }
-    return fmt::format("X {} to {},  Y {} to {},  Z {} to {}", shortNumber(b.low.x()),
+    return fmt::format("X {} to {},  Y {} to {},  Z {} to {}{}", shortNumber(b.low.x()),
                        shortNumber(b.high.x()), shortNumber(b.low.y()), shortNumber(b.high.y()),
-                       shortNumber(b.low.z()), shortNumber(b.high.z()));
+                       shortNumber(b.low.z()), shortNumber(b.high.z()),
+                       path_.unit().empty() ? "" : "  " + path_.unit());
   }
   /// What no view shows, by kind.
   std::string notDrawn() const {
@@ -135,13 +126,15 @@ class PictureWriter : public Writer {
     canvas.rectangle(view.box, "class=\"frame\"");
     canvas.beginClip(view.box, id);
     GeometryDrawer geometry(canvas, view);
+    PathDrawer path(canvas, view, path_.vertices());
+    path.reserve(geometry.labels());
     for (std::size_t i = 0; i < std::min(context_.entities.size(), mostEntities); ++i) {
-      drawn_[i] = geometry.draw(*context_.entities[i]) || drawn_[i];
+      drawn_[i] = geometry.draw(*context_.entities[i], curvesOf(i)) || drawn_[i];
     }
     if (view.depth == 2) {
       drawOutlines(canvas, view);
     }
-    drawPath(canvas, view);
+    path.draw();
     geometry.drawNames();
     canvas.endGroup();
     drawEnds(canvas, view);
@@ -158,66 +151,6 @@ class PictureWriter : public Writer {
       canvas.circle(view(stops[at]), radius, "class=\"tool\"");
     }
     outlines_ = count;
-  }
-  bool isDense(const View& view) const {
-    double length = 0.0;
-    const std::vector<Vertex>& path = path_.vertices();
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      const Pixel a = view(path[i - 1].place);
-      const Pixel b = view(path[i].place);
-      length += path[i].kind == MoveKind::start ? 0.0 : std::hypot(b.x - a.x, b.y - a.y);
-    }
-    return length > dense * view.box.width * view.box.height;
-  }
-  void drawPath(Canvas& canvas, const View& view) {
-    const std::vector<Vertex>& path = path_.vertices();
-    const std::string_view width = isDense(view) ? thinLines : "";
-    for (const MoveKind kind : {MoveKind::rapid, MoveKind::feed, MoveKind::arc, MoveKind::gun}) {
-      for (std::size_t i = 1; i < path.size();) {
-        if (path[i].kind != kind) {
-          ++i;
-          continue;
-        }
-        std::vector<Pixel> run = {view(path[i - 1].place)};
-        for (; i < path.size() && path[i].kind == kind; ++i) {
-          const Pixel p = view(path[i].place);
-          if (p.x != run.back().x || p.y != run.back().y) {
-            run.push_back(p);
-          }
-        }
-        if (run.size() > 1) {
-          canvas.polyline(run, fmt::format("{}{}", classOf(kind), width));
-        }
-      }
-    }
-    drawArrows(canvas, view);
-  }
-  /// On the longest feed moves, in their middle.
-  void drawArrows(Canvas& canvas, const View& view) const {
-    const std::vector<Vertex>& path = path_.vertices();
-    std::vector<std::pair<double, std::size_t>> longest;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      const Pixel a = view(path[i - 1].place);
-      const Pixel b = view(path[i].place);
-      const double length = std::hypot(b.x - a.x, b.y - a.y);
-      if (path[i].kind == MoveKind::feed && length >= arrowSegment) {
-        longest.emplace_back(-length, i);
-      }
-    }
-    std::sort(longest.begin(), longest.end());
-    longest.resize(std::min(longest.size(), mostArrows));
-    for (const auto& [length, i] : longest) {
-      const Pixel a = view(path[i - 1].place);
-      const Pixel b = view(path[i].place);
-      const Eigen::Vector2d along = Eigen::Vector2d(b.x - a.x, b.y - a.y) / -length;
-      const Eigen::Vector2d side(-along.y(), along.x());
-      const Eigen::Vector2d middle(0.5 * (a.x + b.x), 0.5 * (a.y + b.y));
-      const Eigen::Vector2d tip = middle + 5.0 * along;
-      const Eigen::Vector2d left = middle - 4.0 * along + 3.5 * side;
-      const Eigen::Vector2d right = middle - 4.0 * along - 3.5 * side;
-      canvas.polyline({{tip.x(), tip.y()}, {left.x(), left.y()}, {right.x(), right.y()}},
-                      "class=\"arrow\"");
-    }
   }
   void drawEnds(Canvas& canvas, const View& view) const {
     if (!path_.vertices().empty()) {

@@ -132,8 +132,7 @@ void addParameters(const Place& place, Candidates& candidates) {
     addContinuation(define::continuation(define::compile(form->pattern), place.given), candidates);
   } else {  // words of a machine: any modifier may follow
     candidates.wordsOf(WordClass::modifier);
-    candidates.scalars();
-    candidates.names(KnownName::Kind::entity);
+    candidates.scalars();  // they take no entities
   }
 }
 

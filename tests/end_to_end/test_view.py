@@ -69,6 +69,27 @@ class Pictures(ArelemCase):
             self.assertIn(part, text)
         self.assertIn("gun on, ", self.svg("sen_plane.apt"))
 
+    def test_arcs_are_arcs(self):
+        arc = self.write("a.cls", "UNITS/MM\nFROM/0,0,0\nGOTO/10,0,0\nCIRCLE/10,10,0,0,0,1,10\nGOTO/20,10,0\n"
+                                  "CIRCLE/10,10,0,0,0,1,10\nGOTO/20,10,0\nFINI\n")
+        for name in ("view", "compile"):
+            self.assertExit(0, name, arc, "-o", "a.svg")
+            text = (self.folder / "a.svg").read_text()
+            ways = re.findall(r'<path d="M([0-9.]+),([0-9.]+)((?: A[0-9.]+,[0-9.]+ 0 0 0 [0-9.]+,[0-9.]+)+)" class="arc', text)
+            self.assertEqual(len(ways), 1, text)
+            # A quarter and a whole turn, counterclockwise; the scale comes from the straight move of 10 mm before.
+            scale = (float(ways[0][0]) - float(re.search(r'points="([0-9.]+),', text).group(1))) / 10
+            radii = re.findall(r"A([0-9.]+),([0-9.]+) ", ways[0][2])
+            self.assertTrue(all(abs(float(v) - 10 * scale) < 0.01 for r in radii for v in r), radii)
+            self.assertIn("along a circle, 78.5", text)
+
+    def test_every_example_is_a_picture(self):
+        for path in sorted(EXAMPLES.glob("*.apt")):
+            self.assertExit(0, "view", path, "-o", "e.svg", "-o", "e.png", "--width", "300")
+            xml.dom.minidom.parse(str(self.folder / "e.svg"))
+            colors = {bytes(row[i:i + 3]) for row in pixels(self.folder / "e.png")[3] for i in range(0, 900, 3)}
+            self.assertGreater(len(colors), 20, path.name)
+
     def test_png(self):
         self.assertExit(0, "view", EXAMPLES / "six_lines.apt", "-o", "p.png", "--width", "400")
         width, height, step, rows = pixels(self.folder / "p.png")
@@ -164,6 +185,162 @@ class Page(ArelemCase):
         self.assertEqual(film["run"][0], 1)
         green = sum(n for key, n in film["colors"].items() if key[1] in "def" and key[0] < "c" and key[2] < "c")
         self.assertGreater(green, 2000, "no film of the right thickness")
+
+    def steps(self, source, *steps):
+        told, = self.look({"source": source, "steps": list(steps)})
+        return told["steps"]
+
+    def test_keyboard(self):
+        # FROM stands on line 16 of the program, the first motion; GO on line 18.
+        line = "document.querySelector('.row.marked')?.dataset.line"
+        look = "(c => [c.x, c.y, c.z].map(v => Math.round(100 * v)))(window.arelem.stage.camera.getWorldDirection(" \
+               "window.arelem.stage.camera.position.clone()))"
+        told = self.steps(
+            EXAMPLES / "profile.apt",
+            {"key": "Home", "get": "window.arelem.state.time"}, {"key": "ArrowRight", "get": line},
+            {"key": "ArrowRight", "get": line}, {"key": "ArrowLeft", "get": line},
+            {"key": "End", "get": "window.arelem.state.time === window.arelem.scene.total"},
+            {"key": "1", "get": look}, {"key": "2", "get": look}, {"key": "3", "get": look},
+            {"key": "c", "get": "document.getElementById('coloring').value"},
+            {"key": "?", "get": "document.getElementById('keys').open && document.getElementById('keys').textContent"},
+            {"key": "Escape", "get": "document.getElementById('keys').open"},
+            {"key": "d", "get": "document.documentElement.className"}, {"key": "d", "get": "document.documentElement.className"})
+        self.assertEqual(told[:5], [0, "16", "18", "16", True])
+        self.assertEqual(told[5:8], [[0, 0, -100], [0, 100, 0], [-100, 0, 0]])
+        self.assertEqual(told[8], "speed")
+        self.assertIn("next statement", told[9])
+        self.assertEqual(told[10:], [False, "dark", ""])
+
+    def test_play_follows_the_time_law(self):
+        self.assertExit(0, "time", EXAMPLES / "profile.apt")
+        seconds = float(re.search(r"total ([0-9.]+) s", self.out).group(1))
+        state = "({t: window.arelem.state.time, all: window.arelem.scene.total, playing: window.arelem.state.playing, " \
+                "tool: window.arelem.stage.tool.group.position.toArray().map((v, a) => v + window.arelem.stage.center[a])})"
+        # GOFWD/BOTTOM runs at 400 mm/min along y = -6: a second in the middle of it is 6.667 mm.
+        middle = "(s => { const k = [...s.line].indexOf(19), a = s.time[s.first[k] - 1], b = s.time[s.first[k + 1] - 1];" \
+                 " window.arelem.setTime((a + b) / 2 + %s); return 0; })(window.arelem.scene)"
+        told = self.steps(
+            EXAMPLES / "profile.apt", {"get": middle % "-.5"}, {"get": state}, {"get": middle % ".5"}, {"get": state},
+            {"key": "Home"}, {"press": "#play"}, {"until": "window.arelem.state.time > 0.3"}, {"get": state}, {"press": "#play"},
+            {"get": state}, {"get": "document.getElementById('clock').textContent"}, {"get": state})
+        before, after = told[1], told[3]
+        self.assertAlmostEqual(before["all"], seconds, delta=0.02)
+        self.assertAlmostEqual(after["tool"][0] - before["tool"][0], 400 / 60, delta=1e-3)
+        self.assertAlmostEqual(after["tool"][1], -6, delta=1e-3)
+        self.assertTrue(told[7]["playing"])
+        self.assertFalse(told[9]["playing"])
+        self.assertEqual(told[9]["t"], told[11]["t"])
+        self.assertRegex(told[10], r"^\d+\.\d\d s of ")
+
+    def test_measuring(self):
+        # GOFWD/BOTTOM goes along y = -6 from x = -6 to x = 106: half of it is 56 mm.
+        first = "[...window.arelem.scene.line].indexOf(19)"
+        where = f"window.arelem.scene.first[{first}]"
+        readout = "document.getElementById('readout').textContent"
+        index, = self.steps(EXAMPLES / "profile.apt", {"get": where})
+        told = self.steps(EXAMPLES / "profile.apt", {"key": "1"}, {"press": "#measure", "get": readout},
+                          {"on": [index, 0.5], "get": readout}, {"on": [index, 1.0], "get": readout},
+                          {"get": "window.arelem.stage.marks.children.length"}, {"key": "m", "get": readout})
+        self.assertIn("first place", told[1])
+        self.assertIn("second place", told[2])
+        distance = float(re.search(r"distance ([0-9.]+) mm", told[3]).group(1))
+        self.assertAlmostEqual(distance, 56, delta=0.6)  # a pixel is half a millimeter
+        self.assertIn("dy 0 ", told[3])
+        self.assertEqual(told[4], 3)
+        self.assertEqual(told[5], "")
+
+    def test_section_and_layers(self):
+        shown = {"colors": True}
+        told = self.steps(EXAMPLES / "profile.apt", {"key": "1"}, {"press": "#layers label:nth-child(2) input"}, shown, {"key": "x"},
+                          {"get": "document.getElementById('cutAxis').value = 'x', "
+                                  "document.getElementById('cutAxis').dispatchEvent(new Event('input')), "
+                                  "document.getElementById('cutValue').textContent"},
+                          shown, {"key": "]", "get": "document.getElementById('cutValue').textContent"}, {"key": "x"}, shown,
+                          {"press": "#layers label:nth-child(1) input"}, shown)
+        blue = [self.near({"colors": told[i]}, 0x1f, 0x5f, 0xbf) for i in (2, 5, 8, 10)]
+        self.assertGreater(blue[0], 300)
+        self.assertLess(blue[1], 0.7 * blue[0])   # x runs from -40 to 106: the plane at 33 leaves the left
+        self.assertGreater(blue[1], 0.2 * blue[0])
+        self.assertAlmostEqual(blue[2], blue[0], delta=0.02 * blue[0])
+        self.assertLess(blue[3], 0.1 * blue[0])
+        self.assertEqual(told[4], "33 mm")
+        self.assertEqual(told[6], "36.65 mm")     # a fortieth of 146 mm on
+
+    def test_dark_and_light(self):
+        told = self.steps(EXAMPLES / "profile.apt", {"colors": True}, {"charts": True}, {"press": "#theme"}, {"colors": True},
+                          {"charts": True}, {"get": "getComputedStyle(document.body).backgroundColor"})
+        dark = lambda colors: sum(n for key, n in colors.items() if key in ("111", "112", "211", "122"))
+        self.assertEqual(dark(told[0]), 0)
+        self.assertGreater(dark(told[3]), 50_000)
+        self.assertEqual(told[5], "rgb(20, 24, 29)")
+        self.assertGreater(self.near({"colors": told[3]}, 0x6c, 0xb2, 0xff), 150, "no path in the dark")
+        for charts in (told[1], told[4]):
+            self.assertGreater(len(charts), 15)
+
+    def test_charts(self):
+        told = self.steps(
+            EXAMPLES / "profile.apt", {"charts": True}, {"chart": 0.5, "get": "window.arelem.state.time / window.arelem.scene.total"},
+            {"get": "document.querySelector('.row.marked').dataset.line"},
+            {"get": "[...window.arelem.scene.curvature].map((v, i) => [window.arelem.scene.line[window.arelem.scene.stretchOf[i]], v])"})
+        charts = {"colors": told[0]}
+        self.assertGreater(self.near(charts, 0x1f, 0x5f, 0xbf), 300, "no speed")
+        self.assertGreater(self.near(charts, 0x0a, 0x8f, 0x6c), 100, "no curvature")
+        self.assertGreater(self.near(charts, 0xb5, 0x17, 0x9e), 300, "no deviation")
+        self.assertGreater(self.near(charts, 0xc2, 0x41, 0x0c), 100, "no programmed feed")
+        self.assertAlmostEqual(told[1], 0.47, delta=0.02)  # the charts begin 66 pixels in
+        self.assertIsNotNone(told[2])
+        # CORNER has a radius of 18: the tool end goes round at 24, and straight along TOP and BOTTOM.
+        at = {}
+        for line, value in told[3]:
+            at.setdefault(line, []).append(value)
+        corner = sorted(at[21])
+        self.assertAlmostEqual(corner[len(corner) // 2], 1 / 24, delta=0.001)
+        self.assertLess(max(at[19]), 0.002)
+
+    def test_deviations_are_those_of_verify(self):
+        self.assertExit(0, "verify", EXAMPLES / "profile.apt", "--json")
+        rows = [json.loads(line) for line in self.out.splitlines()]
+        told = self.steps(EXAMPLES / "profile.apt", {"get": "[...window.arelem.scene.line].map((n, k) => [n, window.arelem.scene.inner[k],"
+                                                            " window.arelem.scene.outer[k]]).filter(r => !Number.isNaN(r[1]))"})[0]
+        proven = {}
+        for row in rows:
+            for name in ("drive", "part"):
+                if row.get(name):
+                    proven.setdefault(row["line"], []).append(row[name])
+        self.assertGreater(len(told), 5)
+        for line, inner, outer in told:
+            self.assertIn(line, proven)
+            self.assertAlmostEqual(inner, min(p["inner"] for p in proven[line]), delta=1e-6)
+            self.assertAlmostEqual(outer, max(p["outer"] for p in proven[line]), delta=1e-6)
+
+    def test_films(self):
+        readout = "document.getElementById('readout').textContent"
+        plane = self.steps(EXAMPLES / "plate_paint.apt", {"key": "1"}, {"at": [0.5, 0.53], "get": readout})[1]
+        value, wanted = re.search(r"film ([0-9.]+) \S+m, wanted ([0-9.]+)", plane).groups()
+        self.assertEqual(float(wanted), 51)
+        self.assertAlmostEqual(float(value), 51, delta=20)
+        self.assertIn("PLATE", plane)
+        stencil, colors = self.steps(EXAMPLES / "stop.apt", {"key": "1", "get": "document.getElementById('legend').textContent"},
+                                     {"colors": True})
+        self.assertIn("of its mean", stencil)
+        green = sum(n for key, n in colors.items() if key[1] in "def" and key[0] < "c" and key[2] < "c")
+        self.assertGreater(green, 2000, "no film of the letters")
+
+    def test_arcs_and_tilted_tools(self):
+        arc = ("UNITS/MM\nFEDRAT/100,MMPM\nFROM/0,0,0\nGOTO/10,0,0\nCIRCLE/10,10,0,0,0,1,10\nGOTO/20,10,0\nGOTO/40,10,0\nFINI\n")
+        cone = (PROJECT / "tests/golden/motion/axis_along_the_lines_of_a_cone.apt").read_text()
+        round_, tilted = self.look(
+            {"source": arc, "steps": [{"get": "[...window.arelem.scene.kinds].filter(k => k === 3).length"},
+                                      {"get": "window.arelem.scene.way[window.arelem.scene.count - 1]"}, {"colors": True}]},
+            {"source": cone, "steps": [{"get": "window.arelem.setTime(window.arelem.scene.total), "
+                                               "window.arelem.stage.camera.position.clone().set(0, 0, 1).applyQuaternion("
+                                               "window.arelem.stage.tool.group.quaternion).toArray()"}]})
+        self.assertGreater(round_["steps"][0], 20)
+        self.assertAlmostEqual(round_["steps"][1], 10 + 15.70796 + 20, delta=0.01)  # a quarter of a circle of 10
+        self.assertGreater(self.near({"colors": round_["steps"][2]}, 0x0a, 0x8f, 0x6c), 300)
+        axis = tilted["steps"][0]  # at the end the axis leans 30 degrees: sin and cos
+        self.assertAlmostEqual(axis[0], 0.5, delta=1e-3)
+        self.assertAlmostEqual(axis[2], 0.866, delta=1e-3)
 
     def test_click_on_a_move_marks_its_line(self):
         profile = (EXAMPLES / "profile.apt").read_text().splitlines()

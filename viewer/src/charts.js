@@ -1,5 +1,5 @@
-// Speed, curvature and proven deviation over the time of the path, a column of pixels at a time.
-import {number, locationAt} from "./data.js";
+// Speed with the programmed feed, curvature and proven deviation over the time of the path, a column of pixels at a time.
+import {number, locationAt, RAPID, START} from "./data.js";
 
 const names = ["speed", "curvature", "deviation"];
 
@@ -11,6 +11,8 @@ export class Charts {
     this.to = Math.max(scene.total, 1e-9);
     this.now = this.to;
     this.canvas.addEventListener("click", e => onPick(this.timeAt(e.offsetX)));
+    this.canvas.addEventListener("pointermove", e => { this.pointed = this.timeAt(e.offsetX); this.tell(); });
+    this.canvas.addEventListener("pointerleave", () => { this.pointed = null; this.tell(); });
     this.canvas.addEventListener("wheel", e => {
       e.preventDefault();
       const t = this.timeAt(e.offsetX), f = e.deltaY > 0 ? 1.25 : 0.8, all = Math.max(scene.total, 1e-9);
@@ -26,15 +28,34 @@ export class Charts {
     const s = this.scene;
     this.top = [0, 0, 0];
     const curved = [];
+    let rapid = 0;
     for (let i = 1; i < s.count; ++i) {
-      this.top[0] = Math.max(this.top[0], s.speed[i]);
+      const kind = s.kinds[i] & 15;
+      if (kind === RAPID || !s.timed) rapid = Math.max(rapid, s.timed ? s.speed[i] : 0);
+      else if (kind !== START) this.top[0] = Math.max(this.top[0], s.speed[i], this.feedAt(i));
       if (s.curvature[i] > 0 && curved.length < 200000) curved.push(s.curvature[i]);
     }
+    this.top[0] = this.top[0] > 0 ? 1.15 * this.top[0] : rapid; // rapid moves would dwarf the rest: they reach over the edge
     curved.sort((a, b) => a - b);
-    this.top[1] = curved.length ? curved[Math.floor(0.98 * (curved.length - 1))] * 1.15 : 0; // corners would dwarf the rest
+    this.top[1] = curved.length ? curved[Math.floor(0.98 * (curved.length - 1))] * 1.15 : 0; // a single corner would dwarf the rest
     for (let k = 0; k < s.first.length; ++k) for (const a of [s.inner, s.outer, s.allowedInner, s.allowedOuter]) {
       if (!Number.isNaN(a[k])) this.top[2] = Math.max(this.top[2], Math.abs(a[k]));
     }
+  }
+
+  // The programmed feed of a move, a second; NaN for rapid moves and where none is known.
+  feedAt(i) {
+    const feed = this.scene.feed[this.scene.stretchOf[i]];
+    return this.scene.timed && feed > 0 && (this.scene.kinds[i] & 15) > RAPID ? feed / 60 : NaN;
+  }
+
+  // What the pointer is at, beside the clock.
+  tell() {
+    const s = this.scene, box = document.getElementById("pointed");
+    if (this.pointed === null || s.count < 2) { box.textContent = ""; return; }
+    const i = Math.min(s.count - 1, locationAt(s, this.pointed) + 1), k = s.stretchOf[i], feed = this.feedAt(i);
+    box.textContent = `${this.pointed.toFixed(2)} s: line ${s.line[k]}, ${number(s.speed[i], 4)} ${s.unit}/s` + (feed > 0 ? ` of ${number(feed, 4)}` : "") +
+      `, curvature ${number(s.curvature[i], 3)}` + (Number.isNaN(s.inner[k]) ? "" : `, off by ${number(s.inner[k], 2)} to ${number(s.outer[k], 2)}`);
   }
 
   timeAt(x) { return this.from + (this.to - this.from) * Math.min(1, Math.max(0, (x - 66) / (this.canvas.clientWidth - 76))); }
@@ -48,16 +69,17 @@ export class Charts {
     g.clearRect(0, 0, w, h);
     g.font = "11px system-ui, 'DejaVu Sans', sans-serif";
     const left = 66, width = w - left - 10, each = h / 3;
-    const inks = ["#1f6feb", "#0a8f6c", "#b5179e"];
+    const inks = document.documentElement.classList.contains("dark") ? ["#6cb2ff", "#3ddc97", "#ff6bd6"] : ["#1f5fbf", "#0a8f6c", "#b5179e"];
     names.forEach((name, row) => {
       const y0 = row * each + 4, tall = each - 9;
       g.strokeStyle = ink("--line");
       g.strokeRect(left - 0.5, y0 - 0.5, width + 1, tall + 1);
       g.fillStyle = ink("--soft");
       g.fillText(name, 8, y0 + 12);
-      g.fillText(number(this.top[row], 3), 8, y0 + 25);
+      g.fillText(this.top[row] > 0 ? number(this.top[row], 3) : "", 8, y0 + 25);
+      g.fillText(this.top[row] > 0 ? [this.scene.unit + "/s", "1/" + this.scene.unit, this.scene.unit][row] : "", 8, y0 + 37);
       if (this.scene.count < 2 || !(this.top[row] > 0)) {
-        g.fillText(row === 2 ? "no motion along surfaces" : "none", left + 8, y0 + tall / 2 + 4);
+        g.fillText(row === 2 ? "no motion along surfaces was proven" : row === 1 ? "straight" : this.scene.count > 1 && !this.scene.timed ? "no feed: not timed" : "none", left + 8, y0 + tall / 2 + 4);
         return;
       }
       this.curve(g, row, left, width, y0, tall, inks[row]);
@@ -75,10 +97,11 @@ export class Charts {
   curve(g, row, left, width, y0, tall, color) {
     const s = this.scene, step = (this.to - this.from) / width;
     let i = Math.max(1, locationAt(s, this.from));
+    const hot = getComputedStyle(document.documentElement).getPropertyValue("--hot").trim();
     g.fillStyle = color;
     for (let x = 0; x < width; ++x) {
       const until = this.from + (x + 1) * step;
-      let low = Infinity, high = -Infinity, allowedLow = NaN, allowedHigh = NaN, n = 0;
+      let low = Infinity, high = -Infinity, allowedLow = NaN, allowedHigh = NaN, feed = NaN, n = 0;
       for (; i < s.count; ++i) {
         const k = s.stretchOf[i];
         for (const v of row === 0 ? [s.speed[i]] : row === 1 ? [s.curvature[i]] : [s.inner[k], s.outer[k]]) {
@@ -86,12 +109,15 @@ export class Charts {
         }
         allowedLow = -s.allowedInner[k];
         allowedHigh = s.allowedOuter[k];
+        feed = this.feedAt(i);
         if (s.time[i] > until || ++n > 20000) break;
       }
       if (row === 2) {
-        const y = v => y0 + tall / 2 * (1 - v / this.top[2]);
-        g.globalAlpha = 0.35;
-        for (const a of [allowedLow, allowedHigh]) if (!Number.isNaN(a)) g.fillRect(left + x, y(a), 1, 1);
+        const y = v => y0 + tall / 2 * (1 - 0.94 * v / this.top[2]);
+        g.globalAlpha = 0.14;
+        if (allowedLow <= allowedHigh) g.fillRect(left + x, y(allowedHigh), 1, Math.max(1, y(allowedLow) - y(allowedHigh)));
+        g.globalAlpha = 0.6;
+        for (const a of [allowedLow, allowedHigh]) if (!Number.isNaN(a)) g.fillRect(left + x, y(a) - 0.5, 1, 1);
         g.globalAlpha = 1;
         if (low <= high) g.fillRect(left + x, Math.min(y(high), y(low)), 1, Math.max(1.5, Math.abs(y(low) - y(high))));
       } else if (low <= high) {
@@ -100,6 +126,11 @@ export class Charts {
         g.fillRect(left + x, y(high), 1, y0 + tall - y(high));
         g.globalAlpha = 1;
         g.fillRect(left + x, y(high), 1, Math.max(1.5, y(low) - y(high)));
+        if (row === 0 && feed > 0 && x % 6 < 3) { // dashed: as programmed
+          g.fillStyle = hot;
+          g.fillRect(left + x, y(feed) - 0.5, 1, 1.5);
+          g.fillStyle = color;
+        }
       }
     }
   }

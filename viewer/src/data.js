@@ -61,12 +61,13 @@ function derive(s) {
     s.time[i] = s.time[i - 1] + s.seconds[i];
     s.speed[i] = s.seconds[i] > 0 ? length / s.seconds[i] : 0;
   }
-  for (let i = 1; i + 1 < n; ++i) s.curvature[i] = curvatureAt(p, i);
+  curvatures(s);
   for (const f of s.films) for (let i = 0; i < f.corners.length; ++i) {
     low[i % 3] = Math.min(low[i % 3], f.corners[i]);
     high[i % 3] = Math.max(high[i % 3], f.corners[i]);
   }
-  if (n === 0) {
+  if (n === 0) extentOfGeometry(s, low, high);
+  if (!(low[0] <= high[0])) {
     low.fill(-50);
     high.fill(50);
   }
@@ -76,12 +77,38 @@ function derive(s) {
   s.size = Math.max(Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]), 1e-9);
 }
 
-// Of the circle through three places that follow one another: 4 areas over the product of the sides.
+// Where there is no path: what has a place.
+function extentOfGeometry(s, low, high) {
+  const take = (x, y, z, r = 0) => [x, y, z].forEach((v, a) => { low[a] = Math.min(low[a], v - r); high[a] = Math.max(high[a], v + r); });
+  for (const e of s.entities) {
+    const c = e.canon;
+    if (e.type === "POINT") take(c[0], c[1], c[2]);
+    else if (e.type === "CIRCLE") { take(c[0] - c[6], c[1] - c[6], c[2]); take(c[0] + c[6], c[1] + c[6], c[2]); }
+    else if (e.type === "SPHERE") take(c[0], c[1], c[2], c[3]);
+    else if (e.type === "PATERN") for (let k = 0; k + 2 < c.length; k += 3) take(c[k], c[k + 1], c[k + 2]);
+    for (const curve of e.curves || []) for (let k = 0; k < curve.length; k += 3) take(curve[k], curve[k + 1], curve[k + 2]);
+  }
+}
+
+// Of each move: the larger of those at its ends. Corners have none, and a straight move between two of them has 0.
+const sharpest = Math.cos(50 * Math.PI / 180);
+function curvatures(s) {
+  const n = s.count, moves = k => (s.kinds[k] & 15) > RAPID;
+  let before = 0;
+  for (let i = 1; i < n; ++i) {
+    const goesOn = i + 1 < n && moves(i) && moves(i + 1);
+    const here = goesOn ? curvatureAt(s.places, i) : 0;
+    s.curvature[i] = Math.max(before, here);
+    before = here;
+  }
+}
+
+// Of the circle through three places that follow one another: 4 areas over the product of the sides; 0 at a corner.
 function curvatureAt(p, i) {
   const ax = p[3 * i] - p[3 * i - 3], ay = p[3 * i + 1] - p[3 * i - 2], az = p[3 * i + 2] - p[3 * i - 1];
   const bx = p[3 * i + 3] - p[3 * i], by = p[3 * i + 4] - p[3 * i + 1], bz = p[3 * i + 5] - p[3 * i + 2];
   const product = Math.hypot(ax, ay, az) * Math.hypot(bx, by, bz) * Math.hypot(ax + bx, ay + by, az + bz);
-  if (!(product > 0)) return 0;
+  if (!(product > 0) || ax * bx + ay * by + az * bz < sharpest * Math.hypot(ax, ay, az) * Math.hypot(bx, by, bz)) return 0;
   return 2 * Math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / product;
 }
 

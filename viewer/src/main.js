@@ -13,7 +13,7 @@ const state = {time: scene.total, playing: false, pace: 1, coloring: "kind", mea
 
 $("title").textContent = visible(scene.title);
 const seconds = t => t < 100 ? t.toFixed(2) + " s" : Math.floor(t / 60) + " min " + (t % 60).toFixed(0) + " s";
-$("summary").textContent = scene.count
+$("summary").title = $("summary").textContent = scene.count
   ? `${scene.count.toLocaleString("en")} locations, ${number(scene.way[scene.count - 1], 6)} ${scene.unit}, ${scene.timed ? seconds(scene.total) : "no feed: not timed"}`
   : "no motion";
 
@@ -22,7 +22,7 @@ for (const m of scene.messages) {
   const row = document.createElement("div");
   row.className = "message " + (m.error ? "error" : m.code ? "warning" : "note");
   row.textContent = (m.code ? `${m.code}${m.line ? ", line " + m.line : ""}: ` : "") + visible(m.text);
-  if (m.line) row.addEventListener("click", () => source.mark(m.file, m.line));
+  if (m.line) { row.tabIndex = 0; row.addEventListener("click", () => source.mark(m.file, m.line)); }
   $("messages").append(row);
 }
 
@@ -57,6 +57,12 @@ const source = new Source(scene, (file, line, stretches) => {
 });
 const charts = new Charts(scene, time => { pause(); setTime(time); const i = locationAt(scene, time); choose(scene.stretchOf[i]); tell(i); });
 
+function tellPlace(found) {
+  const lines = [visible(found.name), `(${found.place.map(v => number(v, 6)).join(", ")}) ${scene.unit}`], f = found.film;
+  if (f) lines.push(f.relative ? `film ${number(100 * f.value, 3)} % of the mean` : `film ${number(1000 * f.value, 3)} \u00b5m, wanted ${number(1000 * f.wanted, 3)}`);
+  $("readout").textContent = lines.join("\n");
+}
+
 let pressed = null;
 stage.canvas.addEventListener("pointerdown", e => { pressed = [e.offsetX, e.offsetY]; });
 stage.canvas.addEventListener("pointerup", e => {
@@ -64,7 +70,7 @@ stage.canvas.addEventListener("pointerup", e => {
   const found = stage.under(e.offsetX, e.offsetY);
   if (state.measuring) return measure(found);
   if (!found) { choose(-1); $("readout").textContent = ""; return; }
-  if (found.index < 0) { $("readout").textContent = `${visible(found.name || "film")}\n(${found.place.map(v => number(v, 6)).join(", ")})`; return; }
+  if (found.index < 0) { tellPlace(found); return; }
   choose(scene.stretchOf[found.index]);
   tell(found.index);
 });
@@ -182,12 +188,13 @@ function legend() {
     const guns = present.has(4);
     if (present.has(1)) row(stage.colors[1], "rapid");
     if (present.has(2)) row(stage.colors[2], guns ? "feed, gun off" : "feed");
-    if (present.has(ARC)) row(stage.colors[3], "along a circle");
+    if (present.has(ARC)) row(stage.colors[3], "along a circle or spline");
     if (guns) row(stage.colors[4], "gun on");
   }
   if (scene.films.length) {
     const w = scene.films[0].wanted, ink = t => "#" + filmColor(t, 1).getHexString();
-    ramp([0.5, 0.75, 1, 1.25, 1.5].map(ink).join(", "), `film ${number(500 * w, 3)}`, `${number(1500 * w, 3)} \u00b5m, wanted ${number(1000 * w, 3)}`);
+    const ends = scene.films[0].relative ? ["film 50 %", "150 % of its mean"] : [`film ${number(500 * w, 3)}`, `${number(1500 * w, 3)} \u00b5m, wanted ${number(1000 * w, 3)}`];
+    ramp([0.5, 0.75, 1, 1.25, 1.5].map(ink).join(", "), ...ends);
   }
   const bar = document.createElement("div"), line = document.createElement("span"), text = document.createElement("span");
   line.className = "bar";
@@ -207,14 +214,14 @@ function scaleBar() {
 stage.afterRender = scaleBar;
 
 // ---- layers, views, section, theme, keys
-const has = {path: scene.count > 1, surfaces: scene.meshes.length > 0, film: scene.films.length > 0, geometry: scene.entities.length > 0, tool: scene.count > 0};
+const has = {path: scene.count > 1, surfaces: scene.meshes.some(m => !m.auxiliary), unnamed: scene.meshes.some(m => m.auxiliary), film: scene.films.length > 0, geometry: scene.entities.length > 0, tool: scene.count > 0};
 for (const name of Object.keys(stage.layers)) {
   if (!has[name]) continue;
   const label = document.createElement("label"), box = document.createElement("input");
   box.type = "checkbox";
-  box.checked = true;
+  box.checked = stage.layers[name].visible;
   box.addEventListener("change", () => { stage.layers[name].visible = box.checked; stage.request(); });
-  label.append(box, " " + name);
+  label.append(box, " " + (name === "unnamed" ? "nested surfaces" : name));
   $("layers").append(label);
 }
 $("layers").hidden = !$("layers").children.length;
@@ -231,6 +238,12 @@ function section() {
   $("cutValue").textContent = `${number(place, 4)} ${scene.unit}`;
 }
 $("section").addEventListener("click", () => { state.section = !state.section; section(); });
+// The keys move the plane by a fortieth of its way.
+function shift(n) {
+  if (!state.section) state.section = true;
+  $("cutPlace").value = Number($("cutPlace").value) + 25 * n;
+  section();
+}
 for (const id of ["cutAxis", "cutPlace", "cutFlip"]) $(id).addEventListener("input", section);
 $("measure").addEventListener("click", toggleMeasure);
 function theme() {
@@ -256,6 +269,7 @@ const keys = {
   Home: ["to the start", () => setTime(0)], End: ["to the end", () => setTime(scene.total)],
   1: ["plan", () => stage.look("plan")], 2: ["front", () => stage.look("front")], 3: ["side", () => stage.look("side")], 4: ["iso", () => stage.look("iso")],
   c: ["next coloring", cycle], m: ["measure", toggleMeasure], x: ["section", () => { state.section = !state.section; section(); }],
+  "[": ["section plane back", () => shift(-1)], "]": ["section plane on", () => shift(1)],
   d: ["dark or light", theme], Escape: ["nothing chosen", () => { if (state.measuring) toggleMeasure(); choose(-1); $("readout").textContent = ""; }],
   "?": ["these keys", () => $("keys").open ? $("keys").close() : $("keys").showModal()],
 };
@@ -268,8 +282,11 @@ for (const [key, [text]] of Object.entries(keys)) {
 $("keys").append(table);
 $("keys").addEventListener("click", () => $("keys").close());
 $("help").addEventListener("click", () => $("keys").showModal());
+// A control that was used gives the keyboard back.
+addEventListener("change", e => { if (/^(SELECT|INPUT)$/.test(e.target.tagName)) e.target.blur(); });
 addEventListener("keydown", e => {
   if (e.ctrlKey || e.metaKey || e.altKey || /^(SELECT|INPUT)$/.test(e.target.tagName)) return;
+  if ($("keys").open && e.key !== "?") return; // Escape closes it
   const key = keys[e.key];
   if (key) { e.preventDefault(); key[1](); }
 });

@@ -153,9 +153,9 @@ export class Path {
   }
 
   // The location whose move ends nearest to a place of the screen, within `reach` pixels, or -1.
-  pick(camera, x, y, width, height, reach = 9) {
+  pick(camera, x, y, width, height, shows, reach = 9) {
     if (!this.levels.length) return -1;
-    const level = this.levels[this.shown], m = new THREE.Matrix4();
+    const level = this.levels[this.shown], m = new THREE.Matrix4(), place = new THREE.Vector3();
     m.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     const e = m.elements, d = level.data;
     let best = reach * reach, found = -1, px = 0, py = 0, was = false;
@@ -168,12 +168,15 @@ export class Path {
         const ux = qx - px, uy = qy - py, length = ux * ux + uy * uy;
         const t = length > 0 ? Math.min(1, Math.max(0, ((x - px) * ux + (y - py) * uy) / length)) : 0;
         const ex = px + t * ux - x, ey = py + t * uy - y, distance = ex * ex + ey * ey;
-        if (distance < best) { best = distance; found = k; this.share = t; }
+        if (distance < best && shows(place.set(X, Y, Z))) { best = distance; found = k; this.share = t; this.pixels = Math.sqrt(length); }
       }
       px = qx; py = qy; was = w > 0;
     }
     if (found < 0) return -1;
     const a = level.kept[found - 1], b = level.kept[found];
+    // Where on the move: its ends attract within the reach.
+    const t = this.share * this.pixels < reach ? 0 : (1 - this.share) * this.pixels < reach ? 1 : this.share, p = this.scene.places;
+    this.place = [0, 1, 2].map(k => (1 - t) * p[3 * a + k] + t * p[3 * b + k]);
     return Math.min(b, Math.max(a + 1, Math.round(a + this.share * (b - a) + 0.5)));
   }
 }

@@ -33,11 +33,13 @@ export class Stage {
     this.wireMaterial = new THREE.LineBasicMaterial({transparent: true, opacity: 0.75});
     const {group, labels} = drawEntities(scene, this.center, this.wireMaterial);
     this.layers = {
-      path: (this.path = new Path(scene, this.center)).group, surfaces: drawSurfaces(scene, this.center),
+      path: (this.path = new Path(scene, this.center)).group, surfaces: drawSurfaces(scene, this.center, false),
+      unnamed: drawSurfaces(scene, this.center, true),
       film: drawFilms(scene, this.center), geometry: group, tool: (this.tool = new Tool(scene)).group,
     };
     this.labels = labels.map(l => Object.assign(l, {element: document.createElement("span")}));
     for (const l of this.labels) { l.element.textContent = visible(l.name); document.getElementById("labels").append(l.element); }
+    this.layers.unnamed.visible = this.layers.unnamed.children.length < 7; // nested planes of a loop would hide the rest
     for (const layer of Object.values(this.layers)) this.world.add(layer);
     this.marks = new THREE.Group();
     this.world.add(this.marks);
@@ -100,9 +102,17 @@ export class Stage {
     this.plane.normal.set(0, 0, 0).setComponent(a, flip ? 1 : -1);
     this.plane.constant = flip ? -place : place;
     const planes = on ? [this.plane] : [];
-    this.world.traverse(o => { if (o.material && o !== this.tool.group) o.material.clippingPlanes = planes; });
+    this.cutting = on;
+    for (const layer of [this.layers.path, this.layers.surfaces, this.layers.unnamed, this.layers.film, this.layers.geometry]) {
+      layer.traverse(o => { if (o.material) o.material.clippingPlanes = [...(o.userData.sides || []), ...planes]; });
+    }
     this.request();
     return place + this.center[a];
+  }
+
+  // Whether the section leaves a place of the view's space.
+  shows(place, sides = []) {
+    return (!this.cutting || this.plane.distanceToPoint(place) >= 0) && sides.every(s => s.distanceToPoint(place) >= 0);
   }
 
   // A mark at each measured place and a line between two.
@@ -126,13 +136,18 @@ export class Stage {
 
   // What is under a place of the screen: the nearest location of the path, else a place of a surface.
   under(x, y) {
-    const w = this.canvas.clientWidth, h = this.canvas.clientHeight, index = this.layers.path.visible ? this.path.pick(this.camera, x, y, w, h) : -1;
-    if (index >= 0) return {index, place: [...this.data.places.slice(3 * index, 3 * index + 3)]};
+    const w = this.canvas.clientWidth, h = this.canvas.clientHeight, index = this.layers.path.visible ? this.path.pick(this.camera, x, y, w, h, p => this.shows(p)) : -1;
+    if (index >= 0) return {index, place: this.path.place};
     const ray = new THREE.Raycaster();
     ray.setFromCamera(new THREE.Vector2(2 * x / w - 1, 1 - 2 * y / h), this.camera);
-    const solid = [this.layers.surfaces, this.layers.film].filter(l => l.visible).flatMap(l => l.children);
-    const hit = ray.intersectObjects(solid, false)[0];
-    return hit ? {index: -1, name: hit.object.name, place: hit.point.toArray().map((v, a) => v + this.center[a])} : null;
+    const solid = [this.layers.surfaces, this.layers.unnamed, this.layers.film].filter(l => l.visible).flatMap(l => l.children);
+    const hit = ray.intersectObjects(solid, false).find(h => this.shows(h.point, h.object.userData.sides));
+    if (!hit) return null;
+    const film = hit.object.userData.film;
+    return {
+      index: -1, name: hit.object.name, place: hit.point.toArray().map((v, a) => v + this.center[a]),
+      film: film ? {value: film.values[hit.faceIndex], wanted: film.wanted, relative: film.relative} : null,
+    };
   }
 
   request() {
@@ -147,7 +162,7 @@ export class Stage {
     const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
     for (const l of this.labels) {
       const p = l.place.clone().project(this.camera), x = (p.x * 0.5 + 0.5) * w, y = (0.5 - p.y * 0.5) * h, wide = 6.5 * l.name.length + 6;
-      const shown = this.layers.geometry.visible && x > 0 && x < w && y > 12 && y < h &&
+      const shown = this.layers.geometry.visible && this.shows(l.place) && x > 0 && x < w && y > 12 && y < h &&
         !taken.some(t => Math.abs(t.x - x) < (t.wide + wide) / 2 && Math.abs(t.y - y) < 14);
       l.element.style.display = shown ? "" : "none";
       if (shown) { taken.push({x, y, wide}); l.element.style.left = x + "px"; l.element.style.top = y + "px"; }

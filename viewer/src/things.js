@@ -1,5 +1,6 @@
 // What stands beside the path: named geometry as lines, shaded surfaces, films, the tool.
 import * as THREE from "three";
+import {GUN} from "./data.js";
 
 const wire = (points, material) => new THREE.Line(new THREE.BufferGeometry().setFromPoints(points), material);
 
@@ -24,6 +25,12 @@ export function drawEntities(scene, center, material) {
   const label = (name, p) => { if (near(p) && labels.length < 250) labels.push({name, place: p}); };
   for (const e of scene.entities.slice(0, 2000)) {
     const c = e.canon;
+    for (const curve of e.curves || []) {
+      const points = [];
+      for (let k = 0; k < curve.length; k += 3) points.push(at(curve, k));
+      group.add(wire(points, material));
+      if (points.length) label(e.name, points[Math.floor(points.length / 3)]);
+    }
     if (e.type === "POINT") {
       const p = at(c), d = 0.007 * scene.size;
       if (!near(p)) continue;
@@ -55,14 +62,42 @@ export function drawEntities(scene, center, material) {
       label(e.name, at(c));
     }
   }
+  labelSurfaces(scene, center, labels);
   return {group, labels};
+}
+
+// The names of surfaces that have no lines: at their highest place in the box.
+function labelSurfaces(scene, center, labels) {
+  for (const m of scene.meshes) {
+    if (m.auxiliary || labels.some(l => l.name === m.name)) continue;
+    let best = -Infinity, place = null;
+    for (let k = 0; k < m.places.length; k += 3) {
+      const p = m.places.subarray(k, k + 3), inside = [0, 1, 2].every(a => p[a] >= scene.box[2 * a] && p[a] <= scene.box[2 * a + 1]);
+      const height = 3 * p[2] + p[0] - p[1];
+      if (inside && height > best) { best = height; place = p; }
+    }
+    if (place) labels.push({name: m.name, place: new THREE.Vector3(place[0] - center[0], place[1] - center[1], place[2] - center[2])});
+  }
 }
 
 const surfaceInks = [0x7aa6d8, 0x9cc59a, 0xd9b779, 0xc39ad0, 0x8fcacb, 0xd99a93];
 
-export function drawSurfaces(scene, center) {
-  const group = new THREE.Group();
+// The sides of the box in which surfaces are shown: they go on without end.
+function sidesOf(scene, center) {
+  const planes = [];
+  for (let a = 0; a < 3 && scene.box.length === 6; ++a) {
+    const normal = new THREE.Vector3().setComponent(a, 1);
+    planes.push(new THREE.Plane(normal.clone(), -(scene.box[2 * a] - center[a])), new THREE.Plane(normal.negate(), scene.box[2 * a + 1] - center[a]));
+  }
+  return planes;
+}
+
+// Those that have a name or are part surfaces, or the others.
+export function drawSurfaces(scene, center, auxiliary) {
+  const group = new THREE.Group(), sides = sidesOf(scene, center);
+  const opacity = Math.max(0.13, 0.34 * Math.min(1, 6 / scene.meshes.length)); // many would hide the path
   scene.meshes.forEach((m, i) => {
+    if (m.auxiliary !== auxiliary) return;
     const places = m.places.slice();
     for (let k = 0; k < places.length; ++k) places[k] -= center[k % 3];
     const geometry = new THREE.BufferGeometry();
@@ -70,9 +105,10 @@ export function drawSurfaces(scene, center) {
     geometry.setAttribute("normal", new THREE.BufferAttribute(m.normals, 3));
     geometry.setIndex(new THREE.BufferAttribute(m.triangles, 1));
     const mesh = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({
-      color: surfaceInks[i % surfaceInks.length], side: THREE.DoubleSide, transparent: true, opacity: 0.34, roughness: 0.62,
-      metalness: 0.05, depthWrite: false,
+      color: surfaceInks[i % surfaceInks.length], side: THREE.DoubleSide, transparent: true, opacity, roughness: 0.62,
+      metalness: 0.05, depthWrite: false, clippingPlanes: sides,
     }));
+    mesh.userData.sides = sides;
     mesh.name = m.name;
     group.add(mesh);
   });
@@ -90,10 +126,17 @@ export function filmColor(film, wanted, color = new THREE.Color()) {
 export function drawFilms(scene, center) {
   const group = new THREE.Group(), color = new THREE.Color();
   for (const f of scene.films) {
-    const places = [], inks = [], columns = f.columns, wide = columns + 1;
+    const places = [], inks = [], values = [], columns = f.columns, wide = columns + 1;
+    for (let q = 0; f.strips && q < f.film.length; q += 4) for (const k of [q, q + 1, q + 2, q, q + 2, q + 3]) { // two triangles
+      for (let a = 0; a < 3; ++a) places.push(f.corners[3 * k + a] - center[a]);
+      filmColor(f.film[k], f.wanted, color);
+      inks.push(color.r, color.g, color.b);
+      if (k === q) values.push(f.film[k]);
+    }
     for (let r = 0; r < f.rows; ++r) for (let c = 0; c < columns; ++c) {
       const film = f.film[r * columns + c];
       if (Number.isNaN(film)) continue;
+      values.push(film, film);
       filmColor(film, f.wanted, color);
       const corner = (dc, dr) => 3 * ((r + dr) * wide + c + dc);
       for (const k of [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1)]) {
@@ -104,7 +147,10 @@ export function drawFilms(scene, center) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(places, 3));
     geometry.setAttribute("color", new THREE.Float32BufferAttribute(inks, 3));
-    group.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({vertexColors: true, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2})));
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({vertexColors: true, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2}));
+    mesh.name = f.name;
+    mesh.userData.film = {wanted: f.wanted, relative: f.relative, values}; // of each triangle
+    group.add(mesh);
   }
   return group;
 }
@@ -123,15 +169,17 @@ export class Tool {
     this.cutter = cutter;
     this.group.clear();
     const s = this.scene;
-    if (s.gunStandOff > 0) {
+    if (s.gunStandOff > 0 || (!cutter && s.kinds.some(k => k & GUN))) {
       const size = Math.max(0.1 * s.gunStandOff, 0.012 * s.size);
       const body = new THREE.Mesh(new THREE.CylinderGeometry(size * 0.5, size * 0.22, 2.4 * size, 24), this.material);
       body.rotation.x = Math.PI / 2;
       body.position.z = 1.2 * size;
+      this.group.add(body);
+      if (!(s.gunStandOff > 0)) return;
       this.cone = new THREE.Mesh(new THREE.ConeGeometry(s.gunRadius, s.gunStandOff, 40, 1, true), this.spray);
       this.cone.rotation.x = Math.PI / 2;
       this.cone.position.z = -0.5 * s.gunStandOff;
-      this.group.add(body, this.cone);
+      this.group.add(this.cone);
       return;
     }
     const r = cutter && cutter.diameter > 0 ? cutter.diameter / 2 : 0.006 * s.size, corner = cutter ? Math.min(cutter.corner, r) : 0;
