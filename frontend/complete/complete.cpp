@@ -157,6 +157,14 @@ void addAll(const Place& place, Candidates& candidates) {
     case Place::Kind::expression:
       candidates.scalars();
       break;
+    case Place::Kind::subscript:  // A(3), A(ALL), A(2,THRU,ALL,INCR,2)
+      for (const Word word : {Word::ALL, Word::THRU, Word::INCR, Word::DECR}) {
+        if (word == Word::ALL || word == Word::THRU || !place.given.empty()) {
+          candidates.add(spell(word));
+        }
+      }
+      candidates.scalars();
+      break;
     case Place::Kind::functionArgument:
       candidates.scalars();
       candidates.names(KnownName::Kind::entity);

@@ -83,7 +83,7 @@ class Scan {
     } else if (level.kind == Level::Kind::function) {
       place.kind = Place::Kind::functionArgument;
     } else if (level.kind == Level::Kind::subscript) {
-      place.kind = Place::Kind::expression;
+      place.kind = Place::Kind::subscript;
     } else if (level.value || levels_.size() > 1) {
       place.kind = condition_ && levels_.size() == 2 ? Place::Kind::expression : Place::Kind::value;
     } else {

@@ -18,6 +18,7 @@ struct Place {
     parameter,   ///< of `word` (a noun or a statement), behind `given`
     expression,  ///< a scalar
     functionArgument,
+    subscript,  ///< of an array, behind `given`
     label,  ///< a jump's target
     macroName,
     nothing  ///< a name of the program's own choice
