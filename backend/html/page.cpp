@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <ostream>
 
@@ -109,10 +110,18 @@ Json headOf(const Scene& scene) {
   return head;
 }
 
+/// An array whose values are all the same has one of them, and how often.
 template <class T>
 void blob(std::ostream& out, const std::string& id, const std::vector<T>& values) {
-  out << "<script type=\"text/plain\" id=\"" << id << "\">";
-  writeBase64(out, values);
+  const bool same = values.size() > 1 && std::all_of(values.begin(), values.end(), [&](const T& v) {
+                      return std::memcmp(&v, values.data(), sizeof(T)) == 0;
+                    });
+  out << "<script type=\"text/plain\" id=\"" << id << '"';
+  if (same) {
+    out << " data-count=\"" << values.size() << '"';
+  }
+  out << '>';
+  writeBase64(out, same ? std::vector<T>{values.front()} : values);
   out << "</script>\n";
 }
 

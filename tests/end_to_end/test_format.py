@@ -53,10 +53,10 @@ FINI
 
 
 def programs():
-    ours = [p for root in ("examples", "tests/data", "tests/golden", "stdlib") for p in (PROJECT / root).rglob("*.apt")]
+    ours = [p for root in ("examples", "tests", "stdlib", "bench") for p in (PROJECT / root).rglob("*.apt")]
     folders = [SHARED / "corpus", SHARED / "oracle"]
     theirs = [p for f in folders if f.is_dir() for p in f.rglob("*")
-              if p.suffix.lower() in (".apt", ".aptsource", ".cls", ".clsf", ".pro", ".1")]
+              if p.suffix.lower() in (".apt", ".aptsource", ".cls", ".clsf", ".ncl", ".cldata", ".clt", ".pro", ".1")]
     return sorted(ours), sorted(theirs)
 
 

@@ -63,10 +63,31 @@ export class Charts {
   draw(now = this.now) {
     this.now = now;
     const c = this.canvas, ratio = window.devicePixelRatio || 1, w = c.clientWidth, h = c.clientHeight;
-    if (c.width !== Math.round(w * ratio) || c.height !== Math.round(h * ratio)) { c.width = Math.round(w * ratio); c.height = Math.round(h * ratio); }
-    const g = c.getContext("2d"), style = getComputedStyle(document.documentElement), ink = n => style.getPropertyValue(n).trim();
+    const key = [w, h, ratio, this.from, this.to, document.documentElement.className].join();
+    if (key !== this.painted) { // curves of a long path take long: only the mark of the time moves
+      this.painted = key;
+      this.curves = document.createElement("canvas");
+      for (const canvas of [c, this.curves]) { canvas.width = Math.max(1, Math.round(w * ratio)); canvas.height = Math.max(1, Math.round(h * ratio)); }
+      this.paint(this.curves.getContext("2d"), ratio, w, h);
+    }
+    const g = c.getContext("2d"), left = 66, width = w - left - 10;
+    g.setTransform(1, 0, 0, 1, 0, 0);
+    g.clearRect(0, 0, c.width, c.height);
+    g.drawImage(this.curves, 0, 0);
     g.setTransform(ratio, 0, 0, ratio, 0, 0);
-    g.clearRect(0, 0, w, h);
+    const x = left + width * (now - this.from) / (this.to - this.from);
+    if (x >= left && x <= left + width) {
+      g.strokeStyle = getComputedStyle(document.documentElement).getPropertyValue("--hot").trim();
+      g.beginPath();
+      g.moveTo(x, 2);
+      g.lineTo(x, h - 2);
+      g.stroke();
+    }
+  }
+
+  paint(g, ratio, w, h) {
+    const style = getComputedStyle(document.documentElement), ink = n => style.getPropertyValue(n).trim();
+    g.setTransform(ratio, 0, 0, ratio, 0, 0);
     g.font = "11px system-ui, 'DejaVu Sans', sans-serif";
     const left = 66, width = w - left - 10, each = h / 3;
     const inks = document.documentElement.classList.contains("dark") ? ["#6cb2ff", "#3ddc97", "#ff6bd6"] : ["#1f5fbf", "#0a8f6c", "#b5179e"];
@@ -84,14 +105,6 @@ export class Charts {
       }
       this.curve(g, row, left, width, y0, tall, inks[row]);
     });
-    const x = left + width * (now - this.from) / (this.to - this.from);
-    if (x >= left && x <= left + width) {
-      g.strokeStyle = ink("--hot");
-      g.beginPath();
-      g.moveTo(x, 2);
-      g.lineTo(x, h - 2);
-      g.stroke();
-    }
   }
 
   curve(g, row, left, width, y0, tall, color) {

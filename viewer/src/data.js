@@ -4,15 +4,19 @@ const arrays = {f64: Float64Array, f32: Float32Array, u32: Uint32Array, u8: Uint
 
 function bytesOf(id) {
   const element = document.getElementById(id);
-  const text = element ? element.textContent : "";
+  const text = element ? element.textContent : "", count = element ? Number(element.dataset.count || 0) : 0;
   if (element) element.remove(); // the text is large and not needed again
   const raw = atob(text);
   const bytes = new Uint8Array(raw.length);
   for (let i = 0; i < raw.length; ++i) bytes[i] = raw.charCodeAt(i);
-  return bytes.buffer;
+  return [bytes.buffer, count];
 }
 
-const read = (id, kind) => new arrays[kind](bytesOf(id));
+// With a count, the one value stands for that many.
+function read(id, kind) {
+  const [bytes, count] = bytesOf(id), values = new arrays[kind](bytes);
+  return count > 0 ? new arrays[kind](count).fill(values[0]) : values;
+}
 
 export const GUN = 16;
 export const START = 0, RAPID = 1, FEED = 2, ARC = 3;

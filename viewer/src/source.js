@@ -52,10 +52,19 @@ export class Source {
     this.draw();
   }
 
+  // Rows that fit, the greatest first row, and how far that is to scroll.
+  room() {
+    const lines = (this.lines[this.file] || []).length, fit = Math.ceil(this.box.clientHeight / rowHeight) + 2;
+    return {fit, last: Math.max(0, lines - fit + 2), way: Math.max(1, lines * rowHeight / this.scale - this.box.clientHeight)};
+  }
+
+  firstRow() {
+    const {last, way} = this.room();
+    return Math.min(last, Math.floor(this.scale > 1 ? this.box.scrollTop / way * last : this.box.scrollTop / rowHeight));
+  }
+
   draw() {
-    const lines = this.lines[this.file] || [];
-    const fit = Math.ceil(this.box.clientHeight / rowHeight) + 2;
-    const top = Math.min(Math.floor(this.box.scrollTop * this.scale / rowHeight), Math.max(0, lines.length - fit + 2));
+    const lines = this.lines[this.file] || [], {fit} = this.room(), top = this.firstRow();
     this.rows.style.top = (this.scale > 1 ? this.box.scrollTop : top * rowHeight) + "px";
     this.rows.replaceChildren();
     for (let i = top; i < Math.min(lines.length, top + fit); ++i) {
@@ -74,9 +83,11 @@ export class Source {
   mark(file, line, scroll = true) {
     this.marked = line;
     if (file !== this.file) this.open(file);
-    const at = (line - 1) * rowHeight / this.scale;
-    const hidden = at < this.box.scrollTop || at > this.box.scrollTop + this.box.clientHeight - 2 * rowHeight;
-    if (scroll && hidden) this.box.scrollTop = Math.max(0, at - this.box.clientHeight / 2);
+    const {fit, last, way} = this.room(), top = this.firstRow();
+    if (scroll && (line - 1 < top || line - 1 > top + fit - 5)) {
+      const first = Math.min(last, Math.max(0, line - 1 - Math.floor(fit / 2)));
+      this.box.scrollTop = this.scale > 1 ? first / Math.max(1, last) * way : first * rowHeight;
+    }
     this.draw();
   }
 }
