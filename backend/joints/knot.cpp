@@ -49,6 +49,9 @@ void KnotReader::location(const robot::Pose& pose, const Span& origin) {
     failed_ = true;
     return;
   }
+  if (!withinTilt(upright->tilt, origin)) {
+    return;
+  }
   Knot knot;
   knot.point = pose.point;
   const double before = knots_.empty() ? upright->heading : knots_.back().heading;
@@ -66,6 +69,21 @@ void KnotReader::location(const robot::Pose& pose, const Span& origin) {
   knot.origin = origin;
   rapid_ = false;
   knots_.push_back(knot);
+}
+
+bool KnotReader::withinTilt(double tilt, const Span& origin) {
+  constexpr double straight = 1e-4;  // degrees
+  const double most = machine_.tilt ? machine_.tilt->most : 0.0;
+  if (std::abs(tilt) <= most + straight) {
+    return true;
+  }
+  if (!failed_) {
+    const std::string place = fmt::format("location {}", location_);
+    sink_.accept(machine_.tilt ? diagnose(origin, diag::TiltRange, place, tilt, most)
+                               : diagnose(origin, diag::ToolNotUpright, place, std::abs(tilt), ""));
+  }
+  failed_ = true;
+  return false;
 }
 
 void KnotReader::stopHere(double seconds) {

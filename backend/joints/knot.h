@@ -21,7 +21,8 @@ struct Knot {
 };
 
 /// Collects the locations of CL records. Tools that lean otherwise than along their side are told
-/// to the sink (E0664), feeds without a speed as E0621, words without a meaning as W0687.
+/// to the sink (E0664), tilts beyond the tilt axis (E0665), feeds without a speed as E0621, words
+/// without a meaning as W0687.
 class KnotReader {
  public:
   KnotReader(const robot::Machine& machine, DiagnosticSink& sink)
@@ -37,6 +38,8 @@ class KnotReader {
   void location(const robot::Pose& pose, const Span& origin);
   void post(const cl::Post& post, const Span& origin);
   void spray(const cl::Post& post);
+  /// Tells the first tilt that cannot be had.
+  bool withinTilt(double tilt, const Span& origin);
   void stopHere(double seconds);
 
   const robot::Machine& machine_;

@@ -142,16 +142,32 @@ void curve(Canvas& canvas,
   }
 }
 
-/// The path on the ground, to one scale in x and y.
-void ground(Canvas& canvas, const Box& box, const Table& table) {
+/// The smallest rectangle round the path of the tool.
+struct Span {
   double lowX = 0.0, highX = 1.0, lowY = 0.0, highY = 1.0;
+};
+Span spanOf(const Table& table) {
+  Span span;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Place& p = table.rows[i].tool.place;
-    lowX = i == 0 ? p[0] : std::min(lowX, p[0]);
-    highX = i == 0 ? p[0] : std::max(highX, p[0]);
-    lowY = i == 0 ? p[1] : std::min(lowY, p[1]);
-    highY = i == 0 ? p[1] : std::max(highY, p[1]);
+    span.lowX = i == 0 ? p[0] : std::min(span.lowX, p[0]);
+    span.highX = i == 0 ? p[0] : std::max(span.highX, p[0]);
+    span.lowY = i == 0 ? p[1] : std::min(span.lowY, p[1]);
+    span.highY = i == 0 ? p[1] : std::max(span.highY, p[1]);
   }
+  return span;
+}
+
+/// As wide as the path needs at this height: half of the sheet or more.
+double groundWidth(const Table& table, double height, double most) {
+  const Span span = spanOf(table);
+  const double tall = std::max(span.highY - span.lowY, 1e-6);
+  return std::clamp(height * (span.highX - span.lowX) / tall, panelWidth, most);
+}
+
+/// The path on the ground, to one scale in x and y.
+void ground(Canvas& canvas, const Box& box, const Table& table) {
+  const auto [lowX, highX, lowY, highY] = spanOf(table);
   const double perPixel =
       1.08 * std::max({(highX - lowX) / box.width, (highY - lowY) / box.height, 1e-6});
   const double halfX = 0.5 * perPixel * box.width;
@@ -195,7 +211,8 @@ void writePlot(std::ostream& out, const Arm& arm, const Table& table) {
   canvas.begin("Joints over time",
                fmt::format("{}: {:.3f} s, {} rows every {:.6g} s, gun open {:.3f} s", arm.name(),
                            seconds, table.rows.size(), table.interval, table.paintingTime));
-  ground(canvas, Box{marginLeft, marginTop, width - marginLeft - 30.0, pathHeight}, table);
+  const double pathWidth = groundWidth(table, pathHeight, width - marginLeft - 30.0);
+  ground(canvas, Box{marginLeft, marginTop, pathWidth, pathHeight}, table);
   for (std::size_t j = 0; j < 2; ++j) {
     const double left = marginLeft + static_cast<double>(j) * (marginLeft + panelWidth);
     const std::string name(arm.jointName(j));

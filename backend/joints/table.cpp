@@ -95,6 +95,19 @@ bool withinTurn(const Arm& arm, const std::vector<Knot>& knots, DiagnosticSink& 
   return worst.count == 0;
 }
 
+/// The fastest move against the largest speed of the tool point.
+bool withinSpeed(double most, const std::vector<Knot>& knots, DiagnosticSink& sink) {
+  const auto fastest = std::max_element(
+      knots.begin(), knots.end(), [](const Knot& a, const Knot& b) { return a.speed < b.speed; });
+  if (most <= 0.0 || fastest == knots.end() || fastest->speed <= most * (1.0 + rounding)) {
+    return true;
+  }
+  sink.accept(diagnose(fastest->origin, diag::RobotSpeed,
+                       fmt::format("location {}", fastest->location), fastest->speed, most,
+                       most / fastest->speed));
+  return false;
+}
+
 /// Largest speeds and accelerations of the joints.
 class Peaks {
  public:
@@ -141,9 +154,12 @@ class Peaks {
 };
 }  // namespace
 
-bool canReach(const Arm& arm, const std::vector<Knot>& knots, DiagnosticSink& sink) {
+bool canFollow(const Arm& arm,
+               const std::vector<Knot>& knots,
+               double mostSpeed,
+               DiagnosticSink& sink) {
   return withinReach(arm, knots, sink) && clearOfAxis(arm, knots, sink) &&
-         withinTurn(arm, knots, sink);
+         withinTurn(arm, knots, sink) && withinSpeed(mostSpeed, knots, sink);
 }
 
 Table tableOf(const Arm& arm,
@@ -155,7 +171,8 @@ Table tableOf(const Arm& arm,
   const Trajectory path(knots, machine.acceleration, machine.blend);
   const double count = std::ceil(path.duration() / machine.interval - rounding);
   if (!(count < mostRows)) {
-    sink.accept(diagnose(knots.back().origin, diag::JointsSize, path.duration(), machine.interval, mostRows));
+    sink.accept(diagnose(knots.back().origin, diag::JointsSize, path.duration(), machine.interval,
+                         mostRows));
     return table;
   }
   constexpr int between = 4;  // looks for the peaks, so that they do not hide between two rows

@@ -20,8 +20,12 @@ struct Table {
 
 /// Whether the arm can take the tool along the knots; what hinders it goes to the sink: E0681
 /// places outside the reach (how many, the worst and by how much), E0682 a straight move through
-/// the axis, E0683 a turn beyond its range.
-[[nodiscard]] bool canReach(const Arm& arm, const std::vector<Knot>& knots, DiagnosticSink& sink);
+/// the axis, E0683 a turn beyond its range, E0666 the fastest move above the largest speed of the
+/// tool point (mm/s; 0: any).
+[[nodiscard]] bool canFollow(const Arm& arm,
+                             const std::vector<Knot>& knots,
+                             double mostSpeed,
+                             DiagnosticSink& sink);
 
 /// The motion along reachable knots. Speeds and accelerations of joints above their limits are told
 /// to the sink, each joint's worst with the factor on speeds that would do: E0684, E0685; a table

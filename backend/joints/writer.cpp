@@ -85,7 +85,7 @@ class JointWriter : public Writer {
       return;
     }
     const Arm arm(machine_);
-    if (reader_.failed() || !canReach(arm, reader_.knots(), sink_)) {
+    if (reader_.failed() || !canFollow(arm, reader_.knots(), machine_.speed, sink_)) {
       return;
     }
     Table table;

@@ -49,6 +49,10 @@ class VplusWriter : public Writer {
   }
 
   void finish() override {
+    if (machine_.speed > 0.0 && fastest_.speed > machine_.speed) {
+      sink_.accept(diagnose(fastest_.origin, diag::RobotSpeed, fastest_.place, fastest_.speed,
+                            machine_.speed, machine_.speed / fastest_.speed));
+    }
     const std::string end = machine_.vplus.crlf ? "\r\n" : "\n";
     std::string text = ".PROGRAM " + vplus::programName(name_) + "()" + end;
     text += "  ; made by arelem from CL data" + end;
@@ -271,14 +275,21 @@ class VplusWriter : public Writer {
   void setSpeed(const std::string& place) {
     const double speed = rapid_ ? machine_.rapid : speed_;
     rapid_ = false;
-    if (machine_.speed > 0.0 && speed > machine_.speed) {
-      report(fail(diag::RobotSpeed, place, speed, machine_.speed, machine_.speed / speed));
+    if (speed > std::max(fastest_.speed, machine_.speed)) {
+      fastest_ = {speed, place, record_->origin};
     }
     if (speed > 0.0 && number(speed) != written_) {
       written_ = number(speed);
       line(fmt::format("SPEED {}, 100 MMPS ALWAYS", written_));
     }
   }
+
+  /// The fastest move, of which a factor on all speeds can be told.
+  struct Fastest {
+    double speed = 0.0;
+    std::string place;
+    Span origin;
+  };
 
   static constexpr std::size_t mostReports = 20;
   std::ostream& out_;
@@ -293,6 +304,7 @@ class VplusWriter : public Writer {
   double millimeters_ = 1.0;
   double speed_ = 0.0;
   bool rapid_ = false;
+  Fastest fastest_;
   double joint4_ = 0.0;
   int tiltWord_ = 0;
   std::size_t location_ = 0;

@@ -132,11 +132,10 @@ Result<std::vector<const Symbol*>> symbolsOf(std::string_view text, const Alphab
       std::string capitals(name);
       std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                      [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
-      if (alphabet.find(capitals) != nullptr) {
-        failure =
-            std::move(failure).withHelp("capitals are other symbols: `" + capitals + "` is there");
+      if (alphabet.find(capitals) == nullptr) {
+        return failure;
       }
-      return failure;
+      return std::move(failure).withHelp("capitals are other symbols: `" + capitals + "` is there");
     }
     symbols.push_back(symbol);
     i += name.size();

@@ -13,6 +13,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = PROJECT / "docs" / "manual" / "roadway_alphabet.md"
@@ -147,6 +148,10 @@ def write_pictures(arelem):
     for name in ("stop", "ahead", "right_turn"):
         run(arelem, "stencil", EXAMPLES / f"{name}.apt", "--film", PICTURES / f"{name}_film.svg")
     run(arelem, "stencil", EXAMPLES / "school_xing.apt", "--film", PICTURES / "school_xing_film.svg")
+    with tempfile.TemporaryDirectory() as folder:
+        letter = pathlib.Path(folder) / "s.apt"
+        letter.write_text("UNITS/MM\nSTENCL/'S',HEIGHT,2440,FAN,63.5,SPEED,600,TILT,BEST\nFINI\n")
+        run(arelem, letter, "-o", PICTURES / "s_joints.svg", "--machine", "stencil_robot.machine.toml")
     run(arelem, EXAMPLES / "name_plate.apt", "-o", PICTURES / "name_plate.svg")
 
 

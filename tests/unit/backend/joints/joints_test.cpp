@@ -254,6 +254,14 @@ TEST(JointTable, TellsWhatCannotBeReached) {
   EXPECT_THAT(codeOf({go({1000, 0, 0, 0.6, 0, 0.8})}, pantograph()), ElementsAre("E0664"));
   EXPECT_THAT(codeOf({go({1000, 0, 0}), word(Word::FEDRAT, {-3.0})}, pantograph()),
               ElementsAre("E0621"));
+  // A gun that leans along its side needs a tilt axis, and one that goes so far.
+  const double b = 10.0 * degree;
+  const cl::Record leaning =
+      go({1000, 0, 0, std::sin(b), 0, std::cos(b), std::cos(b), 0, -std::sin(b)});
+  EXPECT_THAT(codeOf({leaning}, pantograph()), ElementsAre("E0664"));
+  robot::Machine tilting = pantograph();
+  tilting.tilt.emplace().most = 9.0;
+  EXPECT_THAT(codeOf({leaning}, tilting), ElementsAre("E0665"));
 }
 
 /// 3000 mm/s outwards need 360 mm/s of an actuator that has 200: 0.5556 of the speed would do.
@@ -276,6 +284,20 @@ TEST(JointTable, LimitsNameTheFactorThatWouldDo) {
   ASSERT_THAT(codes(other), ElementsAre("E0685"));
   EXPECT_THAT(other.all()[0].message, HasSubstr("needs 1200 mm/s2"));
   EXPECT_THAT(other.all()[0].message, HasSubstr("speeds 0.5 times"));
+}
+
+/// 3000 mm/s where the tool point goes 1200: the fastest move is named, and 0.4.
+TEST(JointTable, TheFastestMoveIsNamed) {
+  robot::Machine machine = pantograph();
+  machine.speed = 1200.0;
+  CollectingSink sink;
+  EXPECT_EQ(table({go({1000, 0, 0}), word(Word::FEDRAT, {1500.0, Word::MMPS}), go({2000, 0, 0}),
+                   word(Word::FEDRAT, {3000.0, Word::MMPS}), go({3000, 0, 0})},
+                  machine, sink),
+            "");
+  ASSERT_THAT(codes(sink), ElementsAre("E0666"));
+  EXPECT_THAT(sink.all()[0].message,
+              HasSubstr("location 3 has 3000 mm/s; the robot's largest speed is 1200, 0.4 times"));
 }
 
 TEST(JointTable, TooManyRowsAreRefused) {

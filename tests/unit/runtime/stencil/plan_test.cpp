@@ -59,6 +59,9 @@ TEST(Message, WhatCannotBePaintedIsNamed) {
   EXPECT_THAT(failure("AB?").message, HasSubstr("character 3 of the text, `?`"));
   EXPECT_THAT(failure("AB?").message, HasSubstr("A B C D"));
   EXPECT_THAT(failure("<BACK>").message, HasSubstr("`<BACK>`"));
+  const Failure small = failure("ABc");
+  EXPECT_THAT(small.message, HasSubstr("character 3 of the text, `c`"));
+  EXPECT_THAT(small.help, HasSubstr("`C` is there"));
   EXPECT_EQ(failure("   ").row->code, "E0563");
   Limits few;
   few.points = 10;
