@@ -18,7 +18,8 @@ struct Span {
 /// The worst departure of one cell's film from its mean at tilts of an even step.
 struct Cell {
   std::vector<double> worst;  // empty: without area, any tilt will do
-  std::size_t best = 0;
+  std::size_t best = 0;       // the best of these
+  double wanted = 0.0;        // the best tilt, degrees
 };
 
 /// A run of cells; a cell has the mean of the tilts of the lines at its ends.
@@ -47,6 +48,7 @@ class Chain {
       }
       cell.best = static_cast<std::size_t>(std::min_element(cell.worst.begin(), cell.worst.end()) -
                                            cell.worst.begin());
+      cell.wanted = bestTilt(balance.lean, fan, tiltAt(cell.best));
     }
   }
 
@@ -62,12 +64,29 @@ class Chain {
       const double level = 0.5 * (low + high);
       (reach(level) ? high : low) = level;
     }
-    reach(high);
+    // A little more than the least: tilts that are forced to the last digit swing to and fro.
+    constexpr double slack = 0.002;
+    reach(high + slack);
     return back();
   }
 
  private:
   static constexpr double coarse = 0.8;  // degrees
+
+  /// The best tilt near a sample, by thirds: the worst film has one valley there.
+  [[nodiscard]] double bestTilt(double lean, double fan, double near) const {
+    double low = std::max(-most_, near - step_);
+    double high = std::min(most_, near + step_);
+    const auto worst = [&](double tilt) { return spreadOf(lean, steepnessOf(tilt, fan)).worst(); };
+    constexpr int thirds = 10;  // to 0.03 degrees
+    for (int i = 0; i < thirds; ++i) {
+      const double a = low + (high - low) / 3.0;
+      const double b = high - (high - low) / 3.0;
+      const bool lower = worst(a) < worst(b);
+      (lower ? high : low) = lower ? b : a;
+    }
+    return 0.5 * (low + high);
+  }
 
   [[nodiscard]] double tiltAt(std::size_t k) const {
     return -most_ + step_ * static_cast<double>(k);
@@ -144,7 +163,7 @@ class Chain {
     int count = 0;
     for (const std::size_t i : {line - 1, line}) {
       if (i < cells_.size() && !cells_[i].worst.empty()) {
-        sum += tiltAt(cells_[i].best);
+        sum += cells_[i].wanted;
         ++count;
       }
     }

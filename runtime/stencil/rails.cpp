@@ -19,7 +19,7 @@ class Search {
       lines_.push_back({first.at(first.places()[i]), second.at(second.places()[i])});
     }
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
-      cost_.push_back(costOf(lines_[i], lines_[i + 1]));
+      cost_.push_back(leanCost(lines_[i], lines_[i + 1]));
     }
   }
 
@@ -45,19 +45,26 @@ class Search {
 
  private:
   struct Side {
-    explicit Side(const Rail& r) : rail(&r), places(r.places()) {
+    explicit Side(const Rail& r) : rail(&r), given(r.places()), places(r.places()) {
       mean = r.length() / static_cast<double>(std::max<std::size_t>(1, places.size() - 1));
       for (std::size_t i = 0; i < places.size(); ++i) {
         stays.push_back(r.isCorner(i));
       }
     }
+    /// The square of how much a cell between two places is longer or shorter than it was.
+    [[nodiscard]] double change(std::size_t cell, double from, double to) const {
+      const double was = given[cell + 1] - given[cell];
+      const double ratio = was > tolerance::coincidence ? (to - from) / was - 1.0 : 0.0;
+      return ratio * ratio;
+    }
     const Rail* rail;
+    std::vector<double> given;
     std::vector<double> places;
     std::vector<bool> stays;
     double mean = 0.0;  // length of a cell
   };
 
-  static double costOf(const Line& from, const Line& to) {
+  static double leanCost(const Line& from, const Line& to) {
     const double lean = balanceOf(from, to).lean;
     const double fourth = lean * lean * lean * lean;
     return fourth * fourth;
@@ -79,9 +86,13 @@ class Search {
     Line tried = lines_[i];
     Vec2 Line::*const end = &side == sides_.data() ? &Line::first : &Line::second;
     tried.*end = side.rail->at(place);
-    const double before = costOf(lines_[i - 1], tried);
-    const double behind = costOf(tried, lines_[i + 1]);
-    if (!(before + behind < cost_[i - 1] + cost_[i])) {
+    const double before = leanCost(lines_[i - 1], tried);
+    const double behind = leanCost(tried, lines_[i + 1]);
+    const auto changes = [&](double at) {
+      return side.change(i - 1, side.places[i - 1], at) + side.change(i, at, side.places[i + 1]);
+    };
+    const double gain = cost_[i - 1] + cost_[i] - before - behind;
+    if (!(gain > evenness * (changes(place) - changes(side.places[i])))) {
       return false;
     }
     const auto bowTo = [&](std::size_t other, const Line& line, double at) {
@@ -99,6 +110,10 @@ class Search {
     cost_[i] = behind;
     return true;
   }
+
+  /// What an uneven division costs against a lean: enough to keep neighbors alike where leans are
+  /// small.
+  static constexpr double evenness = 1e-4;
 
   std::array<Side, 2> sides_;
   std::vector<Line> lines_;
