@@ -74,7 +74,8 @@ void KnotReader::location(const robot::Pose& pose, const Span& origin) {
 bool KnotReader::withinTilt(double tilt, const Span& origin) {
   constexpr double straight = 1e-4;  // degrees
   const double most = machine_.tilt ? machine_.tilt->most : 0.0;
-  if (std::abs(tilt) <= most + straight) {
+  const bool arm = machine_.pantograph || machine_.elbow;  // without one nothing is planned
+  if (!arm || std::abs(tilt) <= most + straight) {
     return true;
   }
   if (!failed_) {

@@ -85,7 +85,8 @@ class Chain {
       const bool lower = worst(a) < worst(b);
       (lower ? high : low) = lower ? b : a;
     }
-    return 0.5 * (low + high);
+    const double found = 0.5 * (low + high);
+    return worst(found) < worst(near) ? found : near;
   }
 
   [[nodiscard]] double tiltAt(std::size_t k) const {

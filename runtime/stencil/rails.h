@@ -39,8 +39,10 @@ struct Edges {
 
 /// The lines of a run with their ends moved along the rails so that its cells lean as little as
 /// they can: the sum of the eighth powers of their leans is made small, for the film of the worst
-/// cell follows its lean. First and last line and corners stay, and no line moves where the straight
-/// side of a cell would leave its edge by more than `bow` and more than it did. Deterministic.
+/// cell follows its lean, and with it how much the cells' lengths change, so that small leans,
+/// which do no harm, leave neighbors alike. First and last line and corners stay, and no line moves
+/// where the straight side of a cell would leave its edge by more than `bow` and more than it did.
+/// Deterministic.
 [[nodiscard]] std::vector<Line> evenlyLeaning(const Rail& first, const Rail& second, double bow);
 
 }  // namespace arelem::stencil

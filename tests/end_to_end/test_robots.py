@@ -1,11 +1,14 @@
 """STENCL and V+ through the whole command: the letters of 1996 byte for byte, read back, limits, nothing written on errors."""
 import math
 import pathlib
+import re
+import shutil
 import unittest
 
 from arelem_run import ArelemCase
 
-DATA = pathlib.Path(__file__).resolve().parents[1] / "data" / "stencil"
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+DATA = PROJECT / "tests" / "data" / "stencil"
 S = ("P=POINT/400,-900,0\nSTENCL/'S',HEIGHT,1800,FAN,63.5,509.3,0.878715,SPEED,600,ORIGIN,P,COMPAT\nFINI\n")
 # Half of one over the tangent of 31.75 degrees: the height of B by the angle of the fan, moved up.
 B = ("P=POINT/400,-950,0\nC=0.5/TANF(31.75)\n"
@@ -51,10 +54,34 @@ class Robots(ArelemCase):
 
     def test_letter_for_the_adept_three(self):
         # The letter P stands in the reach of the arm, as in figure 2.24 of the source.
-        self.write("p.apt", "UNITS/MM\nO=POINT/550,-300,0\nSTENCL/'P',HEIGHT,600,FAN,63.5,300,0.87,SPEED,300,ORIGIN,O,TILT,QUADR\nFINI\n")
+        self.write("p.apt", "UNITS/MM\nO=POINT/550,-300,0\nSTENCL/'P',HEIGHT,600,FAN,63.5,509.3,.878715,SPEED,300,ORIGIN,O,TILT,QUADR\nFINI\n")
         self.assertExit(0, "p.apt", "-o", "p.v2", "--machine", "adept_three.machine.toml")
         self.assertIn("BITS 33, 8 = ", (self.folder / "p.v2").read_text())
         self.assertExit(0, "verify", "p.v2", "--with", "p.apt", "--machine", "adept_three.machine.toml")
+
+    def test_tall_letter_of_the_manual(self):
+        manual = (PROJECT / "docs" / "manual" / "vplus.md").read_text()
+        program = re.search(r"```\n(PARTNO ADEPT S\n.*?)```", manual, re.S).group(1)
+        self.write("s.apt", program)
+        self.assertExit(0, "s.apt", "-o", "s.v2", "--machine", "adept_three.machine.toml")
+        self.assertExit(0, "verify", "s.v2", "--with", "s.apt", "--machine", "adept_three.machine.toml")
+
+    def test_two_lines_of_words_by_a_driving_arm(self):
+        # Beyond the reach of one place of the truck; TRACUT says how far it drives.
+        shutil.copy(PROJECT / "examples" / "school_xing.apt", self.folder / "x.apt")
+        self.assertExit(0, "x.apt", "-o", "x.joints.csv", "--machine", "stencil_robot.machine.toml")
+        text = (self.folder / "x.apt").read_text()
+        self.write("y.apt", "\n".join(line for line in text.splitlines() if not line.startswith("TRACUT")) + "\n")
+        self.assertExit(6, "y.apt", "-o", "y.joints.csv", "--machine", "stencil_robot.machine.toml")
+        self.assertIn("E0681", self.err)
+        self.assertFalse((self.folder / "y.joints.csv").exists())
+
+    def test_joints_too_fast(self):
+        self.write("f.apt", "UNITS/MM\nFEDRAT/9000,MMPS\nGOTO/1000,0,400\nGOTO/2000,0,400\nFINI\n")
+        self.write("f.joints.csv", "as it was\n")
+        self.assertExit(6, "f.apt", "-o", "f.joints.csv", "--machine", "stencil_robot.machine.toml")
+        self.assertIn("9000 mm/s; the robot's largest speed is 3000, 0.3333 times", self.err)
+        self.assertEqual((self.folder / "f.joints.csv").read_text(), "as it was\n")
 
     def test_joints_of_the_stencil_robot(self):
         self.write("stop.apt", STOP.replace("500", "2440"))
