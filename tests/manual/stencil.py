@@ -45,12 +45,12 @@ more, on a grid of 4 units by 25. What is known here of its proportions, and wha
 
 | | standard | roadway.alphabet |
 |---|---|---|
-| height to width of a letter | 25 to 4 | 25 to 4; I 1 wide, 1 2 wide, hyphen 3, M and W 4, turning arrows 5 |
+| height to width of a letter | 25 to 4 | 25 to 4; but `I` is 1 wide, `1` 2, `-` 3, the turning arrows 5 |
 | upright stroke | 1 unit, 4 in | 1 unit; 97.6 mm (3.84 in) in letters of 2440 mm |
 | lying stroke | about 4 units | 4 units, 3.5 the middle bars of E, F and the bars that join |
 | space between letters | 1 unit or more | 1 unit |
 
-The sheets themselves were not at hand. As a check of letters that nobody drew from them, here is how much paint words take: a state's
+The sheets themselves were not at hand. As a check, here is how much paint words take: a state's
 standard sheet (California's A24 series) lists the square feet of its words, as remembered, not as read; ours are the sums of the areas
 in the table below for a grid unit of 4 in. They agree within {worst:.0f} %.
 
