@@ -78,7 +78,7 @@ class Chain {
     double low = std::max(-most_, near - step_);
     double high = std::min(most_, near + step_);
     const auto worst = [&](double tilt) { return spreadOf(lean, steepnessOf(tilt, fan)).worst(); };
-    constexpr int thirds = 10;  // to 0.03 degrees
+    constexpr int thirds = 7;  // to 0.1 degrees
     for (int i = 0; i < thirds; ++i) {
       const double a = low + (high - low) / 3.0;
       const double b = high - (high - low) / 3.0;
