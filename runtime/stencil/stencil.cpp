@@ -8,8 +8,6 @@
 #include <string>
 #include <tuple>
 
-#include "runtime/stencil/film.h"
-
 namespace arelem::stencil {
 
 namespace {
@@ -47,35 +45,6 @@ Result<std::vector<Track>> planAll(const std::vector<Run>& runs, const Job& job)
     tracks.push_back(*std::move(track));
   }
   return tracks;
-}
-
-/// The departure of the worst film of a run from the mean; the largest speed does not count here.
-double departureOf(const Run& run, Job job) {
-  job.gun.speed = 0.0;
-  const Result<Track> track = planRun(run, job);
-  return evennessOf({&*track, 1}, job.gun).film.worst();
-}
-
-/// Each run with the lines that give the evener film.
-void takeEvener(std::vector<Run>& runs, std::vector<Run>& others, const Job& job) {
-  std::map<std::pair<std::size_t, std::size_t>, Run*> byPlace;
-  for (Run& other : others) {
-    byPlace[{other.position, other.stroke}] = &other;
-  }
-  std::map<Kind, bool> known;
-  for (Run& run : runs) {
-    Run& other = *byPlace.at({run.position, run.stroke});
-    if (run.backwards) {
-      std::reverse(other.lines.begin(), other.lines.end());
-    }
-    const auto [better, isNew] = known.try_emplace(kindOf(run), false);
-    if (isNew) {
-      better->second = departureOf(other, job) < departureOf(run, job);
-    }
-    if (better->second) {
-      run.lines = std::move(other.lines);
-    }
-  }
 }
 
 double fastestOf(const std::vector<Track>& tracks) {
@@ -141,6 +110,7 @@ Result<Painted> paint(const Statement& s,
   Writing writing;
   writing.division = s.job.asSource ? Division::asSource : Division::equal;
   writing.cells = s.cells;
+  writing.leaning = s.job.tilt == TiltRule::best && !s.job.asSource;
   Result<std::vector<Run>> runs = runsOf(s.text, alphabet, s.placement, writing, limits);
   if (!runs) {
     return runs.takeFailure();
@@ -154,18 +124,9 @@ Result<Painted> paint(const Statement& s,
   const double unit = s.placement.height / alphabet.height;
   painted.statement = s;
   Job& job = painted.statement.job;
-  const auto setSpeed = [&] {
-    job.speedTimesWidth = s.speed > 0.0  ? s.speed * unit
-                          : s.film > 0.0 ? job.gun.flow * job.gun.efficiency / s.film
-                                         : fastestJob(*runs, job);
-  };
-  setSpeed();
-  if (job.tilt == TiltRule::best) {
-    writing.leaning = true;
-    Result<std::vector<Run>> others = runsOf(s.text, alphabet, s.placement, writing, limits);
-    takeEvener(*runs, *others, job);
-    setSpeed();
-  }
+  job.speedTimesWidth = s.speed > 0.0  ? s.speed * unit
+                        : s.film > 0.0 ? job.gun.flow * job.gun.efficiency / s.film
+                                       : fastestJob(*runs, job);
   painted.statement.speed = job.speedTimesWidth / unit;
   Result<std::vector<Track>> tracks = planAll(*runs, job);
   if (!tracks) {
