@@ -6,7 +6,12 @@
 #include <map>
 #include <numbers>
 
+#include "app/messages.h"
 #include <fmt/ranges.h>
+
+#include "runtime/geometry/tabulated_cylinder.h"
+#include "runtime/region/region.h"
+#include "runtime/spline/cubic.h"
 
 namespace arelem::app::repl {
 
@@ -81,6 +86,53 @@ std::string patternInWords(const Entity& entity, const Style& style) {
   }
   return fmt::format("{} points from {} to {}", c.size() / 3, place(c.data(), style),
                      place(&c[c.size() - 3], style));
+}
+
+/// "curve of 2 cubic pieces from (0, 0, 0) to (4, 0, 0), along (0, 0, 1)".
+std::string tabulatedInWords(const Entity& entity, const Style& style) {
+  const auto curve = geometry::TabulatedCylinder::of(entity.canon);
+  std::vector<const geometry::TabulatedCylinder::Interval*> pieces;
+  for (const auto& interval : curve.intervals) {
+    if (!interval.extension) {
+      pieces.push_back(&interval);
+    }
+  }
+  if (pieces.empty()) {
+    return listed(entity, style);
+  }
+  const Vec3 from = curve.inSpace(pieces.front()->start);
+  const Vec3 to = curve.inSpace(pieces.back()->at(pieces.back()->length).place);
+  const Vec3 along = curve.generatrix();
+  return fmt::format("curve of {} from {} to {}, swept along {}",
+                     counted(pieces.size(), "cubic piece"), place(from.data(), style),
+                     place(to.data(), style), place(along.data(), style));
+}
+
+std::string splineInWords(const Entity& entity, const Style& style) {
+  const auto curve = spline::CubicSpline::of(entity.canon);
+  if (!curve) {
+    return listed(entity, style);
+  }
+  const Vec3 from = curve->at(curve->begin());
+  const Vec3 to = curve->at(curve->end());
+  const std::string points = counted(curve->control().size(), "control point");
+  return curve->closed()
+             ? fmt::format("closed, {}, length {}", points, number(curve->length(), style))
+             : fmt::format("from {} to {}, {}, length {}", place(from.data(), style),
+                           place(to.data(), style), points, number(curve->length(), style));
+}
+
+std::string regionInWords(const Entity& entity, const Style& style) {
+  if (!region::Region::readable(entity.canon)) {
+    return listed(entity, style);
+  }
+  const region::Region area = region::Region::of(entity.canon);
+  std::size_t corners = 0;
+  for (const auto& loop : area.loops) {
+    corners += loop.size();
+  }
+  return fmt::format("{} with {} in all, normal {}", counted(area.loops.size(), "outline"),
+                     counted(corners, "corner"), place(area.normal.data(), style));
 }
 
 std::string label(const runtime::Defined& defined) {
@@ -168,6 +220,12 @@ std::string readable(const Entity& entity, const Style& style) {
       return roundInWords(entity, style);
     case EntityType::pattern:
       return patternInWords(entity, style);
+    case EntityType::tabulatedCylinder:
+      return tabulatedInWords(entity, style);
+    case EntityType::pathSpline:
+      return splineInWords(entity, style);
+    case EntityType::region:
+      return regionInWords(entity, style);
     default:
       return listed(entity, style);
   }

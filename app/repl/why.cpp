@@ -1,5 +1,6 @@
 #include "app/repl/why.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -76,6 +77,28 @@ std::string reason(const Alternative& other,
   return "";
 }
 
+/// "next to (x, y, z), 5.1 from the near point; this is 0.2 from it", or the words that differ.
+std::string placeInWords(const Alternative& other, const Solved& solved, const Style& style) {
+  const auto show = [&](const Vec3& p) {
+    return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", p.x(), style.digits, p.y(), style.digits,
+                       p.z(), style.digits);
+  };
+  std::string text = "it is the one next to " + show(*other.near);
+  const Entity& here = solved.found->chosen;
+  const EntityPtr* near = nullptr;
+  for (const define::Parameter& p : solved.parameters) {
+    const auto* entity = std::get_if<EntityPtr>(&p);
+    near = entity != nullptr && (*entity)->type == EntityType::point ? entity : near;
+  }
+  if (near != nullptr && here.type == EntityType::point) {
+    const Vec3 from((*near)->canon.data());
+    text += fmt::format("; {:.{}g} from the near point, the chosen one {:.{}g}",
+                        (Vec3(other.result->canon.data()) - from).norm(), style.digits,
+                        (Vec3(here.canon.data()) - from).norm(), style.digits);
+  }
+  return text;
+}
+
 std::string wordsOf(const Alternative& other, const std::vector<define::Parameter>& parameters) {
   std::string text;
   for (const auto& [position, word] : other.words) {
@@ -107,14 +130,21 @@ void printOthers(std::ostream& out, const Solved& solved, const Style& style) {
   for (const Alternative& other : all.others) {
     solutions += other.result.ok() ? 1 : 0;
   }
-  out << fmt::format("   candidates: {}, of {} other combinations of modifiers\n", solutions,
-                     all.tried);
+  const bool byPlace = std::any_of(all.others.begin(), all.others.end(),
+                                   [](const Alternative& a) { return a.near.has_value(); });
+  out << fmt::format("   candidates: {}, of {} other {}\n", solutions, all.tried,
+                     byPlace ? "modifiers and near points" : "combinations of modifiers");
   out << "   " << inked(style, Ink::good, "+ " + readable(all.chosen, style)) << "  chosen\n";
   for (const Alternative& other : all.others) {
     const std::string words = wordsOf(other, solved.parameters);
     if (!other.result.ok()) {
       out << "   " << inked(style, Ink::faint, "  nothing") << "  with " << words << ": "
           << other.result.failure().message << '\n';
+      continue;
+    }
+    if (other.near) {
+      out << "   - " << readable(*other.result, style)
+          << "  lost: " << placeInWords(other, solved, style) << '\n';
       continue;
     }
     const std::string why = reason(other, all, solved.parameters);

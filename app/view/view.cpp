@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <sstream>
 
 #include "app/command.h"
@@ -8,6 +10,7 @@
 #include "app/output_file.h"
 #include "app/view/raster.h"
 #include "app/view/scene_builder.h"
+#include <fmt/ranges.h>
 
 #include "backend/svg/writer.h"
 #include "ir/diag/output.h"
@@ -62,11 +65,35 @@ backend::PictureViews viewsOf(const std::string& name) {
                            : PictureViews::automatic;
 }
 
+/// "not all of it: errors in lines 3, 7", or "" for a program without errors.
+std::string warningOf(const Compilation& job) {
+  constexpr std::size_t mostLines = 12;
+  std::set<std::uint32_t> lines;
+  for (const Diagnostic& d : job.log.all()) {
+    if (d.severity() == Severity::error && d.at.buffer == job.main) {
+      lines.insert(job.sources.locate(d.at.buffer, d.at.begin).line);
+    }
+  }
+  if (job.log.errors() == 0) {
+    return "";
+  }
+  if (lines.empty()) {
+    return "not all of it: the program has errors";
+  }
+  const bool many = lines.size() > mostLines;
+  while (lines.size() > mostLines) {
+    lines.erase(std::prev(lines.end()));
+  }
+  return fmt::format("not all of it: errors in {} {}{}", lines.size() == 1 ? "line" : "lines",
+                     fmt::join(lines, ", "), many ? ", ..." : "");
+}
+
 /// What has errors is left out of a picture; the rest is shown.
 std::string pictureOf(Compilation& job, const ViewOptions& options, const cl::Recording& records) {
   std::ostringstream out;
   const backend::Context context = backendContext(job);
-  const auto writer = backend::makePictureWriter(out, context, viewsOf(options.views));
+  const auto writer =
+      backend::makePictureWriter(out, context, viewsOf(options.views), warningOf(job));
   const auto chords = path::makeChordStage(*writer, job.log);
   for (const cl::Record& record : records.records) {
     chords->accept(record);

@@ -17,6 +17,7 @@ constexpr std::string_view styles = R"(  <style>
     text { font-family: 'DejaVu Sans', Verdana, Arial, sans-serif; font-size: 11px; fill: #30363d; }
     .title { font-size: 16px; font-weight: bold; }
     .soft { fill: #6b7480; }
+    .wrong { fill: #d1242f; }
     .frame { fill: none; stroke: #d5dae0; stroke-width: 1; }
     .geometry { fill: none; stroke: #9aa3ad; stroke-width: 0.9; }
     .name { font-size: 10px; fill: #6b7480; paint-order: stroke; stroke: #ffffff; stroke-width: 3px; }

@@ -77,7 +77,9 @@ void drawBar(Canvas& canvas, Pixel at, const Shown& shown) {
 
 std::string shortNumber(double value) {
   // Rounding of the computation is no coordinate: 4e-16 is 0, and -0 too.
-  return fmt::format("{:.4g}", std::abs(value) < negligible ? 0.0 : value);
+  const double size = std::abs(value);
+  return size >= 1e4 && size < 1e15 ? fmt::format("{:.0f}", value)
+                                    : fmt::format("{:.4g}", size < negligible ? 0.0 : value);
 }
 
 void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {

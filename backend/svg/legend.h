@@ -19,7 +19,7 @@ struct Shown {
 /// Draws the legend with a scale bar into the box, in one column or, in a low box, in several.
 void drawLegend(Canvas& canvas, const Box& box, const Shown& shown);
 
-/// Four significant digits without trailing zeros.
+/// Four significant digits without trailing zeros; from 10 000 on all digits before the point.
 [[nodiscard]] std::string shortNumber(double value);
 
 }  // namespace arelem::backend::svg

@@ -26,8 +26,12 @@ constexpr double border = 0.04;
 
 class PictureWriter : public Writer {
  public:
-  PictureWriter(std::ostream& out, const Context& context, PictureViews views)
-      : out_(out), context_(context), views_(views), path_(mostVertices) {}
+  PictureWriter(std::ostream& out, const Context& context, PictureViews views, std::string warning)
+      : out_(out),
+        context_(context),
+        views_(views),
+        warning_(std::move(warning)),
+        path_(mostVertices) {}
 
   void accept(const cl::Record& record) override { path_.accept(record); }
 
@@ -43,6 +47,9 @@ class PictureWriter : public Writer {
     canvas.begin(title, fmt::format("Tool path of {} locations", path_.locations()));
     canvas.text({24, 30}, title, "class=\"title\"");
     canvas.text({24, 49}, extents(), "class=\"soft\"");
+    if (!warning_.empty()) {
+      canvas.text({24, 64}, warning_, "class=\"wrong\"");
+    }
     drawn_.assign(context_.entities.size(), false);
     int id = 0;
     for (const View& view : page.views) {
@@ -162,6 +169,7 @@ class PictureWriter : public Writer {
   std::ostream& out_;
   const Context& context_;
   PictureViews views_;
+  std::string warning_;
   PathCollector path_;
   std::size_t outlines_ = 0;
   std::vector<bool> drawn_;  // by entity: some view shows it
@@ -171,13 +179,14 @@ class PictureWriter : public Writer {
 std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                           const Context& context,
                                           DiagnosticSink&) {
-  return makePictureWriter(out, context, PictureViews::automatic);
+  return makePictureWriter(out, context, PictureViews::automatic, "");
 }
 
 std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                           const Context& context,
-                                          PictureViews views) {
-  return std::make_unique<PictureWriter>(out, context, views);
+                                          PictureViews views,
+                                          std::string warning) {
+  return std::make_unique<PictureWriter>(out, context, views, std::move(warning));
 }
 
 }  // namespace arelem::backend

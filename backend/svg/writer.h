@@ -14,9 +14,10 @@ enum class PictureViews : std::uint8_t { automatic, plan, front, side, all };
 [[nodiscard]] std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                                         const Context& context,
                                                         DiagnosticSink& sink);
-/// The same with the views that are asked for.
+/// The same with the views that are asked for, and a warning below the title ("": none).
 [[nodiscard]] std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                                         const Context& context,
-                                                        PictureViews views);
+                                                        PictureViews views,
+                                                        std::string warning = "");
 
 }  // namespace arelem::backend

@@ -6,6 +6,7 @@
 #include "ir/define/continuation.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/parameter_symbol.h"
+#include "runtime/geometry/tabulated_cylinder.h"
 
 namespace arelem::define {
 
@@ -58,6 +59,40 @@ bool sameOutcome(const Result<Entity>& a, const Result<Entity>& b) {
                 : a.failure().row == b.failure().row && a.failure().message == b.failure().message;
 }
 
+/// The point by which a form chooses among the solutions on a tabulated cylinder.
+std::optional<std::size_t> nearPointOf(FormId form, std::size_t parameters) {
+  const std::size_t at = form == FormId::CI_13 ? 5 : 3;
+  const bool chooses = form == FormId::PT_11 || form == FormId::LN_18 || form == FormId::LN_19 ||
+                       form == FormId::CI_13;
+  return chooses && at < parameters ? std::optional(at) : std::nullopt;
+}
+
+/// Places along the curve of the tabulated cylinder among the parameters.
+std::vector<Vec3> placesAlong(std::span<const Parameter> parameters) {
+  constexpr int inEachInterval = 8;
+  std::vector<Vec3> places;
+  for (const Parameter& parameter : parameters) {
+    const auto* entity = std::get_if<EntityPtr>(&parameter);
+    if (entity == nullptr || (*entity)->type != EntityType::tabulatedCylinder) {
+      continue;
+    }
+    const auto curve = geometry::TabulatedCylinder::of((*entity)->canon);
+    for (const auto& interval : curve.intervals) {
+      for (int k = 0; k <= inEachInterval; ++k) {
+        places.push_back(curve.inSpace(interval.at(interval.length * k / inEachInterval).place));
+      }
+    }
+  }
+  return places;
+}
+
+EntityPtr pointAt(const Vec3& place) {
+  Entity entity;
+  entity.type = EntityType::point;
+  entity.canon = {place.x(), place.y(), place.z()};
+  return std::make_shared<const Entity>(std::move(entity));
+}
+
 /// Goes through all combinations of words, those with few changes first.
 class Trials {
  public:
@@ -72,6 +107,24 @@ class Trials {
     }
     std::stable_partition(out.others.begin(), out.others.end(),
                           [](const Alternative& a) { return a.result.ok(); });
+  }
+
+  /// Tries other near points; those that lead to nothing new are forgotten.
+  void runAlong(std::size_t position, Alternatives& out) {
+    const Parameter written = parameters_[position];
+    for (const Vec3& place : placesAlong(parameters_)) {
+      if (out.tried >= mostAlternatives) {
+        out.all = false;
+        break;
+      }
+      parameters_[position] = pointAt(place);
+      ++out.tried;
+      Result<Entity> result = define(type_, parameters_, context_);
+      if (result.ok() && !same(*result, out.chosen) && !isKnown(result, out)) {
+        out.others.push_back({{}, place, std::move(result)});
+      }
+    }
+    parameters_[position] = written;
   }
 
  private:
@@ -106,12 +159,14 @@ class Trials {
     if (result.ok() && same(*result, out.chosen)) {
       return;
     }
-    const bool known = std::any_of(out.others.begin(), out.others.end(), [&](const Alternative& a) {
-      return sameOutcome(a.result, result);
-    });
-    if (!known) {
-      out.others.push_back({changed_, std::move(result)});
+    if (!isKnown(result, out)) {
+      out.others.push_back({changed_, std::nullopt, std::move(result)});
     }
+  }
+
+  static bool isKnown(const Result<Entity>& result, const Alternatives& out) {
+    return std::any_of(out.others.begin(), out.others.end(),
+                       [&](const Alternative& a) { return sameOutcome(a.result, result); });
   }
 
   EntityType type_;
@@ -132,7 +187,11 @@ Result<Alternatives> alternatives(EntityType type,
   found.chosen = *std::move(chosen);
   found.form = found.chosen.form;
   if (found.form != FormId::count) {
-    Trials(type, parameters, context).run(choices(found.form, parameters), found);
+    Trials trials(type, parameters, context);
+    trials.run(choices(found.form, parameters), found);
+    if (const auto near = nearPointOf(found.form, parameters.size())) {
+      trials.runAlong(*near, found);
+    }
   }
   return found;
 }

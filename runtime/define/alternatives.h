@@ -1,16 +1,21 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "ir/space/vector.h"
 #include "runtime/define/define.h"
 
-/// What else a definition could have meant: its results with other modifiers.
+/// What else a definition could have meant: its results with other modifiers, or next to other
+/// places of a curve.
 namespace arelem::define {
 
 struct Alternative {
   /// The parameters (0 based) whose words differ, with the word in their place.
   std::vector<std::pair<std::size_t, Word>> words;
+  /// The near point that leads to it, where the form chooses by one; else nothing.
+  std::optional<Vec3> near;
   Result<Entity> result;
 };
 
@@ -26,8 +31,8 @@ struct Alternatives {
 
 inline constexpr std::size_t mostAlternatives = 512;
 
-/// Computes the definition again with every word in the places where its form has a choice. Fails
-/// as the definition itself.
+/// Computes the definition again with every word in the places where its form has a choice, and
+/// with near points along the tabulated cylinder where it has one. Fails as the definition itself.
 [[nodiscard]] Result<Alternatives> alternatives(EntityType type,
                                                 std::span<const Parameter> parameters,
                                                 const Context& context);

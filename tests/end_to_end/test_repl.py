@@ -111,6 +111,20 @@ class Piped(ArelemCase):
         for text in (":distance A,B", "CI-03", "CENTER, point, RADIUS, r", "follows the drive surface", "# E0201"):
             self.assertIn(text, out)
         self.assertIn("did you mean `CIRCLE`?", self.err)
+        # A modifier, a word of machines, pages of the manual, a command.
+        out = self.session(":help THETAR\n:help ZERO\n:help topics\n:help smoothing\n:help cli.md\n:help targets\n:help language\n"
+                           ":help spray\n")
+        for text in ("POINT/ {RTHETA, {XYPLAN", "post-processor word 13", "smoothing     ", "# The command line|# ", "METHOD, n",
+                     "output formats", "definition forms and statements", ":help spray.md"):
+            self.assertRegex(out, text if "|" in text else re.escape(text))
+
+    def test_why_at_a_curve(self):
+        # v = t - t*t/2 is .375 at .5 and 1.5; behind the curve it goes on with slope 1: 4.375.
+        out = self.session("T1=TABCYL/NOZ,PTSLOP,0,0,1,2,0,-1,4,0,1\nL1=LINE/0,.375,1,.375\nP1=POINT/INTOF,L1,T1,(POINT/0,0)\n:why P1\n")
+        self.assertIn("T1 = TABCYL  curve of 2 cubic pieces from (0, 0, 0) to (4, 0, 0), swept along (0, 0, 1)", out)
+        self.assertIn("+ (0.5, 0.375, 0)  chosen", out)
+        self.assertRegex(out, r"- \(1\.5, 0\.375, 0\)  lost: it is the one next to .*from the near point, the chosen one 0\.625")
+        self.assertIn("- (4.375, 0.375, 0)  lost", out)
 
     def test_names_and_texts_are_safe_to_print(self):
         self.session("P1=POINT/1,\x1b[2J2\nPARTNO <b>\x07bell</b>\n:show \x1b[31m\n:\x1b[2J\n", code=2)

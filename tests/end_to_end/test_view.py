@@ -107,7 +107,12 @@ class Pictures(ArelemCase):
             xml.dom.minidom.parse(str(self.folder / f"{name}.svg"))
             self.assertGreater((self.folder / f"{name}.png").stat().st_size, 500)
             self.assertIn("<html", (self.folder / f"{name}.html").read_text(errors="replace"))
-        self.assertIn("C1", (self.folder / "b.apt").read_text())
+        broken = (self.folder / "b.svg").read_text()
+        self.assertIn("not all of it: errors in lines 3, 7", broken)
+        self.assertRegex(broken, r'class="feed')                        # the moves before and behind
+        hostile = (self.folder / "h.svg").read_text()
+        self.assertNotIn("<script", hostile)
+        self.assertNotIn("\x01", hostile)
 
     def test_wrong_use(self):
         self.write("p.apt", "FINI\n")
@@ -162,7 +167,9 @@ class Page(ArelemCase):
              "run": [run_of_top, "window.arelem.color('deviation')", "window.arelem.color('kind')",
                      "window.arelem.setTime(window.arelem.scene.total)", "window.arelem.scene.meshes.length",
                      "[...window.arelem.scene.inner].filter(v => !Number.isNaN(v)).length", "window.arelem.choose(-1)"]},
-            {"source": HOSTILE, "run": [state]}, {"source": BROKEN, "run": [state]}, {"source": "", "run": [state]},
+            {"source": HOSTILE, "run": [state]},
+            {"source": BROKEN, "run": [state, "[...document.querySelectorAll('.row.bad')].map(r => Number(r.dataset.line))",
+                                       "window.arelem.scene.count"]}, {"source": "", "run": [state]},
             {"source": "CUTTER/1\nFROM/0,0,0\nFEDRAT/1000\n" + many + "FINI\n",
              "run": ["window.arelem.levels()", "document.querySelectorAll('.row').length"]},
             {"source": EXAMPLES / "sen_plane.apt", "run": ["window.arelem.scene.films.length", "window.arelem.stage.look('plan')"]})
@@ -177,6 +184,8 @@ class Page(ArelemCase):
         self.assertIsNone(hostile["run"][0].get("hacked"))
         self.assertEqual(hostile["images"], 0)
         self.assertTrue(broken["run"][0]["messages"][0].startswith("E0201, line 3"), broken["run"][0])
+        self.assertEqual(broken["run"][1], [3, 7])
+        self.assertGreaterEqual(broken["run"][2], 2)        # what can be computed is there
         self.assertEqual(empty["run"][0]["rows"] <= 1, True)
         levels, rows = large["run"]
         self.assertEqual(levels[0], 100_001)
@@ -295,6 +304,7 @@ class Page(ArelemCase):
             at.setdefault(line, []).append(value)
         corner = sorted(at[21])
         self.assertAlmostEqual(corner[len(corner) // 2], 1 / 24, delta=0.001)
+        self.assertAlmostEqual(corner[-1], 1 / 24, delta=0.004)
         self.assertLess(max(at[19]), 0.002)
 
     def test_deviations_are_those_of_verify(self):

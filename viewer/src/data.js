@@ -97,14 +97,14 @@ function extentOfGeometry(s, low, high) {
 // Of each move: the larger of those at its ends. Corners have none, and a straight move between two of them has 0.
 const sharpest = Math.cos(50 * Math.PI / 180);
 function curvatures(s) {
-  const n = s.count, moves = k => (s.kinds[k] & 15) > RAPID;
-  let before = 0;
-  for (let i = 1; i < n; ++i) {
-    const goesOn = i + 1 < n && moves(i) && moves(i + 1);
-    const here = goesOn ? curvatureAt(s.places, i) : 0;
-    s.curvature[i] = Math.max(before, here);
-    before = here;
+  const n = s.count, moves = k => (s.kinds[k] & 15) > RAPID, at = new Float32Array(n);
+  for (let i = 1; i + 1 < n; ++i) if (moves(i) && moves(i + 1)) at[i] = curvatureAt(s.places, i);
+  for (let k = 0; k < s.first.length; ++k) {
+    const first = s.first[k], last = (k + 1 < s.first.length ? s.first[k + 1] : n) - 2;
+    // The first and last cut vectors of a motion are shorter than the others, and end elsewhere in the tolerance.
+    if (last - first > 3) { at[first] = at[first + 1]; at[last] = at[last - 1]; }
   }
+  for (let i = 1; i < n; ++i) s.curvature[i] = Math.max(at[i - 1], at[i]);
 }
 
 // Of the circle through three places that follow one another: 4 areas over the product of the sides; 0 at a corner.

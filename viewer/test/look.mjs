@@ -1,6 +1,6 @@
 // Opens pages of `arelem view` in headless Chromium and tells what is there, as JSON on standard output.
 // usage: node look.mjs CHROMIUM FOLDER_OF_node_modules TASKS.json
-//   TASKS.json: [{"page": FILE, "shot": FILE, "clicks": [location, ...], "rows": [line, ...], "run": [expression, ...],
+//   TASKS.json: [{"page": FILE, "shot": FILE, "size": [width, height], "clicks": [location, ...], "rows": [line, ...], "run": [expression, ...],
 //                 "steps": [{"key": K} or {"on": [location, share of its move]} or {"at": [x, y] of the canvas, from 0 to 1}
 //                           or {"press": selector} or {"chart": share} or {"until": expression} or {"colors": true}
 //                           or {"get": expression}, ...]}, ...]
@@ -18,7 +18,8 @@ const browser = await puppeteer.launch({
 
 async function look(task) {
   const page = await browser.newPage(), told = {problems: [], requests: []};
-  await page.setViewport({width: 1280, height: 800});
+  const [width, height] = task.size || [1280, 800];
+  await page.setViewport({width, height});
   page.on("console", m => { if (m.type() === "error") told.problems.push(m.text()); });
   page.on("pageerror", e => told.problems.push(String(e.message)));
   page.on("request", r => { if (!/^(file|data|blob):/.test(r.url())) told.requests.push(r.url()); });

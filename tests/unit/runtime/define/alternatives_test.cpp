@@ -70,6 +70,22 @@ TEST(Alternatives, CombinationsWithoutAResultSayWhy) {
   EXPECT_FALSE(found.others.back().words.empty());
 }
 
+TEST(Alternatives, OtherPlacesOfACurve) {
+  // Slopes 1 and -1 over a chord of 2: v = t - t^2 / 2, which is .375 at t = .5 and t = 1.5; the
+  // second half of the curve lies below.
+  const EntityPtr wave = definedPtr(
+      T::tabulatedCylinder, {W::NOZ, W::PTSLOP, 0.0, 0.0, 1.0, 2.0, 0.0, -1.0, 4.0, 0.0, 1.0});
+  const EntityPtr level = definedPtr(T::line, {0.0, 0.375, 1.0, 0.375});
+  const Alternatives found = of(T::point, {W::INTOF, level, wave, point(0, 0)});
+  EXPECT_NEAR(found.chosen.canon[0], 0.5, 1e-9);
+  bool other = false;
+  for (const Alternative& a : found.others) {
+    ASSERT_TRUE(a.near.has_value());
+    other = other || std::abs(a.result->canon[0] - 1.5) < 1e-9;
+  }
+  EXPECT_TRUE(other);
+}
+
 TEST(Alternatives, WithoutAChoice) {
   const Alternatives found = of(T::point, {1.0, 2.0});
   EXPECT_EQ(found.tried, 0U);
