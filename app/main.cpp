@@ -6,8 +6,11 @@
 #include <new>
 
 #include "app/command.h"
+#include "app/exit_code.h"
 #include "app/messages.h"
 #include "app/version.h"
+#include <poll.h>
+#include <unistd.h>
 
 #include "backend/atomic_file.h"
 
@@ -66,13 +69,29 @@ void reportOutOfMemory() {
              stderr);
 }
 
+/// A reader that left (head) is no fault; a full disk is.
+bool outputIsLost() {
+  std::cout.flush();
+  if (std::cout.good()) {
+    return false;
+  }
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  const bool left = ::poll(&out, 1, 0) > 0 && (out.revents & POLLERR) != 0;
+  if (!left) {
+    std::fputs(
+        "arelem: error: standard output cannot be written; what was to stand there is lost\n",
+        stderr);
+  }
+  return !left;
+}
+
 ExitCode runUnderWatch(int argc, char** argv) {
   InterruptWatch interrupt;
   interrupt.setLastWill(backend::AtomicFile::removeTemporaries);
   const auto code = static_cast<ExitCode>(run({argv + 1, argv + argc}, interrupt));
-  std::cout.flush();
+  const bool lost = outputIsLost();
   const ExitCode signal = interrupt.result();
-  return signal == ExitCode::ok ? code : signal;
+  return signal != ExitCode::ok ? signal : lost ? worse(code, ExitCode::outputNotWritten) : code;
 }
 
 int guarded(int argc, char** argv) {
