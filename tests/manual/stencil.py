@@ -149,9 +149,14 @@ def write_pictures(arelem):
         run(arelem, "stencil", EXAMPLES / f"{name}.apt", "--film", PICTURES / f"{name}_film.svg")
     run(arelem, "stencil", EXAMPLES / "school_xing.apt", "--film", PICTURES / "school_xing_film.svg")
     with tempfile.TemporaryDirectory() as folder:
-        letter = pathlib.Path(folder) / "s.apt"
-        letter.write_text("UNITS/MM\nSTENCL/'S',HEIGHT,2440,FAN,63.5,SPEED,600,TILT,BEST\nFINI\n")
+        letter = pathlib.Path(folder) / "letter.apt"
+        text = "UNITS/MM\nSTENCL/'{}',HEIGHT,2440,FAN,63.5,SPEED,600,TILT,{}\nFINI\n"
+        letter.write_text(text.format("S", "BEST"))
         run(arelem, letter, "-o", PICTURES / "s_joints.svg", "--machine", "stencil_robot.machine.toml")
+        for rule in RULES:
+            letter.write_text(text.format("P", rule))
+            name = rule.lower()
+            run(arelem, "stencil", letter, "--film", PICTURES / f"p_{name}.svg", "--shares", PICTURES / f"p_shares_{name}.svg")
     run(arelem, EXAMPLES / "name_plate.apt", "-o", PICTURES / "name_plate.svg")
 
 
