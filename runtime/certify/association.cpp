@@ -5,6 +5,7 @@
 
 #include "ir/diag/verify.h"
 #include "ir/space/tolerance.h"
+#include "runtime/spline/cubic.h"
 
 namespace arelem::certify {
 
@@ -45,7 +46,19 @@ bool Association::putsOut(const Action& action) const {
   }
   return std::holds_alternative<Locate>(action.body) ||
          std::holds_alternative<Startup>(action.body) ||
-         std::holds_alternative<Follow>(action.body);
+         std::holds_alternative<Follow>(action.body) ||
+         std::holds_alternative<runtime::FollowSpline>(action.body);
+}
+
+/// SMOOTH/tol, ... A program that only ends smoothing moves nothing.
+bool smooths(const cl::Body& body) {
+  const auto* post = std::get_if<cl::Post>(&body);
+  if (post == nullptr || post->arguments.empty()) {
+    return false;
+  }
+  const bool isSmooth =
+      (post->foreign.empty() ? arelem::spell(post->word) : post->foreign) == "SMOOTH";
+  return isSmooth && std::holds_alternative<double>(post->arguments.front());
 }
 
 const Action* Association::advance() {
@@ -63,6 +76,14 @@ const Action* Association::advance() {
     if (++steps_ > options_.limits.steps) {
       ended_ = true;
     } else if (const auto* pass = std::get_if<runtime::Pass>(&action.body)) {
+      if (smooths(pass->body)) {
+        report(action, fail(diag::NotCertified,
+                            std::string("SMOOTH moves the path off the statements behind it; "
+                                        "`verify OUTPUT --with PROGRAM` compares it")));
+        ++summary_.faults;
+        ended_ = gaveUp_ = true;
+        break;
+      }
       std::string objection;
       order_.apply(pass->body, objection);
       if (!objection.empty()) {
@@ -111,6 +132,12 @@ void Association::unseen(const Action& action) {
     }
     return;
   }
+  if (const auto* along = std::get_if<runtime::FollowSpline>(&action.body)) {
+    const auto curve = spline::CubicSpline::of(along->curve->canon);
+    modal_.positioned = curve.ok();
+    modal_.toolEnd = curve ? curve->at(curve->end()) : modal_.toolEnd;
+    return;
+  }
   modal_.takeAutomaticPart();
   if (const auto* startup = std::get_if<Startup>(&action.body);
       startup && startup->surfaces.size() > 1) {
@@ -147,6 +174,8 @@ void Association::take(int isn, const Run& run) {
   if (order_.expectsCopy()) {
     judgeCopy(run);
     order_.keep(run);
+  } else if (gaveUp_) {
+    return;
   } else if (action == nullptr || action->isn != isn) {
     surplus(run.locations);
   } else {
@@ -171,6 +200,8 @@ void Association::judge(const Action& action, const Run& run) {
     judgeStartup(action, *startup, run);
   } else if (const auto* follow = std::get_if<Follow>(&action.body)) {
     judgeFollow(action, *follow, run);
+  } else if (const auto* along = std::get_if<runtime::FollowSpline>(&action.body)) {
+    judgeAlong(action, *along, run);
   } else {
     modal_.apply(action);  // CUT puts out where the tool is
     moveTo(pathOf(run, nullptr).back());
@@ -344,6 +375,9 @@ void Association::judgeCopy(const Run& run) {
 }
 
 void Association::finish() {
+  if (gaveUp_) {
+    return;
+  }
   for (const Action* action = advance(); action != nullptr; action = advance()) {
     miss(*action);
   }
