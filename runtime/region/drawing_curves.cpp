@@ -52,8 +52,8 @@ constexpr int deepest = 16;
 /// A rational B-spline: de Boor's scheme on (w x, w y, w).
 class Spline {
  public:
-  Spline(int degree, std::vector<double> knots, std::vector<Eigen::Vector3d> poles)
-      : degree_(degree), knots_(std::move(knots)), poles_(std::move(poles)) {}
+  Spline(int ofDegree, std::vector<double> knots, std::vector<Eigen::Vector3d> poles)
+      : degree_(ofDegree), knots_(std::move(knots)), poles_(std::move(poles)) {}
 
   [[nodiscard]] Vec2 at(double t) const {
     const auto p = static_cast<std::size_t>(degree_);

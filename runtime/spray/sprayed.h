@@ -50,6 +50,7 @@ struct Sprayed {
   /// Of a region: its plane and its outline, for the film map.
   Vec3 origin3 = Vec3::Zero(), x = Vec3::UnitX(), y = Vec3::UnitY(), normal = Vec3::UnitZ();
   Outline outline;
+  double sharpest = PassRules::mitreLimit;  ///< of the corners of the offset curve
 
   /// Of a surface: how it was divided, and its smallest radii of curvature (0: flat) along and
   /// across the lines.

@@ -365,8 +365,8 @@ std::vector<Json> numbered() {
   return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, BartlettCase, testing::ValuesIn(numbered()), [](const auto& info) {
-  std::string name = info.param.at("id");
+INSTANTIATE_TEST_SUITE_P(Golden, BartlettCase, testing::ValuesIn(numbered()), [](const auto& one) {
+  std::string name = one.param.at("id");
   for (char& c : name) {
     c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }

@@ -207,8 +207,8 @@ TEST_P(SenCase, GivesTheNumbers) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, SenCase, testing::ValuesIn(cases()), [](const auto& info) {
-  std::string name = info.param.at("id");
+INSTANTIATE_TEST_SUITE_P(Golden, SenCase, testing::ValuesIn(cases()), [](const auto& one) {
+  std::string name = one.param.at("id");
   for (char& c : name) {
     c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }
