@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "runtime/film/surface_map.h"
 #include "runtime/spray/offset_curve.h"
 
 namespace arelem::app {
@@ -128,15 +129,18 @@ backend::FilmPicture pictureOf(const spray::Sprayed& s, const film::Map& map) {
   if (!s.planar) {
     picture.xName = s.mesh ? "across the mean normal, mm" : "along u, mm";
     picture.yName = s.mesh ? "up, mm" : "along v, mm";
-    return picture;  // over the parameters of the surface
   }
-  const auto place = [&s](const Vec3& p) {
-    return std::pair{(p - s.origin3).dot(s.x), (p - s.origin3).dot(s.y)};
+  const auto place = [&](const Vec3& p, const spray::Vec2& uv) -> spray::Vec2 {
+    return s.planar ? spray::Vec2((p - s.origin3).dot(s.x), (p - s.origin3).dot(s.y))
+                    : film::placeInMap(s, map, p, uv);
   };
   for (const spray::Stroke& stroke : s.strokes) {
-    const auto [x1, y1] = place(stroke.from);
-    const auto [x2, y2] = place(stroke.to);
-    picture.path.push_back({x1, y1, x2, y2, stroke.painting});
+    const spray::Vec2 from = place(stroke.from, stroke.uvFrom);
+    const spray::Vec2 to = place(stroke.to, stroke.uvTo);
+    picture.path.push_back({from.x(), from.y(), to.x(), to.y(), stroke.painting});
+  }
+  if (!s.planar) {
+    return picture;
   }
   picture.outlines = linesOf(s.outline);
   picture.offsets = linesOf(offsetOf(s));

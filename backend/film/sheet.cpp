@@ -24,7 +24,7 @@ using svg::Scale;
 constexpr double longest = 900.0;  // pixels of the plot
 constexpr double tallest = 700.0;
 constexpr double shortest = 60.0;
-constexpr double left = 64.0, head = 66.0, foot = 46.0, legendWidth = 230.0, gap = 24.0;
+constexpr double left = 64.0, head = 74.0, foot = 46.0, legendWidth = 230.0, gap = 24.0;
 constexpr double rowHeight = 20.0;
 constexpr double fineness = 2.0;  // pixels of the bands in one of the page
 constexpr double pale = 0.4;      // how much of its color is left beside the work

@@ -185,6 +185,8 @@ Map mapOf(const Sprayed& sprayed, double cell) {
   }
   const Gunwork gun(sprayed);
   spray::Extent extent = extentOf(sprayed.outline);
+  extent.low -= Vec2::Constant(gun.reach());
+  extent.high += Vec2::Constant(gun.reach());
   for (const Line& line : gun.lines()) {
     for (const Vec2& end : {line.from, Vec2(line.from + line.length * line.along)}) {
       extent.low = extent.low.cwiseMin(end - Vec2::Constant(gun.reach())).eval();

@@ -46,7 +46,7 @@ bool simple(const Places& p) {
       const Place& d = p[(k + 1) % n];
       const bool neighbors = k == i + 1 || (i == 0 && k == n - 1);
       const bool bad = !neighbors   ? cross(a, b, c, d)
-                       : n == 3     ? twice(a, b, c) == 0
+                       : n == 3     ? twice(p[0], p[1], p[2]) == 0
                        : k == i + 1 ? onSegment(d, a, b) || onSegment(a, c, d)
                                     : onSegment(c, a, b) || onSegment(b, c, d);
       if (bad) {
