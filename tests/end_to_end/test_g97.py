@@ -79,7 +79,7 @@ class G97(ArelemCase):
         self.write("a.apt", "UNITS/MM\nG1=GUN/ELLIPS,1,1,SPEED,200,FLOW,1\nR1=REGION/(0,0),(5,0),(5,9000),(0,9000)\n"
                             "SPRAY/R1,GUN,G1,FILM,.05,OVRLAP,.175\nFINI\n")
         self.assertExit(0, "a.apt", "-o", "a.lng")
-        text = (self.folder / "a.lng").read_text(newline="")
+        text = (self.folder / "a.lng").read_bytes().decode()
         blocks = len(re.findall(r"^N\d{4} ", text, re.M))
         self.assertGreater(blocks, 9999)
         self.assertIn(f"{blocks} blocks are more than the 9999 of one program: the output has 2 programs, numbers 1 to 2", self.err)
@@ -88,8 +88,8 @@ class G97(ArelemCase):
         subprocess.run(["csplit", "-s", "-z", "-f", "part", "a.lng", "/^O/", "{*}"], cwd=self.folder, check=True)
         parts = sorted(self.folder.glob("part*"))
         self.assertEqual(len(parts), 2)
-        self.assertEqual("".join(p.read_text(newline="") for p in parts), text)
-        for number, part in enumerate((p.read_text(newline="") for p in parts), 1):
+        self.assertEqual("".join(p.read_bytes().decode() for p in parts), text)
+        for number, part in enumerate((p.read_bytes().decode() for p in parts), 1):
             self.assertTrue(part.startswith(f"O{number:04}\r\nN0001 P "))
             self.assertTrue(part.endswith("ROF,1 PE\r\n"))
             self.assertEqual(part.count("RON,1"), part.count("ROF,1"))

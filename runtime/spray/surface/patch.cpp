@@ -68,12 +68,9 @@ class Curve {
   static constexpr int pieces = 400;  // of an interval
 
   void walk(const geometry::TabulatedCylinder::Interval& interval) {
-    if (knots_.empty()) {
-      lengths_.push_back(0.0);
-      knots_.push_back({&interval, 0.0});
-    } else {
-      knots_.back() = {&interval, 0.0};  // the end of the last one is the begin of this one
-    }
+    // At a joint lie two knots: the end of one interval and the begin of the next.
+    lengths_.push_back(length());
+    knots_.push_back({&interval, 0.0});
     geometry::Vec2 before = interval.at(0.0).place;
     for (int k = 1; k <= pieces; ++k) {
       const double t = interval.length * k / pieces;

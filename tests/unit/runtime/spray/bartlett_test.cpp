@@ -1,140 +1,16 @@
 // Every case of tests/data/golden/cases_bartlett.json that has a number, by the function it is of.
 #include <cmath>
-#include <fstream>
-#include <functional>
 #include <numbers>
 #include <numeric>
-#include <optional>
-#include <set>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "runtime/spray/inset.h"
 #include "runtime/spray/offset_curve.h"
 #include "runtime/spray/overlap.h"
 #include "runtime/spray/search.h"
+#include "tests/unit/runtime/spray/bartlett_case.h"
 
 namespace arelem::spray {
-namespace {
-
-using Json = nlohmann::json;
-
-std::vector<Json> cases() {
-  std::ifstream in(ARELEM_SOURCE_DIR "/tests/data/golden/cases_bartlett.json");
-  return Json::parse(in).get<std::vector<Json>>();
-}
-
-double num(const Json& j, const char* key) {
-  return j.at(key).get<double>();
-}
-
-Loop loopOf(const Json& poly) {
-  Loop loop;
-  for (const Json& p : poly) {
-    loop.emplace_back(p[0].get<double>(), p[1].get<double>());
-  }
-  return loop;
-}
-
-/// A regular hexagon with a flat top.
-Json hexagon(double flats) {
-  Json poly = Json::array();
-  for (int i = 0; i < 6; ++i) {
-    const double angle = i * std::numbers::pi / 3.0;
-    poly.push_back(
-        {flats / std::sqrt(3.0) * std::cos(angle), flats / std::sqrt(3.0) * std::sin(angle)});
-  }
-  return poly;
-}
-
-Task taskOf(const Json& in) {
-  Task task;
-  task.outline.loops = {loopOf(in.at("poly"))};
-  task.aspect = num(in, "ar");
-  task.overlap = num(in, "beta");
-  task.insetRatio = num(in, "inset");
-  task.stop = in.at("stop") == "prog" ? StopRule::program : StopRule::strict;
-  task.sharpest = HUGE_VAL;  // the source knows no limit
-  if (in.contains("costs")) {
-    const Json& c = in.at("costs");
-    task.film = num(c, "h");
-    task.limits = {num(c, "vmax"), num(c, "qmax") * literPerMinute, num(c, "eta")};
-    task.prices = {num(c, "k1"), num(c, "k2"), num(c, "k3"), num(c, "k4")};
-  } else {
-    task.film = 0.051;
-    task.limits = {1000.0, literPerMinute, 0.65};
-  }
-  return task;
-}
-
-/// The expected values of a row, which keep a list of what a test looked at.
-class Expected {
- public:
-  Expected(const Json& json, std::set<std::string>& seen) : json_(json), seen_(seen) {}
-  const Json& at(const char* key) const {
-    seen_.insert(key);
-    return json_.at(key);
-  }
-
- private:
-  const Json& json_;
-  std::set<std::string>& seen_;
-};
-double num(const Expected& expected, const char* key) {
-  return expected.at(key).get<double>();
-}
-
-class BartlettCase : public testing::TestWithParam<Json> {
- protected:
-  const Json& in() const { return GetParam().at("inputs"); }
-  Expected expected() const { return {GetParam().at("expected"), seen_}; }
-  /// Every expected value of the row was compared with something.
-  void TearDown() override {
-    for (const auto& [key, value] : GetParam().at("expected").items()) {
-      EXPECT_TRUE(seen_.count(key) == 1) << "nothing was compared with " << key;
-    }
-  }
-  /// How far a value may be off the published one.
-  double allowed(const char* key) const {
-    const Json given = GetParam().value("published_tol", Json(0.0));
-    return given.is_number() ? given.get<double>() : given.value(key, given.value("default", 0.0));
-  }
-  void expectNumber(double actual, const char* key, double allowance = 1e-6) const {
-    const double wanted = num(expected(), key);
-    EXPECT_NEAR(actual, wanted, allowance * std::max(1.0, std::abs(wanted))) << key;
-    const Json published = GetParam().value("published", Json::object());
-    if (!published.contains(key) || !published.at(key).is_number()) {
-      return;
-    }
-    const bool near = std::abs(actual - num(published, key)) <= allowed(key);
-    EXPECT_EQ(near, GetParam().at("status") == "verified")
-        << key << ": " << actual << ", published " << num(published, key);
-  }
-  void expectList(const std::vector<double>& actual, const char* key) const {
-    ASSERT_EQ(actual.size(), expected().at(key).size()) << key;
-    for (std::size_t i = 0; i < actual.size(); ++i) {
-      EXPECT_NEAR(actual[i], expected().at(key)[i].get<double>(), 1e-6) << key << ' ' << i;
-    }
-    const Json published = GetParam().value("published", Json::object());
-    if (GetParam().at("status") == "verified" && published.contains(key) &&
-        published.at(key).is_array()) {
-      for (std::size_t i = 0; i < actual.size(); ++i) {
-        EXPECT_NEAR(actual[i], published.at(key)[i].get<double>(), allowed(key)) << key << ' ' << i;
-      }
-    }
-  }
-  void path(const Json& given) const;
-  void search(const Json& given, const Range& sizes, const std::vector<double>& angles) const;
-  void rejected(const Json& given) const;
-  void compare(const Trial& best) const;
-  void expectPlace(const Vec2& actual, const char* key) const {
-    expectList({actual.x(), actual.y()}, key);
-  }
-
- private:
-  mutable std::set<std::string> seen_;
-};
 
 void BartlettCase::path(const Json& given) const {
   const Task task = taskOf(given);
@@ -183,7 +59,7 @@ void BartlettCase::compare(const Trial& best) const {
   EXPECT_EQ(std::abs(best.cost.total - published) <= allowed("cost"), !control);
 }
 
-std::vector<double> costs(const Task& task, const Json& sizes) {
+static std::vector<double> costs(const Task& task, const Json& sizes) {
   std::vector<double> list;
   for (const Json& b : sizes) {
     list.push_back(evaluate(task, b.get<double>(), 0.0).cost.total);
@@ -192,7 +68,7 @@ std::vector<double> costs(const Task& task, const Json& sizes) {
 }
 
 /// Of the straight line through points of equal weight.
-double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
+static double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
   double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     sx += x[i];
@@ -444,48 +320,8 @@ TEST_P(BartlettCase, GivesTheNumbers) {
   }
 }
 
-/// Passes by the rules that the controls are about: down to the edge ("ymin"), or to the inset
-/// above it ("yf"). Nobody offers them; none gives the source's Table 4.2.
-Trial byRejectedRule(const Task& task, double b, double degrees, bool toInset) {
-  const Outline outline = turned(task.outline, -degrees * std::numbers::pi / 180.0);
-  const PassRules rules = rulesFor(task, b);
-  const SprayedArea area(outline, rules.footprint, rules.sharpest);
-  const Extent extent = extentOf(outline);
-  const double interval = 2.0 * b * (1.0 - task.overlap);
-  const double last = extent.low.y() + (toInset ? rules.inset : 0.0);
-  Trial trial;
-  trial.across = b;
-  trial.degrees = degrees;
-  Vec2 before = Vec2::Zero();
-  for (double y = extent.high.y() - rules.inset; y >= last; y -= interval) {
-    const Interval pass = area.at(y).at(0);
-    const bool toRight = trial.passes % 2 == 0;
-    const Vec2 from(toRight ? pass.from : pass.to, y);
-    trial.lengths.unpainted += trial.passes > 0 ? (from - before).norm() : 0.0;
-    trial.lengths.painted += pass.to - pass.from;
-    before = {toRight ? pass.to : pass.from, y};
-    ++trial.passes;
-  }
-  trial.operation = operationFor(task.film, interval, task.limits);
-  trial.cost =
-      costOf(trial.lengths, areaOf(outline), task.film, trial.operation, task.limits, task.prices);
-  return trial;
-}
-
-void BartlettCase::rejected(const Json& given) const {
-  std::optional<Trial> best;
-  for (const Json& degrees : given.at("thetas_deg")) {
-    for (double b = num(given, "b0"); b <= num(given, "b1"); b += num(given, "db")) {
-      const Trial trial =
-          byRejectedRule(taskOf(given), b, degrees.get<double>(), given.at("stop") == "yf");
-      best = !best || trial.cost.total < best->cost.total ? trial : best;
-    }
-  }
-  compare(*best);
-}
-
 /// All rows but those that the source gives no input for.
-std::vector<Json> numbered() {
+static std::vector<Json> numbered() {
   std::vector<Json> list;
   for (Json& one : cases()) {
     if (one.at("status") != "not reproducible") {
@@ -503,5 +339,4 @@ INSTANTIATE_TEST_SUITE_P(Golden, BartlettCase, testing::ValuesIn(numbered()), []
   return name;
 });
 
-}  // namespace
 }  // namespace arelem::spray

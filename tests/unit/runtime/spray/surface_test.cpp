@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/geometry/tabulated_cylinder.h"
 #include "runtime/spray/surface/kept.h"
 #include "runtime/spray/surface/surface_job.h"
 
@@ -51,6 +52,31 @@ TEST(Patches, AreasAndRadii) {
   EXPECT_NEAR(*smallestRadii(patch(sphere)).alongV, 75.0, 1e-3);
   const Patch frustum = patch(cone, Limits4{0, 360, 100, 300});
   EXPECT_NEAR(areaOf(frustum), M_PI * std::sin(0.5) * (90000.0 - 10000.0), 150.0);
+}
+
+/// Three chords of a zigzag: no jump where they meet, and each step of u is a step of the place.
+TEST(Patches, ACurveGoesOnWhereItsIntervalsMeet) {
+  geometry::TabulatedCylinder curve;
+  const std::vector<geometry::Vec2> corners = {{-30, 0},  {0, 0},    {100, 0},
+                                               {160, 80}, {260, 80}, {290, 80}};
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    geometry::TabulatedCylinder::Interval& piece = curve.intervals.emplace_back();
+    const geometry::Vec2 step = corners[i + 1] - corners[i];
+    piece.start = corners[i];
+    piece.length = step.norm();
+    piece.along = step / piece.length;
+    piece.extension = i == 0 || i + 2 == corners.size();
+  }
+  curve.end = corners.back();
+  const Patch p =
+      patch(entity(EntityType::tabulatedCylinder, curve.canon()), Limits4{0, 300, 0, 10});
+  constexpr double step = 0.05;
+  for (double u = 0.0; u + step <= 300.0; u += step) {
+    const double way = (p.at(u + step, 0.0) - p.at(u, 0.0)).norm();
+    EXPECT_LE(way, step + 1e-9) << u;
+    EXPECT_GT(way, 0.8 * step) << u;
+  }
+  EXPECT_LT((p.at(200.0, 0.0) - Vec3(160, 80, 0)).norm(), 1e-9);
 }
 
 Patch between(const Entity& e,
