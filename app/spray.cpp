@@ -71,7 +71,8 @@ int runSpray(const Invocation& invocation) {
                  "picture or table of the simulated film: .png, .svg, .csv; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  app.add_option("--cell", options.cell, "cells of the film, mm; default: 400 in the longer way")
+  app.add_option("--cell", options.cell,
+                 "cells of the film, mm; default: 400 in the longer way, or 8 in half a pass")
       ->check(CLI::PositiveNumber)
       ->type_name("MM");
   addSourceOptions(app, options.settings);

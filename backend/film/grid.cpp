@@ -9,7 +9,7 @@
 namespace arelem::backend {
 
 namespace {
-constexpr std::size_t mostCells = 500;  // in the longer way
+constexpr std::size_t mostCells = 1000;  // in the longer way
 
 /// A place on an edge between two middles: the column and row of its lower end, and whether the
 /// edge goes up.

@@ -35,7 +35,7 @@ struct FilmPicture {
 void writeFilmCsv(std::ostream& out, const FilmPicture& picture);
 
 /// Bands of film with contour lines between them, the outline, the passes, axes in mm, and a legend
-/// that tells the share of the work in each band. Cells are put together to at most 500 in the
+/// that tells the share of the work in each band. Cells are put together to at most 1000 in the
 /// longer way. SVG with the bands as an embedded PNG; false when the library of that fails.
 [[nodiscard]] bool writeFilmSvg(std::ostream& out, const FilmPicture& picture);
 

@@ -52,6 +52,13 @@ class Robots(ArelemCase):
         self.assertIn("E0660", self.err)
         self.assertFalse((self.folder / "far.v2").exists())
 
+    def test_a_program_that_is_none_is_unreadable_input(self):
+        self.write("m.apt", "UNITS/MM\nFROM/0,0,50\nFEDRAT/10,MMPS\nGOTO/10,0,5\nFINI\n")
+        self.assertExit(0, "m.apt", "-o", "m.v2")
+        self.write("bad.v2", (self.folder / "m.v2").read_text().replace("MOVES", "MUVES"))
+        self.assertExit(3, "verify", "bad.v2", "--with", "m.apt")
+        self.assertIn("E0630", self.err)
+
     def test_outside_the_envelope_writes_nothing(self):
         self.write("stop.apt", STOP)
         self.write("cell.toml", "[envelope]\nz = [100, 900]\n")
