@@ -10,9 +10,9 @@ ExitCode exitCodeFor(const DiagRow& row) {
     return ExitCode::ok;
   }
   // A control byte: not a text file. Machine files that are no TOML or say what does
-  // not exist, and G97 programs that are none.
-  constexpr std::array<std::string_view, 5> unreadable = {"E0102", "E0645", "E0650", "E0651",
-                                                          "E0652"};
+  // not exist, V+ and G97 programs that are none.
+  constexpr std::array<std::string_view, 6> unreadable = {"E0102", "E0630", "E0645",
+                                                          "E0650", "E0651", "E0652"};
   if (std::find(unreadable.begin(), unreadable.end(), row.code) != unreadable.end()) {
     return ExitCode::inputUnreadable;
   }

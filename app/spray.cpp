@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/command.h"
+#include "app/film_file.h"
 #include "app/numbered_file.h"
 #include "app/options.h"
 #include "app/picture_file.h"
@@ -22,15 +23,6 @@ struct SprayOptions {
   bool json = false;
   bool table = false;
 };
-
-bool writeFilm(std::ostream& out, const std::string& path, const backend::FilmPicture& picture) {
-  const std::string suffix = std::filesystem::path(path).extension().string();
-  if (suffix == ".png") {
-    return writeFilmPng(out, picture);
-  }
-  suffix == ".svg" ? writeFilmSvg(out, picture) : writeFilmCsv(out, picture);
-  return true;
-}
 
 void show(Compilation& job, const SprayOptions& options) {
   const auto& all = job.evaluation.sprayed;
@@ -79,7 +71,8 @@ int runSpray(const Invocation& invocation) {
                  "picture or table of the simulated film: .png, .svg, .csv; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  app.add_option("--cell", options.cell, "cells of the film, mm; default: 400 in the longer way")
+  app.add_option("--cell", options.cell,
+                 "cells of the film, mm; default: 400 in the longer way, or 8 in half a pass")
       ->check(CLI::PositiveNumber)
       ->type_name("MM");
   addSourceOptions(app, options.settings);

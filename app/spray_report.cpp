@@ -1,5 +1,10 @@
 #include "app/spray_report.h"
 
+#include <numbers>
+
+#include "runtime/film/surface_map.h"
+#include "runtime/spray/offset_curve.h"
+
 namespace arelem::app {
 
 namespace {
@@ -50,6 +55,22 @@ void addPath(backend::ReportedSpray& report, const spray::Sprayed& s) {
     }
   }
 }
+std::vector<backend::FilmPicture::Line> linesOf(const spray::Outline& outline) {
+  std::vector<backend::FilmPicture::Line> lines;
+  for (const spray::Loop& loop : outline.loops) {
+    auto& line = lines.emplace_back();
+    for (const spray::Vec2& p : loop) {
+      line.emplace_back(p.x(), p.y());
+    }
+  }
+  return lines;
+}
+
+/// Where the gun is switched, in the plane of the region: the ellipse lies along the passes.
+spray::Outline offsetOf(const spray::Sprayed& s) {
+  const double angle = s.chosen.degrees * std::numbers::pi / 180.0;
+  return turned(offsetCurve(turned(s.outline, -angle), s.gun.footprint, s.sharpest), angle);
+}
 }  // namespace
 
 backend::ReportedSpray reported(const Compilation& job,
@@ -95,27 +116,34 @@ backend::FilmPicture pictureOf(const spray::Sprayed& s, const film::Map& map) {
   picture.film = &map.film;
   picture.onWork = &map.onWork;
   picture.wanted = s.film;
+  picture.areas = map.areas.empty() ? nullptr : &map.areas;
+  const film::Statistics& f = map.statistics;
   picture.title =
-      fmt::format("{}: {:.4g} um wanted, {:.4g} on average, {:.4g} to {:.4g}",
-                  s.work.empty() ? "SPRAY" : s.work, 1e3 * s.film, 1e3 * map.statistics.mean,
-                  1e3 * map.statistics.smallest, 1e3 * map.statistics.largest);
-  const auto place = [&s](const Vec3& p) {
-    return std::pair{(p - s.origin3).dot(s.x), (p - s.origin3).dot(s.y)};
+      fmt::format("{}: film of {:.4g} um", s.work.empty() ? "SPRAY" : s.work, 1e3 * s.film);
+  picture.details = fmt::format(
+      "simulated: mean {:.4g}, {:.4g} to {:.4g} um; {:.1f} % of the work within 10 %; R1 {:.3f}, "
+      "R2 {:.3f}, "
+      "R3 {:.3f}",
+      1e3 * f.mean, 1e3 * f.smallest, 1e3 * f.largest, 100.0 * f.within10, f.spread.average,
+      f.spread.rms, f.spread.largest);
+  if (!s.planar) {
+    picture.xName = s.mesh ? "across the mean normal, mm" : "along u, mm";
+    picture.yName = s.mesh ? "up, mm" : "along v, mm";
+  }
+  const auto place = [&](const Vec3& p, const spray::Vec2& uv) -> spray::Vec2 {
+    return s.planar ? spray::Vec2((p - s.origin3).dot(s.x), (p - s.origin3).dot(s.y))
+                    : film::placeInMap(s, map, p, uv);
   };
   for (const spray::Stroke& stroke : s.strokes) {
-    if (!s.planar) {
-      break;  // the picture is over the parameters of the surface
-    }
-    const auto [x1, y1] = place(stroke.from);
-    const auto [x2, y2] = place(stroke.to);
-    picture.path.push_back({x1, y1, x2, y2, stroke.painting});
+    const spray::Vec2 from = place(stroke.from, stroke.uvFrom);
+    const spray::Vec2 to = place(stroke.to, stroke.uvTo);
+    picture.path.push_back({from.x(), from.y(), to.x(), to.y(), stroke.painting});
   }
-  for (const spray::Loop& loop : s.outline.loops) {
-    auto& outline = picture.outlines.emplace_back();
-    for (const spray::Vec2& p : loop) {
-      outline.emplace_back(p.x(), p.y());
-    }
+  if (!s.planar) {
+    return picture;
   }
+  picture.outlines = linesOf(s.outline);
+  picture.offsets = linesOf(offsetOf(s));
   return picture;
 }
 

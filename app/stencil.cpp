@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/command.h"
+#include "app/film_file.h"
 #include "app/numbered_file.h"
 #include "app/options.h"
 #include "app/picture_file.h"
@@ -26,10 +27,10 @@ std::string suffixOf(const std::string& path) {
   return std::filesystem::path(path).extension().string();
 }
 
-bool writeFilm(std::ostream& out,
-               const std::string& path,
-               const stencil::Painted& painted,
-               double cell) {
+bool writeStencilFilm(std::ostream& out,
+                      const std::string& path,
+                      const stencil::Painted& painted,
+                      double cell) {
   if (suffixOf(path) == ".svg") {
     writeCellsSvg(out, filmPictureOf(painted));
     return true;
@@ -51,15 +52,16 @@ bool writeFilm(std::ostream& out,
   picture.onWork = &map.onWork;
   picture.wanted = wanted;
   picture.title = painted.statement.text;
-  return writeFilmPng(out, picture);
+  return writeFilm(out, path, picture);
 }
 
 void show(Compilation& job, const StencilOptions& options) {
   const auto& all = job.evaluation.stencils;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const std::string& path : options.films) {
-      putPicture(job, numbered(path, i, all.size()),
-                 [&](std::ostream& out) { return writeFilm(out, path, *all[i], options.cell); });
+      putPicture(job, numbered(path, i, all.size()), [&](std::ostream& out) {
+        return writeStencilFilm(out, path, *all[i], options.cell);
+      });
     }
     for (const std::string& path : options.shares) {
       putPicture(job, numbered(path, i, all.size()), [&](std::ostream& out) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Whole-process speed, memory and start-up time of arelem. The figures are of the machine that runs this."""
 import argparse
+import math
 import os
 import pathlib
 import re
@@ -102,6 +103,51 @@ def stencils(arelem, out):
     return rows
 
 
+def wavy(path, corners, holes, corners_of_hole):
+    """A drawing: a wavy disk of 2 m with round holes on a spiral, none of which meet."""
+    def polyline(points):
+        rows = ["0", "LWPOLYLINE", "8", "0", "90", str(len(points)), "70", "1"]
+        for x, y in points:
+            rows += ["10", repr(x), "20", repr(y)]
+        return rows
+
+    def ring(count, radius, center=(0.0, 0.0)):
+        return [(center[0] + radius(t) * math.cos(t), center[1] + radius(t) * math.sin(t))
+                for t in (2 * math.pi * i / count for i in range(count))]
+    rows = ["0", "SECTION", "2", "ENTITIES"] + polyline(ring(corners, lambda t: 1000 + 20 * math.sin(60 * t)))
+    for i in range(holes):
+        away, turn = 900 * math.sqrt((i + .5) / holes), 2.399963 * i  # the golden angle: evenly spread
+        rows += polyline(ring(corners_of_hole, lambda t: 15.0, (away * math.cos(turn), away * math.sin(turn))))
+    path.write_text("\n".join(rows + ["0", "ENDSEC", "0", "EOF", ""]))
+
+
+def sprays(arelem):
+    """Searches, large regions and film maps by `arelem spray`, the whole process."""
+    head = "UNITS/MM\nG1=GUN/ELLIPS,.7,1,SPEED,1000,FLOW,1,EFFIC,.65\nG2=GUN/CONE,14,STNDOF,50,SPEED,600\n"
+    plate = "R1=REGION/(0,0),(1000,0),(1000,800),(0,800)\n"
+    square = "G3=GUN/ELLIPS,12,12,SPEED,600\nR1=REGION/(0,0),(1000,0),(1000,1000),(0,1000)\n"
+    drawing = "R1=REGION/DXF,'wavy.dxf'\nSPRAY/R1,GUN,G2,FILM,.05\n"
+    cases = [
+        ("SPRAY, MINCST of 16 sizes by 73 angles", 16 * 73, "trials", [], plate + "SPRAY/R1,GUN,G1,FILM,.051,OVRLAP,.175,"
+         "MINCST,60,10,2,2,HEIGHT,45,75,2,ANGLE,0,360,5\n"),
+        ("SPRAY, region of 10000 vertices, 200 holes", 10000, "vertices", ["--cell", "5"], drawing),
+        ("the same, film as PNG with its offset curve", 10000, "vertices", ["--film", "wavy.png"], drawing),
+        ("film map of 1000 by 1000 cells, 50 passes", 1_000_000, "cells", ["--cell", "1.048"], square + "SPRAY/R1,GUN,G3,FILM,.05\n"),
+    ]
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        wavy(pathlib.Path(folder) / "wavy.dxf", 6000, 200, 20)
+        for what, count, unit, words, text in cases:
+            source = pathlib.Path(folder) / "spray.apt"
+            source.write_text(head + text + "FINI\n")
+            words = [str(pathlib.Path(folder) / w) if w.endswith(".png") else w for w in words]
+            run = median_run([arelem, "spray", str(source), "--json", *words])
+            work = f"{count} {unit}" if run.code == 0 else f"exit {run.code}"
+            rate = f"{count / run.seconds:,.0f}" if run.code == 0 else ""
+            rows.append((what, work, f"{run.seconds:.3f}", rate, f"{run.megabytes:.0f}"))
+    return rows
+
+
 def measure(arelem):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
@@ -125,6 +171,7 @@ def measure(arelem):
                 continue
             rows.append((what, f"{lines} statements", f"{run.seconds:.3f}", f"{lines / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
         rows += stencils(arelem, out)
+        rows += sprays(arelem)
         rows += growth(arelem, folder)
         starts = [Run([arelem, "compile", str(SPEED / "empty.apt"), "-o", out]) for _ in range(25)]
         start = statistics.median(r.seconds for r in starts)

@@ -1,6 +1,7 @@
 #pragma once
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Pictures and tables of films: pure output, so the numbers come as they are.
@@ -12,28 +13,30 @@ struct FilmPicture {
   std::size_t columns = 0, rows = 0;
   const std::vector<double>* film = nullptr;  ///< mm
   const std::vector<bool>* onWork = nullptr;
-  double wanted = 0.0;  ///< mm
-  std::string title;    ///< one line for people
+  const std::vector<double>* areas = nullptr;  ///< of the work in each cell, mm2; null: all alike
+  double wanted = 0.0;                         ///< mm
+  std::string title;                           ///< one line for people
+  std::string details;                         ///< a second one
+  std::string xName = "x, mm", yName = "y, mm";
+  /// Borders of the bands, relative to the wanted film, rising; below the first there is none.
+  std::vector<double> levels = {0.05, 0.25, 0.5, 0.75, 0.9, 1.1, 1.25, 1.5, 2.0};
+
+  using Line = std::vector<std::pair<double, double>>;
   struct Stretch {
     double x1 = 0.0, y1 = 0.0, x2 = 0.0, y2 = 0.0;
     bool painting = true;
   };
   std::vector<Stretch> path;
-  std::vector<std::vector<std::pair<double, double>>> outlines;
+  std::vector<Line> outlines;  ///< of the work, closed by themselves
+  std::vector<Line> offsets;   ///< where the gun is switched, closed by themselves
 };
 
-/// Color of a film relative to the wanted one, 0 to 255 each: blue is too thin, green right, red
-/// too thick.
-struct Color {
-  unsigned char red = 0, green = 0, blue = 0;
-};
-[[nodiscard]] Color filmColor(double relative);
-
-/// x,y,film,work of every cell, one a line, behind a heading.
+/// x, y, film, work of every cell, one a line, behind a heading.
 void writeFilmCsv(std::ostream& out, const FilmPicture& picture);
-/// One pixel a cell, with a scale below; false when the library fails.
-[[nodiscard]] bool writeFilmPng(std::ostream& out, const FilmPicture& picture);
-/// Bands of film with contour lines at the levels of the legend, outline and passes.
-void writeFilmSvg(std::ostream& out, const FilmPicture& picture);
+
+/// Bands of film with contour lines between them, the outline, the passes, axes in mm, and a legend
+/// that tells the share of the work in each band. Cells are put together to at most 1000 in the
+/// longer way. SVG with the bands as an embedded PNG; false when the library of that fails.
+[[nodiscard]] bool writeFilmSvg(std::ostream& out, const FilmPicture& picture);
 
 }  // namespace arelem::backend

@@ -4,6 +4,10 @@
 
 namespace arelem::g97 {
 
+namespace {
+constexpr std::size_t highestProgram = 9999;  // O and four digits
+}  // namespace
+
 Result<std::vector<Program>> divided(std::vector<Step> steps, const robot::G97Style& style) {
   const std::size_t head = style.s63.empty() ? 0 : 1;
   const auto room = static_cast<std::size_t>(style.blocks) - head;
@@ -26,7 +30,11 @@ Result<std::vector<Program>> divided(std::vector<Step> steps, const robot::G97St
       }
     }
     Program& program = programs.emplace_back();
-    program.number = style.programLine ? style.program + static_cast<int>(programs.size()) - 1 : 0;
+    const std::size_t number = static_cast<std::size_t>(style.program) + programs.size() - 1;
+    if (style.programLine && number > highestProgram) {
+      return fail(diag::G97Number, number, highestProgram);
+    }
+    program.number = style.programLine ? static_cast<int>(number) : 0;
     if (head == 1) {
       Block select = steps[first].block;
       select.straight = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
 #include "ir/diag/robot.h"
@@ -51,6 +52,14 @@ void KnotReader::location(const robot::Pose& pose, const Span& origin) {
   }
   if (!withinTilt(upright->tilt, origin)) {
     return;
+  }
+  if (machine_.envelope && !failed_) {
+    if (auto failure = robot::objectionToPlace(*machine_.envelope, pose,
+                                               fmt::format("location {}", location_))) {
+      sink_.accept(at(origin, *std::move(failure)));
+      failed_ = true;
+      return;
+    }
   }
   Knot knot;
   knot.point = pose.point;

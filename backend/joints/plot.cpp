@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "backend/svg/canvas.h"
+#include "backend/svg/scale.h"
 
 namespace arelem::joints {
 
@@ -12,42 +13,13 @@ namespace {
 using backend::svg::Box;
 using backend::svg::Canvas;
 using backend::svg::Pixel;
+using backend::svg::Scale;
 
 constexpr double panelWidth = 520.0;
 constexpr double panelHeight = 190.0;
 constexpr double marginLeft = 64.0;
 constexpr double marginTop = 34.0;
 constexpr double marginBottom = 34.0;
-
-/// A span of values with room, and steps of 1, 2 or 5 for its ticks.
-struct Scale {
-  double low = 0.0;
-  double high = 1.0;
-  double step = 1.0;
-  int decimals = 0;
-
-  Scale(double least, double most, double ticks) : low(least), high(most) {
-    constexpr double narrow = 1e-6;
-    if (!(high - low > narrow)) {
-      low -= 0.5;
-      high += 0.5;
-    }
-    const double rough = (high - low) / ticks;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    const double share = rough / power;
-    step = power * (share <= 1.0 ? 1.0 : share <= 2.0 ? 2.0 : share <= 5.0 ? 5.0 : 10.0);
-    decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-  }
-  void wide() {
-    low = step * std::floor(low / step);
-    high = step * std::ceil(high / step);
-  }
-};
-
-/// The number at a tick; steps that add up to nearly 0 are 0.
-std::string tick(double value, const Scale& scale) {
-  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * scale.step ? 0.0 : value, scale.decimals);
-}
 
 double right(const Box& box) {
   return box.left + box.width;
@@ -69,15 +41,15 @@ class Panel {
   void axes(std::string_view title, std::string_view below) {
     canvas_.rectangle(box_, "fill=\"none\" stroke=\"#888\"");
     canvas_.text({box_.left, box_.top - 8.0}, title, "style=\"font-size:13px;font-weight:bold\"");
-    for (double v = x_.step * std::ceil(x_.low / x_.step); v <= x_.high + 1e-9; v += x_.step) {
+    for (double v = x_.firstTick(); v <= x_.high + 1e-9; v += x_.step) {
       const Pixel p = at(v, y_.low);
       canvas_.line({p.x, box_.top}, p, "stroke=\"#e4e4e4\"");
-      canvas_.text({p.x, p.y + 14.0}, tick(v, x_), "text-anchor=\"middle\"");
+      canvas_.text({p.x, p.y + 14.0}, x_.text(v), "text-anchor=\"middle\"");
     }
-    for (double v = y_.step * std::ceil(y_.low / y_.step); v <= y_.high + 1e-9; v += y_.step) {
+    for (double v = y_.firstTick(); v <= y_.high + 1e-9; v += y_.step) {
       const Pixel p = at(x_.low, v);
       canvas_.line(p, {right(box_), p.y}, "stroke=\"#e4e4e4\"");
-      canvas_.text({p.x - 5.0, p.y + 3.5}, tick(v, y_), "text-anchor=\"end\"");
+      canvas_.text({p.x - 5.0, p.y + 3.5}, y_.text(v), "text-anchor=\"end\"");
     }
     canvas_.text({right(box_), bottom(box_) + 27.0}, below, "text-anchor=\"end\"");
   }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "backend/html/base64.h"
 #include "backend/text/clean.h"
 #include "backend/text/number.h"
 
@@ -109,6 +110,15 @@ void Canvas::curve(const std::vector<PathPiece>& pieces, std::string_view attrib
 void Canvas::text(Pixel at, std::string_view words, std::string_view attributes) {
   out_ << fmt::format("  <text x=\"{}\" y=\"{}\" {}>{}</text>\n", number(at.x), number(at.y),
                       attributes, xmlText(words));
+}
+
+void Canvas::image(const Box& box, std::string_view png) {
+  out_ << fmt::format(
+      "  <image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+      "href=\"data:image/png;base64,",
+      number(box.left), number(box.top), number(box.width), number(box.height));
+  writeBase64(out_, std::vector<char>(png.begin(), png.end()));
+  out_ << "\"/>\n";
 }
 
 void Canvas::beginClip(const Box& box, int id) {

@@ -34,6 +34,8 @@ class Canvas {
   /// A polyline where no piece is an arc.
   void curve(const std::vector<PathPiece>& pieces, std::string_view attributes);
   void text(Pixel at, std::string_view words, std::string_view attributes);
+  /// The bytes of a PNG file, stretched over a box.
+  void image(const Box& box, std::string_view png);
   /// A group that shows nothing outside the box.
   void beginClip(const Box& box, int id);
   void endGroup();

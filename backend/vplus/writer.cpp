@@ -5,6 +5,7 @@
 #include <ostream>
 #include <set>
 
+#include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/machine.h"
 #include "backend/robot/reach.h"
@@ -254,6 +255,11 @@ class VplusWriter : public Writer {
   }
 
   void check(const Pose& pose, const std::string& place, bool isFrom) {
+    if (machine_.envelope) {
+      if (auto failure = robot::objectionToPlace(*machine_.envelope, pose, place)) {
+        report(*std::move(failure));
+      }
+    }
     if (!machine_.scara) {
       return;
     }

@@ -307,6 +307,7 @@ Result<Resolved> regionOfDrawing(const Arguments& given) {
                 rules.layer.empty() ? "any layer" : "layer `" + rules.layer + "`",
                 drawing->layers.empty() ? "none" : joined(drawing->layers));
   }
+  const double height = drawing->height;
   Result<std::vector<spray::Loop>> loops =
       region::chained(std::move(drawing->curves), name, tolerance::drawingJoint);
   if (!loops) {
@@ -317,7 +318,7 @@ Result<Resolved> regionOfDrawing(const Arguments& given) {
     Boundary& boundary = boundaries.emplace_back();
     boundary.role = Boundary::Role::byPlace;
     for (const Vec2& p : loop) {
-      boundary.corners.emplace_back(p.x(), p.y(), 0.0);
+      boundary.corners.emplace_back(p.x(), p.y(), height);
     }
   }
   return resolved(std::move(boundaries));

@@ -59,7 +59,7 @@ void Bursts::divide(const spray::Stroke& s, double piece) {
     const Vec3 axis = (s.normalFrom + share * (s.normalTo - s.normalFrom)).normalized();
     const Vec3 target = s.from + share * step;
     cells_[cellOf(target)].push_back(
-        {target + d_ * axis, axis, step / length, length / count / s.speed});
+        {target + d_ * axis, axis, step / length, length / count / 2.0, length / count / s.speed});
   }
 }
 
@@ -77,15 +77,19 @@ double Bursts::one(const Burst& burst, const Vec3& place, const Vec3& normal) co
     return 0.0;
   }
   const double half = std::max(a_, b_ / piecesOfRadius / piecesOfRadius) * std::sqrt(1.0 - y * y);
-  if (!(std::abs(lateral.dot(burst.along)) < half)) {
+  // The share of the burst's way on which the footprint lies over the place.
+  const double x = lateral.dot(burst.along);
+  const double way = burst.halfWay * d_ / depth;
+  const double over = (std::min(half, x + way) - std::max(-half, x - way)) / (2.0 * way);
+  if (!(over > 0.0)) {
     return 0.0;
   }
   const double length = ray.norm();
   const double nearer = d_ / depth;
   const double met = -normal.dot(ray) / length;
   const double left = depth / length;
-  return flow_ * burst.seconds * profile_.density(y) / (b_ * 2.0 * half) * nearer * nearer * met /
-         left;
+  return flow_ * burst.seconds * over * profile_.density(y) / (b_ * 2.0 * half) * nearer * nearer *
+         met / left;
 }
 
 }  // namespace arelem::film

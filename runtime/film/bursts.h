@@ -21,6 +21,7 @@ class Bursts {
   /// The gun for a short while: where it stands, where it points, how long.
   struct Burst {
     Vec3 nozzle, axis, along;
+    double halfWay = 0.0;  ///< that the spray goes before and behind the middle, mm
     double seconds = 0.0;
   };
   using Cell = std::tuple<long, long, long>;

@@ -40,6 +40,7 @@ class Gunwork {
   }
 
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
+  [[nodiscard]] double across() const { return across_; }
   [[nodiscard]] double reach() const { return std::max(along_, across_); }
 
   [[nodiscard]] double filmOf(const Line& line, const Vec2& place) const {
@@ -185,6 +186,8 @@ Map mapOf(const Sprayed& sprayed, double cell) {
   }
   const Gunwork gun(sprayed);
   spray::Extent extent = extentOf(sprayed.outline);
+  extent.low -= Vec2::Constant(gun.reach());
+  extent.high += Vec2::Constant(gun.reach());
   for (const Line& line : gun.lines()) {
     for (const Vec2& end : {line.from, Vec2(line.from + line.length * line.along)}) {
       extent.low = extent.low.cwiseMin(end - Vec2::Constant(gun.reach())).eval();
@@ -194,7 +197,9 @@ Map mapOf(const Sprayed& sprayed, double cell) {
   const Vec2 size = extent.high - extent.low;
   Map map;
   map.low = extent.low;
-  map.cell = cell > 0.0 ? cell : size.maxCoeff() / usualCells;
+  // A pass is some cells wide, or passes and cells would make a pattern of their own.
+  const double fine = std::min(size.maxCoeff() / usualCells, gun.across() / cellsOfPass);
+  map.cell = cell > 0.0 ? cell : std::max(fine, size.maxCoeff() / mostUsualCells);
   map.cell = std::max(map.cell, std::sqrt(size.x() * size.y() / static_cast<double>(mostCells)));
   map.columns = static_cast<std::size_t>(std::max(1.0, std::ceil(size.x() / map.cell)));
   map.rows = static_cast<std::size_t>(std::max(1.0, std::ceil(size.y() / map.cell)));

@@ -43,8 +43,10 @@ struct Map {
 [[nodiscard]] double filmAt(const spray::Sprayed& sprayed, const spray::Vec2& place);
 
 /// The map over the region and what is sprayed beside it, with cells of this size (mm); 0 gives
-/// about `usualCells` in the longer direction.
+/// about `usualCells` in the longer direction, more where passes are narrow.
 inline constexpr double usualCells = 400.0;
+inline constexpr double mostUsualCells = 2000.0;
+inline constexpr double cellsOfPass = 8.0;  ///< in the half width of the footprint
 inline constexpr std::size_t mostCells = 100'000'000;
 [[nodiscard]] Map mapOf(const spray::Sprayed& sprayed, double cell);
 

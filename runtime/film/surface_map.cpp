@@ -10,7 +10,7 @@
 namespace arelem::film {
 
 namespace {
-constexpr double surfaceCells = 100.0;
+constexpr double surfaceCells = 200.0;
 constexpr double mostSurfaceCells = 250'000.0;
 constexpr std::size_t mostSampledTriangles = 50'000;
 constexpr int mostDivisions = 200;  // of a triangle's side
@@ -30,7 +30,7 @@ Map patchMap(const spray::Sprayed& s, double cell) {
   const spray::Patch& patch = *s.patch;
   Map map;
   divide(map, longestWay(patch, true), longestWay(patch, false), cell);
-  map.onWork.assign(map.columns * map.rows, true);
+  map.onWork.assign(map.columns * map.rows, false);
   const Bursts spray(s);
   const double du = (patch.u1 - patch.u0) / static_cast<double>(map.columns);
   const double dv = (patch.v1 - patch.v0) / static_cast<double>(map.rows);
@@ -38,7 +38,9 @@ Map patchMap(const spray::Sprayed& s, double cell) {
     for (std::size_t c = 0; c < map.columns; ++c) {
       const double u = patch.u0 + (patch.u1 - patch.u0) * shareOf(c, map.columns);
       const double v = patch.v0 + (patch.v1 - patch.v0) * shareOf(r, map.rows);
-      map.film.push_back(spray.filmAt(patch.at(u, v), patch.normal(u, v)));
+      const bool kept = patch.keeps(u, v);
+      map.onWork[r * map.columns + c] = kept;
+      map.film.push_back(kept ? spray.filmAt(patch.at(u, v), patch.normal(u, v)) : 0.0);
       const Vec3 across = patch.at(u + du / 2.0, v) - patch.at(u - du / 2.0, v);
       const Vec3 up = patch.at(u, v + dv / 2.0) - patch.at(u, v - dv / 2.0);
       map.areas.push_back(across.cross(up).norm());
@@ -47,12 +49,16 @@ Map patchMap(const spray::Sprayed& s, double cell) {
   return map;
 }
 
+/// Meshes are looked at along their mean normal, closed ones along z.
+region::Frame eyeOf(const spray::MeshSurface& mesh) {
+  const Vec3 mean = mesh.meanNormal();
+  return region::frameOf(mean.norm() > 0.0 ? mean : Vec3(Vec3::UnitZ()), Vec3::Zero());
+}
+
 /// A mesh as it is seen along its mean normal (along z where it closes on itself).
 class MeshPicture {
  public:
-  MeshPicture(const spray::Sprayed& s, double cell) : mesh_(*s.mesh) {
-    const Vec3 mean = mesh_.meanNormal();
-    frame_ = region::frameOf(mean.norm() > 0.0 ? mean : Vec3(Vec3::UnitZ()), Vec3::Zero());
+  MeshPicture(const spray::Sprayed& s, double cell) : mesh_(*s.mesh), frame_(eyeOf(*s.mesh)) {
     const auto [left, right] = mesh_.range(frame_.x);
     const auto [bottom, top] = mesh_.range(frame_.y);
     divide(map_, right - left, top - bottom, cell);
@@ -160,6 +166,19 @@ Statistics statisticsOf(const spray::Sprayed& s, const Bursts& spray, double cel
   return all.statistics;
 }
 }  // namespace
+
+spray::Vec2 placeInMap(const spray::Sprayed& s,
+                       const Map& map,
+                       const Vec3& place,
+                       const spray::Vec2& uv) {
+  if (s.mesh) {
+    return eyeOf(*s.mesh).inPlane(place);
+  }
+  const spray::Patch& p = *s.patch;
+  const spray::Vec2 shares((uv.x() - p.u0) / (p.u1 - p.u0), (uv.y() - p.v0) / (p.v1 - p.v0));
+  return map.low + map.cell * shares.cwiseProduct(spray::Vec2(static_cast<double>(map.columns),
+                                                              static_cast<double>(map.rows)));
+}
 
 Map surfaceMapOf(const spray::Sprayed& s, double cell) {
   if (!s.mesh) {

@@ -1,4 +1,3 @@
-// The only file that includes CGAL.
 #include "runtime/geometry/exact.h"
 
 #include <cmath>

@@ -5,10 +5,12 @@
 
 #include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
+#include "runtime/define/choice.h"
 #include "runtime/geometry/triangle_mesh.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/spray_words.h"
 #include "runtime/spray/region_job.h"
+#include "runtime/spray/surface/kept.h"
 #include "runtime/spray/units.h"
 
 namespace arelem::runtime::interpret {
@@ -33,7 +35,9 @@ class StrokeWriter {
       state_.emit(Toggle{Word::MULTAX, true});
     }
     if (sprayed_.chosen.operation.flow > 0.0) {
-      post(Word::FLOW, {sprayed_.chosen.operation.flow / spray::literPerMinute});
+      constexpr double digits = 1e9;  // of l/min
+      post(Word::FLOW,
+           {std::round(sprayed_.chosen.operation.flow / spray::literPerMinute * digits) / digits});
     }
     if (!sprayed_.gun.spreads() && !sprayed_.trials.empty()) {
       state_.emit(Pass{cl::Post{Word::END, "FAN", {sprayed_.chosen.across / unit_}}});
@@ -206,33 +210,61 @@ void setLines(spray::SurfaceJob& job, const SprayWords& words, double unit) {
   }
 }
 
+/// The planes of LIMITS with the side that is kept, mm.
+Result<std::vector<spray::HalfSpace>> sidesOf(const SprayWords& words, double unit) {
+  std::vector<spray::HalfSpace> sides;
+  for (const SprayWords::Side& side : words.sides) {
+    const geometry::Plane plane = geometry::Plane::of(side.plane->canon);
+    Result<Vec3> normal = define::orient(side.modifier, plane.normal);
+    if (!normal) {
+      return normal.takeFailure();
+    }
+    const double sign = normal->dot(plane.normal) > 0.0 ? 1.0 : -1.0;
+    sides.push_back({*normal, sign * plane.distance * unit});
+  }
+  return sides;
+}
+
 /// The mesh in mm; none where its words do not suit it: told.
-Result<std::shared_ptr<const spray::MeshSurface>> meshOf(const SprayWords& words, double unit) {
+Result<std::shared_ptr<const spray::MeshSurface>> meshOf(const SprayWords& words,
+                                                         const std::vector<spray::HalfSpace>& keep,
+                                                         double unit) {
   using Lines = SprayWords::Lines;
   if (words.lines == Lines::alongU || words.lines == Lines::alongV) {
     return fail(diag::MeshLines, words.lines == Lines::alongU ? "ULINES" : "VLINES");
   }
   if (words.limits) {
-    return fail(diag::MeshLines, "LIMITS");
+    return fail(diag::MeshLines, "parameters for LIMITS");
   }
   geometry::TriangleMesh mesh = geometry::TriangleMesh::of(words.work->canon);
   for (Vec3& corner : mesh.vertices) {
     corner *= unit;
+  }
+  if (!keep.empty()) {
+    mesh = clipped(mesh, keep);
+    if (mesh.triangles.empty()) {
+      return fail(diag::SurfaceLimits, "MESH", "nothing left",
+                  "the planes of LIMITS must keep a part of it");
+    }
   }
   return std::make_shared<const spray::MeshSurface>(std::move(mesh), words.otherSide);
 }
 
 /// The work of a job: a patch or a mesh.
 std::optional<Failure> setWork(spray::SurfaceJob& job, const SprayWords& words, double unit) {
+  Result<std::vector<spray::HalfSpace>> keep = sidesOf(words, unit);
+  if (!keep) {
+    return keep.takeFailure();
+  }
   if (words.work->type == EntityType::mesh) {
-    auto mesh = meshOf(words, unit);
+    auto mesh = meshOf(words, *keep, unit);
     if (!mesh) {
       return mesh.takeFailure();
     }
     job.mesh = *std::move(mesh);
     return std::nullopt;
   }
-  Result<spray::Patch> patch = spray::patchOf(*words.work, words.limits, unit);
+  Result<spray::Patch> patch = spray::patchOf(*words.work, {words.limits, *std::move(keep)}, unit);
   if (!patch) {
     return patch.takeFailure();
   }

@@ -16,7 +16,11 @@ constexpr std::string_view regionForm =
     "[, ANGLE, t1, t2, dt]";
 constexpr std::string_view surfaceForm =
     "SPRAY/ surface, GUN, gun, FILM, h, {ULINES|VLINES|SECTN, plane|RADIAL, point, vector} "
-    "[, LIMITS, u1, u2, v1, v2] [, STEP, r] [, CHORD, tol] [, SPEED, v] [, REVERS] [, MINRAD, OFF]";
+    "[, LIMITS [, u1, u2, v1, v2] [, {XLARGE|XSMALL|YLARGE|YSMALL|ZLARGE|ZSMALL}, plane]...] [, "
+    "STEP, r] [, CHORD, tol] [, SPEED, v] [, REVERS] [, MINRAD, OFF]";
+
+constexpr std::array sideWords = {Word::XLARGE, Word::XSMALL, Word::YLARGE,
+                                  Word::YSMALL, Word::ZLARGE, Word::ZSMALL};
 
 class Reader {
  public:
@@ -128,10 +132,8 @@ class Reader {
         failure = failure ? failure : entity(word, {EntityType::point}, words_.axisPlace);
         return failure ? failure : entity(word, {EntityType::vector}, words_.axisVector);
       }
-      case Word::LIMITS: {
-        spray::Limits4& l = words_.limits.emplace();
-        return numbers(word, {&l.u0, &l.u1, &l.v0, &l.v1});
-      }
+      case Word::LIMITS:
+        return limits();
       case Word::STEP:
         return numbers(word, {&words_.step});
       case Word::CHORD:
@@ -168,6 +170,32 @@ class Reader {
     }
     into = *found;
     ++next_;
+    return std::nullopt;
+  }
+
+  /// Four numbers, planes with the side that is kept, or both.
+  std::optional<Failure> limits() {
+    const auto sideAt = [this](std::size_t i) {
+      const Word* word =
+          i < words_.items.size() ? std::get_if<Word>(&words_.items[i].value) : nullptr;
+      const bool side = word != nullptr &&
+                        std::find(sideWords.begin(), sideWords.end(), *word) != sideWords.end();
+      return side ? word : nullptr;
+    };
+    if (sideAt(next_) == nullptr) {
+      spray::Limits4& l = words_.limits.emplace();
+      if (auto failure = numbers(Word::LIMITS, {&l.u0, &l.u1, &l.v0, &l.v1})) {
+        return failure;
+      }
+    }
+    while (const Word* side = sideAt(next_)) {
+      SprayWords::Side& one = words_.sides.emplace_back();
+      one.modifier = *side;
+      ++next_;
+      if (auto failure = entity(*side, {EntityType::plane, EntityType::line}, one.plane)) {
+        return failure;
+      }
+    }
     return std::nullopt;
   }
 

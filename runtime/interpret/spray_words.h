@@ -30,6 +30,11 @@ struct SprayWords {
   EntityPtr axisPlace;   ///< POINT of radial sections
   EntityPtr axisVector;  ///< VECTOR of radial sections
   std::optional<spray::Limits4> limits;
+  struct Side {
+    Word modifier;    ///< XLARGE, XSMALL, ... ZSMALL: which side of the plane is kept
+    EntityPtr plane;  ///< PLANE or LINE
+  };
+  std::vector<Side> sides;  ///< planes of LIMITS
   double step = 0.0;
   double chord = 0.0;
   bool checkRadius = true;
@@ -40,8 +45,8 @@ struct SprayWords {
 /// | COMPAT}] [, ATANGL, deg] [, SPEED, v] [, REVERS] [, MINCST, k1, k2, k3, k4 [, HEIGHT, b1, b2,
 /// db] [, ANGLE, t1, t2, dt]]
 /// SPRAY/ surface, GUN, gun, FILM, h, {ULINES | VLINES | SECTN, plane | RADIAL, point, vector}
-/// [, LIMITS, u1, u2, v1, v2] [, STEP, r] [, CHORD, tol] [, SPEED, v] [, REVERS] [, MINRAD, OFF]
-/// The words in any order. Errors: E0372.
+/// [, LIMITS [, u1, u2, v1, v2] [, {XLARGE | ... | ZSMALL}, plane]...] [, STEP, r] [, CHORD, tol]
+/// [, SPEED, v] [, REVERS] [, MINRAD, OFF] The words in any order. Errors: E0372.
 [[nodiscard]] Result<SprayWords> readSprayWords(Items items);
 
 }  // namespace arelem::runtime::interpret

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ir/diag/spray.h"
+#include "ir/space/tolerance.h"
 #include "runtime/region/drawing_curves.h"
 
 namespace arelem::region {
@@ -108,6 +109,14 @@ class Reader {
     }
     for (Vec2& p : curve->points) {
       p *= scale_;
+    }
+    curve->height *= scale_;
+    if (drawing_.curves.empty()) {
+      drawing_.height = curve->height;
+    } else if (std::abs(curve->height - drawing_.height) > tolerance::drawingJoint) {
+      return fail(diag::DrawingSyntax, name_, entity.line,
+                  fmt::format("{} lies at z = {:.9g}, the curves before it at {:.9g}", entity.name,
+                              curve->height, drawing_.height));
     }
     drawing_.curves.push_back(*std::move(curve));
     return std::nullopt;

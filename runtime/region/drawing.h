@@ -17,6 +17,7 @@ using spray::Vec2;
 struct Curve {
   std::vector<Vec2> points;
   bool closed = false;
+  double height = 0.0;  ///< z
 };
 
 struct DrawingRules {
@@ -28,13 +29,14 @@ struct DrawingRules {
 
 struct Drawing {
   std::vector<Curve> curves;                    ///< of the layer, in units of the part program
+  double height = 0.0;                          ///< their z
   std::map<std::string, std::size_t> unusable;  ///< entities of the layer that bound nothing
   std::vector<std::string> layers;              ///< of all entities, sorted
 };
 
 /// Reads LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE (with bulges), ELLIPSE, SPLINE. Lengths are
-/// converted where the drawing states its units ($INSUNITS). `name` is used in messages. Errors:
-/// E0367.
+/// converted where the drawing states its units ($INSUNITS). All curves must lie in one plane
+/// parallel to xy. `name` is used in messages. Errors: E0367.
 [[nodiscard]] Result<Drawing> readDrawing(std::string_view text,
                                           std::string_view name,
                                           const DrawingRules& rules);

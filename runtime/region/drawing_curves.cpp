@@ -8,6 +8,7 @@
 
 #include "ir/diag/spray.h"
 #include "ir/space/tolerance.h"
+#include "runtime/region/drawing_spline.h"
 
 namespace arelem::region {
 
@@ -48,43 +49,6 @@ void refine(const std::function<Vec2(double)>& f,
   refine(f, middle, to, chord, depth - 1, points);
 }
 constexpr int deepest = 16;
-
-/// A rational B-spline: de Boor's scheme on (w x, w y, w).
-class Spline {
- public:
-  Spline(int degree, std::vector<double> knots, std::vector<Eigen::Vector3d> poles)
-      : degree_(degree), knots_(std::move(knots)), poles_(std::move(poles)) {}
-
-  [[nodiscard]] Vec2 at(double t) const {
-    const auto p = static_cast<std::size_t>(degree_);
-    std::size_t k = p;
-    while (k + 1 < poles_.size() && t >= knots_[k + 1]) {
-      ++k;
-    }
-    std::vector<Eigen::Vector3d> d(poles_.begin() + static_cast<long>(k - p),
-                                   poles_.begin() + static_cast<long>(k + 1));
-    for (std::size_t r = 1; r <= p; ++r) {
-      for (std::size_t j = p; j >= r; --j) {
-        const double low = knots_[j + k - p];
-        const double width = knots_[j + 1 + k - r] - low;
-        const double share = width > 0.0 ? (t - low) / width : 0.0;
-        d[j] = (1.0 - share) * d[j - 1] + share * d[j];
-      }
-    }
-    return d[p].head<2>() / d[p].z();
-  }
-  [[nodiscard]] std::vector<double> spans() const {
-    std::vector<double> list(knots_.begin() + degree_,
-                             knots_.begin() + static_cast<long>(poles_.size()) + 1);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
-  }
-
- private:
-  int degree_;
-  std::vector<double> knots_;
-  std::vector<Eigen::Vector3d> poles_;
-};
 }  // namespace
 
 std::vector<Vec2> arcPoints(
@@ -156,12 +120,44 @@ Result<Curve> CurveReader::read(const DrawingObject& entity,
   // SPLINE are in coordinates of the drawing always.
   const bool own = entity.name == "ARC" || entity.name == "CIRCLE" || entity.name == "LWPOLYLINE" ||
                    entity.name == "POLYLINE";
+  Result<double> z = height(entity);
+  if (!z) {
+    return z.takeFailure();
+  }
+  if (curve) {
+    curve->height = own ? *up * *z : *z;
+  }
   if (curve && own && *up < 0.0) {
     for (Vec2& p : curve->points) {
       p.x() = -p.x();
     }
   }
   return curve;
+}
+
+Result<double> CurveReader::height(const DrawingObject& entity) const {
+  std::vector<double> all;
+  for (const int code : {30, entity.name == "LINE" ? 31 : 30, 38}) {
+    Result<std::vector<double>> list = numbers(entity, code);
+    if (!list) {
+      return list.takeFailure();
+    }
+    all.insert(all.end(), list->begin(), list->end());
+  }
+  // The end of an ellipse's axis is given from its center.
+  Result<double> rise = entity.name == "ELLIPSE" ? number(entity, 31, 0.0) : Result<double>(0.0);
+  if (!rise) {
+    return rise;
+  }
+  if (all.empty()) {
+    return 0.0;
+  }
+  const auto [low, high] = std::minmax_element(all.begin(), all.end());
+  if (std::abs(*high - *low) + std::abs(*rise) > tolerance::drawingJoint) {
+    return wrong(entity, fmt::format("is not parallel to the xy plane: its z goes from {} to {}",
+                                     *low, *high + std::abs(*rise)));
+  }
+  return *low;
 }
 
 Result<Curve> CurveReader::line(const DrawingObject& entity) const {
@@ -360,7 +356,7 @@ Result<Curve> CurveReader::spline(const DrawingObject& entity) const {
     const double w = weights.empty() ? 1.0 : weights[i];
     poles.emplace_back(w * x[i], w * y[i], w);
   }
-  const Spline curve(degreeNumber, knots, std::move(poles));
+  const DrawingSpline curve(degreeNumber, knots, std::move(poles));
   const std::vector<double> spans = curve.spans();
   Curve result{{curve.at(spans.front())}, false};
   for (std::size_t i = 1; i < spans.size(); ++i) {

@@ -26,6 +26,8 @@ class CurveReader {
                                       std::optional<double> otherwise = std::nullopt) const;
   /// All values of a code, in order.
   [[nodiscard]] Result<std::vector<double>> numbers(const DrawingObject& entity, int code) const;
+  /// The z of an entity, which must be the same all along it.
+  [[nodiscard]] Result<double> height(const DrawingObject& entity) const;
   [[nodiscard]] Result<Curve> line(const DrawingObject& entity) const;
   [[nodiscard]] Result<Curve> arc(const DrawingObject& entity) const;
   [[nodiscard]] Result<Curve> ellipse(const DrawingObject& entity) const;

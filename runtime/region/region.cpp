@@ -5,6 +5,7 @@
 
 #include "ir/diag/spray.h"
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/exact_polygon.h"
 
 namespace arelem::region {
 
@@ -46,20 +47,12 @@ std::string textOf(const Vec3& p) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x(), p.y(), p.z());
 }
 
-/// How many other loops a loop lies in; none of them cross.
+/// How many other loops a loop lies in. None of them meet, so that one corner tells.
 std::size_t depthOf(const Outline& outline, std::size_t loop) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < outline.loops.size(); ++i) {
-    if (i == loop) {
-      continue;
-    }
-    // A corner may lie on the other loop (they touch there): the middle of an edge decides too.
-    const Loop& own = outline.loops[loop];
-    std::size_t inside = 0;
-    for (std::size_t k = 0; k < std::min<std::size_t>(own.size(), 3); ++k) {
-      inside += isInside((own[k] + own[(k + 1) % own.size()]) / 2.0, outline.loops[i]) ? 1 : 0;
-    }
-    depth += inside >= 2 ? 1 : 0;
+    const bool other = i != loop;
+    depth += other && geometry::isInside(outline.loops[loop][0], outline.loops[i]) ? 1 : 0;
   }
   return depth;
 }
@@ -131,8 +124,8 @@ Result<Vec3> planeOf(const std::vector<Boundary>& boundaries) {
   return normal;
 }
 
-Failure crossing(const Region& region, const Frame& frame, const Meeting& m) {
-  return fail(diag::RegionCrosses, m.edge + 1, m.loop + 1, m.otherEdge + 1, m.otherLoop + 1,
+Failure crossing(const Region& region, const Frame& frame, const geometry::Meeting& m) {
+  return fail(diag::RegionCrosses, m.edge + 1, m.polygon + 1, m.otherEdge + 1, m.otherPolygon + 1,
               textOf(frame.inSpace(m.place)))
       .note(fmt::format("the region has {} boundaries, counted in the order of the text",
                         region.loops.size()));
@@ -201,7 +194,7 @@ Result<Region> regionOf(std::vector<Boundary> boundaries) {
     region.loops.push_back(b.corners);
   }
   const Flat flat = flattened(region, 1.0);
-  if (const std::optional<Meeting> meeting = firstMeeting(flat.outline)) {
+  if (const auto meeting = geometry::firstMeeting(flat.outline.loops)) {
     return crossing(region, flat.frame, *meeting);
   }
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -239,19 +232,6 @@ Flat flattened(const Region& region, double scale) {
     }
   }
   return flat;
-}
-
-bool isInside(const Vec2& place, const Loop& loop) {
-  bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2& p = loop[i];
-    const Vec2& q = loop[(i + 1) % loop.size()];
-    if ((p.y() <= place.y()) != (q.y() <= place.y()) &&
-        p.x() + (place.y() - p.y()) * (q.x() - p.x()) / (q.y() - p.y()) > place.x()) {
-      inside = !inside;
-    }
-  }
-  return inside;
 }
 
 }  // namespace arelem::region

@@ -67,17 +67,4 @@ struct Flat {
 };
 [[nodiscard]] Flat flattened(const Region& region, double scale);
 
-/// A place where two edges meet that must not.
-struct Meeting {
-  spray::Vec2 place = spray::Vec2::Zero();
-  std::size_t loop = 0, otherLoop = 0;  ///< from 0
-  std::size_t edge = 0, otherEdge = 0;  ///< from 0
-};
-/// The first pair of edges that cross, touch or lie on each other, other than neighbors at their
-/// common corner. Signs are exact (runtime/geometry/exact.h); time grows with the number of edges.
-[[nodiscard]] std::optional<Meeting> firstMeeting(const spray::Outline& outline);
-
-/// Whether a place lies inside a loop, by the half-open rule.
-[[nodiscard]] bool isInside(const spray::Vec2& place, const spray::Loop& loop);
-
 }  // namespace arelem::region

@@ -37,11 +37,14 @@ class SprayedArea {
   /// The intervals of the pass at this height, in order, apart from each other.
   [[nodiscard]] std::vector<Interval> at(double height) const;
 
- private:
+  /// The strip that an edge adds beside the outline.
   struct Band {
-    std::array<Vec2, 4> corners;  ///< of the strip that an edge adds
+    std::array<Vec2, 4> corners;
     double low = 0.0, high = 0.0;
   };
+  [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
+
+ private:
   struct Edge {
     Vec2 from, to;
   };

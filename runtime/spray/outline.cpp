@@ -5,21 +5,12 @@
 
 #include <Eigen/Geometry>
 
+#include "runtime/geometry/exact_polygon.h"
+
 namespace arelem::spray {
 
 double areaOf(const Outline& outline) {
-  double twice = 0.0;
-  for (const Loop& loop : outline.loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2& p = loop[i];
-      const Vec2& q = loop[(i + 1) % loop.size()];
-      // Relative to the first vertex: no digits are lost far from the origin.
-      const Vec2 a = p - loop[0];
-      const Vec2 b = q - loop[0];
-      twice += a.x() * b.y() - a.y() * b.x();
-    }
-  }
-  return twice / 2.0;
+  return geometry::signedArea(outline.loops);
 }
 
 Outline turned(const Outline& outline, double angle) {

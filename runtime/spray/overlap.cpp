@@ -58,11 +58,15 @@ std::vector<double> breaks(const Profile& profile, double spacing) {
   return places;
 }
 
-double film(const Profile& profile, double spacing, double t) {
+/// The film at t by the passes that reach `inside`. A profile may end with a step: a fan's does.
+/// At the end of a smooth piece its passes count with what they have just inside.
+double film(const Profile& profile, double spacing, double t, double inside) {
   double sum = 0.0;
   const int reach = static_cast<int>(std::ceil(1.0 / spacing)) + 1;
   for (int k = -reach; k <= reach; ++k) {
-    sum += profile.density((t - k) * spacing);
+    if (std::abs((inside - k) * spacing) < 1.0) {
+      sum += profile.density(std::clamp((t - k) * spacing, -1.0, 1.0));
+    }
   }
   return sum * spacing;
 }
@@ -78,7 +82,7 @@ class Piece {
         half_((to - from) / 2.0) {}
 
   [[nodiscard]] double excess(double x) const {
-    return film(profile_, spacing_, middle_ - half_ * std::cos(x)) - 1.0;
+    return film(profile_, spacing_, middle_ - half_ * std::cos(x), middle_) - 1.0;
   }
 
   void measure(Uniformity& sums) const {
@@ -150,7 +154,10 @@ double value(const Profile& profile, Measure measure, double overlap) {
 }  // namespace
 
 double intervalFilm(const Profile& profile, double overlap, double t) {
-  return film(profile, 2.0 * (1.0 - overlap), t);
+  const double spacing = 2.0 * (1.0 - overlap);
+  const std::vector<double> places = breaks(profile, spacing);
+  const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, t);
+  return film(profile, spacing, t, (*(above - 1) + *above) / 2.0);
 }
 
 Uniformity uniformity(const Profile& profile, double overlap) {

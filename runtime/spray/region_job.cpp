@@ -170,6 +170,7 @@ class Planner {
     task_.insetRatio = s.insetRatio;
     task_.stop = program ? StopRule::program : StopRule::strict;
     task_.sharpest = program ? HUGE_VAL : PassRules::mitreLimit;
+    s.sharpest = task_.sharpest;
     task_.shortestGap = task_.limits.speed * (job_.gun.leadOn + job_.gun.leadOff);
     task_.prices = job_.prices.value_or(Prices{});
     const double own = job_.gun.footprint.across;

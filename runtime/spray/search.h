@@ -45,7 +45,7 @@ struct Range {
 /// Sizes that fit n whole intervals into a height: b = H / (2 [(n - 1)(1 - beta) + u]), u = c / b.
 /// The source's (4.38) has 2 u, its (4.39) and (4.40) lost + 1.
 [[nodiscard]] double preferredSize(double height, double overlap, double insetRatio, int passes);
-/// Number of passes, not yet whole, for a size.
+/// Number of passes for a size, a real number.
 [[nodiscard]] double passesFor(double height, double overlap, double insetRatio, double across);
 [[nodiscard]] std::vector<double> preferredSizes(
     double height, double overlap, double insetRatio, double smallest, double largest);

@@ -23,7 +23,8 @@ struct Stroke {
   Vec3 normalFrom = Vec3::UnitZ(), normalTo = Vec3::UnitZ();
   double speed = 0.0;  ///< mm/s on the work
   bool painting = true;
-  bool newPass = false;  ///< the gun goes to `from` by a traverse
+  bool newPass = false;                             ///< the gun goes to `from` by a traverse
+  Vec2 uvFrom = Vec2::Zero(), uvTo = Vec2::Zero();  ///< parameters of the patch; 0 elsewhere
 };
 
 /// What one SPRAY statement amounts to. Lengths mm, areas mm2, flows mm3/s, times s.
@@ -50,6 +51,7 @@ struct Sprayed {
   /// Of a region: its plane and its outline, for the film map.
   Vec3 origin3 = Vec3::Zero(), x = Vec3::UnitX(), y = Vec3::UnitY(), normal = Vec3::UnitZ();
   Outline outline;
+  double sharpest = PassRules::mitreLimit;  ///< of the corners of the offset curve
 
   /// Of a surface: how it was divided, and its smallest radii of curvature (0: flat) along and
   /// across the lines.

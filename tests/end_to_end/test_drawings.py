@@ -49,6 +49,36 @@ doc.saveas(name)
 '''
 
 
+OTHERS = r'''
+import sys
+import ezdxf
+doc = ezdxf.new("R2010")
+m = doc.modelspace()
+at = {"layer": "all"}
+m.add_lwpolyline([(0, 0), (90, 0), (90, 80)], close=True, dxfattribs=at)
+for entity in (m.add_text("x"), m.add_text("y"), m.add_mtext("z"), m.add_point((1, 1)), m.add_solid([(0, 0), (1, 0), (1, 1)]),
+               m.add_3dface([(0, 0, 0), (1, 0, 0), (1, 1, 0)]), m.add_hatch()):
+    entity.dxf.layer = "all"
+doc.blocks.new("B").add_line((0, 0), (1, 1))
+m.add_blockref("B", (5, 5), dxfattribs=at)
+m.add_linear_dim(base=(0, 10), p1=(0, 0), p2=(10, 0), dxfattribs=at).render()
+for entity in (m.add_xline((0, 0), (1, 0)), m.add_ray((0, 0), (1, 0)), m.add_mline([(0, 0), (5, 5)])):
+    entity.dxf.layer = "lines"
+doc.saveas(sys.argv[1])
+'''
+HEIGHTS = r'''
+import sys
+import ezdxf
+doc = ezdxf.new("R2010")
+doc.header["$INSUNITS"] = 4
+z = [0, 0, 30, 0] if sys.argv[1] == "slanted" else 4 * [float(sys.argv[1])]
+corners = [(x, y, h) for (x, y), h in zip([(0, 0), (100, 0), (100, 80), (0, 80)], z)]
+for a, b in zip(corners, corners[1:] + corners[:1]):
+    doc.modelspace().add_line(a, b)
+doc.saveas(sys.argv[2])
+'''
+
+
 @unittest.skipUnless(drawings(), "python3-ezdxf is not installed")
 class Drawings(ArelemCase):
     def spray(self, version, kind):
@@ -70,6 +100,34 @@ class Drawings(ArelemCase):
         for kind, area in (("slot", 4000 + math.pi * 400), ("bulge", math.pi * 25), ("ellipse", math.pi * 450)):
             with self.subTest(kind):
                 self.assertAlmostEqual(self.spray("R2010", kind)["area"], area, delta=area * 1e-3)
+
+    def test_what_bounds_nothing_is_listed(self):
+        made = subprocess.run([drawings(), "-c", OTHERS, str(self.folder / "a.dxf")], capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.write("part.cls", "old")
+        for layer, listed in (("all", "1 3DFACE, 1 DIMENSION, 1 HATCH, 1 INSERT, 1 MTEXT, 1 POINT, 1 SOLID, 2 TEXT"),
+                              ("lines", "1 MLINE, 1 RAY, 1 XLINE")):
+            with self.subTest(layer):
+                self.write("part.apt", f"UNITS/MM\nG1=GUN/CONE,10,STNDOF,50,SPEED,100\nR1=REGION/DXF,'a.dxf',LAYER,'{layer}'\n"
+                                       "SPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+                self.assertExit(4, "part.apt", "-o", "part.cls")
+                self.assertIn("E0368", self.err)
+                self.assertIn("entities that bound nothing: " + listed, self.err)
+                self.assertEqual((self.folder / "part.cls").read_text(), "old")
+
+    def test_heights(self):
+        for z, code in ((7, 0), ("slanted", 4)):
+            with self.subTest(z):
+                made = subprocess.run([drawings(), "-c", HEIGHTS, str(z), str(self.folder / "a.dxf")], capture_output=True, text=True)
+                self.assertEqual(made.returncode, 0, made.stderr)
+                self.write("part.apt", "UNITS/MM\nG1=GUN/CONE,10,STNDOF,50,SPEED,100\nR1=REGION/DXF,'a.dxf'\n"
+                                       "SPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+                self.assertExit(code, "part.apt")
+                if code == 0:
+                    places = [line.split(",") for line in self.out.splitlines() if "GOTO" in line]
+                    self.assertEqual({float(p[2]) for p in places}, {57.0})
+                else:
+                    self.assertIn("LINE is not parallel to the xy plane: its z goes from 0 to 30", self.err)
 
     def test_spline(self):
         self.assertAlmostEqual(self.spray("R2010", "spline")["area"], math.pi * 100, delta=.1)

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """G97 programs of whole part programs: written, read again, compared; --compat; long paths; machine files."""
 import pathlib
+import re
+import subprocess
 import unittest
 
 from arelem_run import ArelemCase
@@ -70,6 +72,35 @@ class G97(ArelemCase):
         self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nFEDRAT/50,MMPS\nGOTO/1,0,0\nGOTO/2,0,0\nGOTO/3,0,0\nFINI\n")
         self.assertEqual(self.run_arelem("a.apt", "-o", "a.lng", "--machine", "m.toml"), 6)
         self.assertIn("E0643", self.err)
+        self.assertFalse((self.folder / "a.lng").exists())
+
+    def test_more_blocks_than_a_program_takes(self):
+        # 5 by 9000 mm with passes of 1.65 mm: 5455 passes of two blocks.
+        self.write("a.apt", "UNITS/MM\nG1=GUN/ELLIPS,1,1,SPEED,200,FLOW,1\nR1=REGION/(0,0),(5,0),(5,9000),(0,9000)\n"
+                            "SPRAY/R1,GUN,G1,FILM,.05,OVRLAP,.175\nFINI\n")
+        self.assertExit(0, "a.apt", "-o", "a.lng")
+        text = (self.folder / "a.lng").read_bytes().decode()
+        blocks = len(re.findall(r"^N\d{4} ", text, re.M))
+        self.assertGreater(blocks, 9999)
+        self.assertIn(f"{blocks} blocks are more than the 9999 of one program: the output has 2 programs, numbers 1 to 2", self.err)
+        self.assertExit(0, "verify", "a.lng", "--with", "a.apt")
+        # As the manual says: one file for each program. The gun is off at the end of each, and nothing is lost.
+        subprocess.run(["csplit", "-s", "-z", "-f", "part", "a.lng", "/^O/", "{*}"], cwd=self.folder, check=True)
+        parts = sorted(self.folder.glob("part*"))
+        self.assertEqual(len(parts), 2)
+        self.assertEqual("".join(p.read_bytes().decode() for p in parts), text)
+        for number, part in enumerate((p.read_bytes().decode() for p in parts), 1):
+            self.assertTrue(part.startswith(f"O{number:04}\r\nN0001 P "))
+            self.assertTrue(part.endswith("ROF,1 PE\r\n"))
+            self.assertEqual(part.count("RON,1"), part.count("ROF,1"))
+            self.assertEqual(part.count("PE\r\n"), 1)
+            self.assertLessEqual(part.count("\nN"), 9999)
+
+    def test_program_numbers_end(self):
+        self.write("m.toml", "[g97]\nblocks = 2\nprogram = 9999\n")
+        self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nRAPID\nGOTO/1,0,0\nRAPID\nGOTO/2,0,0\nFINI\n")
+        self.assertExit(6, "a.apt", "-o", "a.lng", "--machine", "m.toml")
+        self.assertIn("E0646", self.err)
         self.assertFalse((self.folder / "a.lng").exists())
 
     def test_the_example_machine_file(self):

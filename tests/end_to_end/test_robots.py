@@ -52,6 +52,23 @@ class Robots(ArelemCase):
         self.assertIn("E0660", self.err)
         self.assertFalse((self.folder / "far.v2").exists())
 
+    def test_a_program_that_is_none_is_unreadable_input(self):
+        self.write("m.apt", "UNITS/MM\nFROM/0,0,50\nFEDRAT/10,MMPS\nGOTO/10,0,5\nFINI\n")
+        self.assertExit(0, "m.apt", "-o", "m.v2")
+        self.write("bad.v2", (self.folder / "m.v2").read_text().replace("MOVES", "MUVES"))
+        self.assertExit(3, "verify", "bad.v2", "--with", "m.apt")
+        self.assertIn("E0630", self.err)
+
+    def test_outside_the_envelope_writes_nothing(self):
+        self.write("stop.apt", STOP)
+        self.write("cell.toml", "[envelope]\nz = [100, 900]\n")
+        self.write("arm.toml", "[envelope]\nz = [100, 900]\n[elbow]\n")
+        for name, machine in (("s.v2", "cell.toml"), ("s.joints.csv", "arm.toml")):
+            with self.subTest(name):
+                self.assertExit(6, "stop.apt", "-o", name, "--machine", machine)
+                self.assertIn("E0667", self.err)
+                self.assertFalse((self.folder / name).exists())
+
     def test_letter_for_the_adept_three(self):
         # The letter P stands in the reach of the arm, as in figure 2.24 of the source.
         self.write("p.apt", "UNITS/MM\nO=POINT/550,-300,0\nSTENCL/'P',HEIGHT,600,FAN,63.5,509.3,.878715,SPEED,300,ORIGIN,O,TILT,QUADR\nFINI\n")

@@ -2,6 +2,7 @@
 """SPRAY by the whole command: the source's tables, the report, pictures of the film, nothing written after an error."""
 import csv
 import json
+import re
 import struct
 import unittest
 
@@ -70,9 +71,13 @@ class Spray(ArelemCase):
         png = (self.folder / "a.png").read_bytes()
         self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
         width, height = struct.unpack(">II", png[16:24])
-        self.assertGreater(width, 50)
-        self.assertGreater(height, 40)
-        self.assertIn("<svg", (self.folder / "a.svg").read_text())
+        self.assertEqual(width, 1400)
+        self.assertGreater(height, 700)
+        svg = (self.folder / "a.svg").read_text()
+        self.assertIn("R1: film of 51 um", svg)
+        shares = [float(s) for s in re.findall(r">([0-9.]+) %<", svg)]  # of the work, band by band
+        self.assertAlmostEqual(sum(shares), 100, delta=.5)
+        self.assertIn("where the gun is switched", svg)
         with open(self.folder / "a.csv") as file:
             rows = [r for r in csv.DictReader(file) if r["work"] == "1"]
         mean = sum(float(r["film_mm"]) for r in rows) / len(rows)

@@ -45,7 +45,7 @@ REASONS = {
         "W0620 E0621 E0622 E0630 W0631 W0632 E0633 E0650 E0651 E0652 E0660 E0661 E0662 E0663 E0664 E0665 E0666 "
         "E0680 E0681 E0682 E0683 E0684 E0685 E0686 W0687",
     "a machine file or a G97 program; tests/unit/backend/g97 and tests/end_to_end/test_g97.py show them":
-        "E0640 E0641 E0642 E0643 E0644 E0645 W0640 W0641 W0642 W0643 W0644 E0667 E0921",
+        "E0640 E0641 E0642 E0643 E0644 E0645 E0646 W0640 W0641 W0642 W0643 W0644 E0667 E0921",
     "a signal; tests/end_to_end/test_faults.py sends it": "E0810 E0811 E0890",
     "a program built in memory: the front end refuses the text first; tests/unit/runtime shows them":
         "E0407 E0408 E0410 E0411 E0412 E0414 E0416 E0417 E0419 E0420 E0421 E0422 E0423 E0424 E0425 E0426 E0429 "

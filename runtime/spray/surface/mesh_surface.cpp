@@ -143,7 +143,8 @@ std::vector<SurfaceLine> onItsSide(const SurfaceLine& line, const CuttingPlane& 
       const LinePoint& a = line[i - 1];
       const LinePoint& b = line[i];
       pieces.back().push_back({a.place + share * (b.place - a.place),
-                               (a.normal + share * (b.normal - a.normal)).normalized()});
+                               (a.normal + share * (b.normal - a.normal)).normalized(),
+                               a.uv + share * (b.uv - a.uv)});
       if (height(b) < 0.0) {
         pieces.emplace_back();
       }

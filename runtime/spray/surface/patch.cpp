@@ -10,6 +10,8 @@
 #include "runtime/geometry/ruled_surface.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 #include "runtime/region/region.h"
+#include "runtime/spray/surface/kept.h"
+#include "runtime/spray/surface/window.h"
 
 namespace arelem::spray {
 
@@ -66,12 +68,9 @@ class Curve {
   static constexpr int pieces = 400;  // of an interval
 
   void walk(const geometry::TabulatedCylinder::Interval& interval) {
-    if (knots_.empty()) {
-      lengths_.push_back(0.0);
-      knots_.push_back({&interval, 0.0});
-    } else {
-      knots_.back() = {&interval, 0.0};  // the end of the last one is the begin of this one
-    }
+    // At a joint lie two knots: the end of one interval and the begin of the next.
+    lengths_.push_back(length());
+    knots_.push_back({&interval, 0.0});
     geometry::Vec2 before = interval.at(0.0).place;
     for (int k = 1; k <= pieces; ++k) {
       const double t = interval.length * k / pieces;
@@ -89,27 +88,63 @@ class Curve {
 
 class Builder {
  public:
-  Builder(const Entity& entity, const std::optional<Limits4>& limits, double unit)
+  Builder(const Entity& entity, const Limits& limits, double unit)
       : entity_(entity), limits_(limits), unit_(unit) {}
 
   Result<Patch> run() {
     if (auto failure = build()) {
       return *std::move(failure);
     }
-    if (limits_) {
-      patch_.u0 = limits_->u0 * uUnit_;
-      patch_.u1 = limits_->u1 * uUnit_;
-      patch_.v0 = limits_->v0 * vUnit_;
-      patch_.v1 = limits_->v1 * vUnit_;
+    patch_.keep = limits_.keep;
+    if (const auto& ranges = limits_.ranges) {
+      patch_.u0 = ranges->u0 * uUnit_;
+      patch_.u1 = ranges->u1 * uUnit_;
+      patch_.v0 = ranges->v0 * vUnit_;
+      patch_.v1 = ranges->v1 * vUnit_;
     } else if (unbounded_) {
-      return fail(diag::SurfaceLimits, spell(entity_.type), "no ends of its own",
-                  "LIMITS, u1, u2, v1, v2 is needed");
+      if (limits_.keep.empty()) {
+        return fail(diag::SurfaceLimits, spell(entity_.type), "no ends of its own",
+                    "LIMITS, u1, u2, v1, v2, or planes that cut it off, are needed");
+      }
+      if (auto failure = boundByPlanes()) {
+        return *std::move(failure);
+      }
     }
-    return checked();
+    if (auto failure = objection()) {
+      return *std::move(failure);
+    }
+    if (!patch_.keep.empty() &&
+        !shrinkToKept(patch_, turns_ && wholeTurn(patch_.u0, patch_.u1),
+                      entity_.type == EntityType::torus && wholeTurn(patch_.v0, patch_.v1))) {
+      return nothingLeft();
+    }
+    return std::move(patch_);
   }
 
  private:
-  Result<Patch> checked() {
+  [[nodiscard]] Failure nothingLeft() const {
+    return fail(diag::SurfaceLimits, spell(entity_.type), "nothing left",
+                "the planes of LIMITS must keep a part of it");
+  }
+
+  /// Of surfaces that are straight along their unbounded parameters: the range of these between the
+  /// planes.
+  std::optional<Failure> boundByPlanes() {
+    const WindowBetween window = windowBetween(
+        patch_, lowest_, entity_.type == EntityType::plane || entity_.type == EntityType::line);
+    if (window == WindowBetween::endless) {
+      return fail(diag::SurfaceLimits, spell(entity_.type), "no end between the planes of LIMITS",
+                  "planes must cut it off on all sides, or LIMITS, u1, u2, v1, v2");
+    }
+    if (window == WindowBetween::empty) {
+      return nothingLeft();
+    }
+    return std::nullopt;
+  }
+
+  static bool wholeTurn(double from, double to) { return to - from == 360.0; }
+
+  std::optional<Failure> objection() {
     const Patch& p = patch_;
     if (!(p.u1 > p.u0) || !(p.v1 > p.v0)) {
       return fail(diag::SurfaceLimits, spell(entity_.type), "limits that do not rise",
@@ -119,12 +154,17 @@ class Builder {
       return fail(diag::SurfaceLimits, spell(entity_.type), "more than a whole turn",
                   "u1 to u2 is at most 360 degrees");
     }
-    if (p.v0 < lowest_ || p.v1 > highest_ || p.u0 < lowestU_ || p.u1 > highestU_) {
+    if (p.v0 < lowest_ || p.v1 > highest_) {
       return fail(
           diag::SurfaceLimits, spell(entity_.type), "limits beyond its ends",
           fmt::format("v lies between {:.9g} and {:.9g}", lowest_ / vUnit_, highest_ / vUnit_));
     }
-    return patch_;
+    if (p.u0 < lowestU_ || p.u1 > highestU_) {
+      return fail(
+          diag::SurfaceLimits, spell(entity_.type), "limits beyond its ends",
+          fmt::format("u lies between {:.9g} and {:.9g}", lowestU_ / uUnit_, highestU_ / uUnit_));
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] Vec3 vec(std::size_t first) const {
@@ -274,7 +314,7 @@ class Builder {
   }
 
   const Entity& entity_;
-  const std::optional<Limits4>& limits_;
+  const Limits& limits_;
   double unit_;
   Patch patch_;
   double uUnit_ = 1.0, vUnit_ = 1.0;
@@ -308,7 +348,7 @@ double Patch::curvature(double u, double v, bool alongU) const {
   return square > 0.0 ? -second.dot(normal(uc, vc)) / square : 0.0;
 }
 
-Result<Patch> patchOf(const Entity& entity, const std::optional<Limits4>& limits, double unit) {
+Result<Patch> patchOf(const Entity& entity, const Limits& limits, double unit) {
   return Builder(entity, limits, unit).run();
 }
 

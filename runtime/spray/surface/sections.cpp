@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "runtime/spray/surface/surface_lines.h"
+#include "runtime/spray/surface/kept.h"
 
 namespace arelem::spray {
 
@@ -128,12 +128,14 @@ std::vector<SurfaceLine> sectionsOf(const Patch& patch,
     for (const std::vector<Place>& places : Contour(patch, field, level).run(values)) {
       SurfaceLine line;
       for (const Place& p : places) {
-        line.push_back({patch.at(p.u, p.v), patch.normal(p.u, p.v)});
+        line.push_back({patch.at(p.u, p.v), patch.normal(p.u, p.v), {p.u, p.v}});
       }
       if (line.size() < 2) {
         continue;
       }
-      appendToAndFro(sections, thinned(line, chord));
+      for (const SurfaceLine& piece : keptPieces(patch, line)) {
+        appendToAndFro(sections, thinned(piece, chord));
+      }
     }
   }
   return sections;

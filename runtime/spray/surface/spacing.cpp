@@ -23,7 +23,7 @@ double distanceTo(const SurfaceLine& line, const Vec3& place) {
 }
 
 LinePoint middle(const LinePoint& a, const LinePoint& b) {
-  return {(a.place + b.place) / 2.0, (a.normal + b.normal).normalized()};
+  return {(a.place + b.place) / 2.0, (a.normal + b.normal).normalized(), (a.uv + b.uv) / 2.0};
 }
 
 void divide(const Spacing& spacing,

@@ -38,7 +38,8 @@ class Tracer {
   }
   void add(double t) {
     const double s = between(alongU_ ? patch_.u0 : patch_.v0, alongU_ ? patch_.u1 : patch_.v1, t);
-    line_.push_back({at(t), alongU_ ? patch_.normal(s, other_) : patch_.normal(other_, s)});
+    const Vec2 uv = alongU_ ? Vec2(s, other_) : Vec2(other_, s);
+    line_.push_back({at(t), patch_.normal(uv.x(), uv.y()), uv});
   }
   void refine(double from, double to, int depth) {
     const Vec3 a = at(from);
@@ -86,6 +87,25 @@ SurfaceLine withoutStraight(const SurfaceLine& line) {
   return result;
 }
 
+/// The share of a cell that the planes keep: by parts where they cut it.
+double keptShare(const Patch& patch, const Vec2& low, const Vec2& high) {
+  constexpr int parts = 8;
+  int corners = patch.keep.empty() ? 4 : 0;
+  for (int i = 0; i < 4 && !patch.keep.empty(); ++i) {
+    corners += patch.keeps(i % 2 == 0 ? low.x() : high.x(), i < 2 ? low.y() : high.y()) ? 1 : 0;
+  }
+  if (corners == 0 || corners == 4) {
+    return corners / 4.0;
+  }
+  int kept = 0;
+  for (int i = 0; i < parts * parts; ++i) {
+    const double u = between(low.x(), high.x(), (i / parts + 0.5) / parts);
+    const double v = between(low.y(), high.y(), (i % parts + 0.5) / parts);
+    kept += patch.keeps(u, v) ? 1 : 0;
+  }
+  return kept / double{parts * parts};
+}
+
 bool closed(const Patch& patch, bool alongU) {
   const Vec3 a = alongU ? patch.at(patch.u0, between(patch.v0, patch.v1, 0.37))
                         : patch.at(between(patch.u0, patch.u1, 0.37), patch.v0);
@@ -130,7 +150,7 @@ double areaOf(const Patch& patch) {
       const double vb = between(patch.v0, patch.v1, (k + 1) / double{n});
       const Vec3 diagonal = patch.at(ub, vb) - patch.at(ua, va);
       const Vec3 other = patch.at(ua, vb) - patch.at(ub, va);
-      area += diagonal.cross(other).norm() / 2.0;
+      area += diagonal.cross(other).norm() / 2.0 * keptShare(patch, {ua, va}, {ub, vb});
     }
   }
   return area;
@@ -143,6 +163,9 @@ Radii smallestRadii(const Patch& patch) {
     for (int k = 1; k < samples; ++k) {
       const double u = between(patch.u0, patch.u1, i / double{samples});
       const double v = between(patch.v0, patch.v1, k / double{samples});
+      if (!patch.keeps(u, v)) {
+        continue;
+      }
       alongU = std::max(alongU, std::abs(patch.curvature(u, v, true)));
       alongV = std::max(alongV, std::abs(patch.curvature(u, v, false)));
     }

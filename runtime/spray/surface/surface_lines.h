@@ -2,14 +2,17 @@
 #include <vector>
 
 #include "runtime/spray/lines.h"
+#include "runtime/spray/outline.h"
 #include "runtime/spray/surface/patch.h"
 
 namespace arelem::spray {
 
-/// A place of a line on a surface, with the normal there.
+/// A place of a line on a surface, with the normal there and the parameters of the patch (of a
+/// mesh 0).
 struct LinePoint {
   Vec3 place = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
+  Vec2 uv = Vec2::Zero();
 };
 using SurfaceLine = std::vector<LinePoint>;
 
@@ -27,11 +30,12 @@ struct LineSet {
 
 /// Lines at equal parameter steps, so many that they are nowhere farther apart than asked for:
 /// intervals = ceil(L / r), L the longest way across. The last line of a closed turn is left out.
-/// Points follow each other by the chord tolerance. Lines run to and fro. Source: Sen 3.1, 5.2.
+/// Points follow each other by the chord tolerance. Lines run to and fro, over the whole range of
+/// the parameters: planes that cut the patch off do not cut them. Source: Sen 3.1, 5.2.
 [[nodiscard]] LineSet linesOn(const Patch& patch, const Layout& layout);
 
-/// Sections by parallel planes: `field` is the signed height over one of them, mm; a line lies at
-/// each of the levels.
+/// Sections by parallel planes: `field` is the signed height over one of them, mm; lines lie at
+/// each of the levels, cut off by the planes of the patch.
 [[nodiscard]] std::vector<SurfaceLine> sectionsOf(const Patch& patch,
                                                   const std::function<double(const Vec3&)>& field,
                                                   const std::vector<double>& levels,

@@ -49,6 +49,27 @@ TEST(Drawing, BulgesAreArcs) {
                         "\n10\n10\n20\n0\n10\n10\n20\n10\n10\n0\n20\n10\n"),
               100.0 - taken / 2.0, 0.05);
 }
+/// z is kept, and must be the same everywhere: nothing is flattened.
+TEST(Drawing, HeightsAreKept) {
+  const auto heightOf = [](const std::string& entities) {
+    const Result<Drawing> drawing = readDrawing(file(entities), "a.dxf", rules());
+    return drawing ? drawing->height : NAN;
+  };
+  const std::string circle = "0\nCIRCLE\n10\n5\n20\n6\n40\n10\n";
+  EXPECT_EQ(heightOf(circle), 0.0);
+  EXPECT_EQ(heightOf(circle + "30\n7\n"), 7.0);
+  EXPECT_EQ(heightOf(circle + "30\n7\n230\n-1\n"), -7.0);  // drawn on the back
+  EXPECT_EQ(heightOf("0\nLWPOLYLINE\n90\n1\n38\n4\n10\n0\n20\n0\n"), 4.0);
+  EXPECT_EQ(heightOf("0\nLINE\n10\n0\n20\n0\n30\n2\n11\n9\n21\n0\n31\n2\n"), 2.0);
+  EXPECT_NE(errorOf(file("0\nLINE\n10\n0\n20\n0\n30\n2\n11\n9\n21\n0\n31\n5\n"))
+                .find("LINE is not parallel to the xy plane: its z goes from 2 to 5"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file(circle + circle + "30\n7\n")).find("CIRCLE lies at z = 7"),
+            std::string::npos);
+  EXPECT_NE(
+      errorOf(file("0\nELLIPSE\n10\n0\n20\n0\n11\n9\n21\n0\n31\n4\n40\n.5\n")).find("not parallel"),
+      std::string::npos);
+}
 TEST(Drawing, OldPolylinesWithVertices) {
   EXPECT_NEAR(
       areaOfOne(

@@ -38,7 +38,7 @@ std::vector<Json> cases() {
     const std::string function = one.value("fn", "");
     const bool angles = function == "fn_sen.pqr" || function == "fn_sen.axis_from_pqr" ||
                         function == "fn_sen.block" || function == "fn_sen.gun_pos";
-    if (!function.empty() && !angles) {
+    if (one.at("status") != "not reproducible" && !angles) {
       list.push_back(std::move(one));
     }
   }
@@ -207,8 +207,8 @@ TEST_P(SenCase, GivesTheNumbers) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, SenCase, testing::ValuesIn(cases()), [](const auto& info) {
-  std::string name = info.param.at("id");
+INSTANTIATE_TEST_SUITE_P(Golden, SenCase, testing::ValuesIn(cases()), [](const auto& one) {
+  std::string name = one.param.at("id");
   for (char& c : name) {
     c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }
@@ -273,6 +273,18 @@ TEST(Overlaps, ATriangleIsEvenAtOneHalfAndAFlatFanAtNone) {
   EXPECT_NEAR(apart.average, 0.5, 1e-9);
   EXPECT_NEAR(apart.rms, std::sqrt(1.0 / 3.0), 1e-9);
   EXPECT_NEAR(apart.largest, 1.0, 1e-9);
+}
+
+/// Flat passes side by side leave an even film, seams and all; with beta = 1/4 a third of each
+/// interval gets two passes, the rest one; 4/3 are the mean.
+TEST(Uniformity, OfAFlatFan) {
+  const Uniformity even = uniformity(Profile::flat(), 0.0);
+  EXPECT_NEAR(even.average, 0.0, 1e-12);
+  EXPECT_NEAR(even.largest, 0.0, 1e-12);
+  const Uniformity quarter = uniformity(Profile::flat(), 0.25);
+  EXPECT_NEAR(quarter.largest, 0.5, 1e-12);           // 2 passes where 4/3 are the mean
+  EXPECT_NEAR(quarter.average, 1.0 / 3.0, 1e-12);     // 1/3 of 0.5, 2/3 of 0.25
+  EXPECT_NEAR(quarter.rms, std::sqrt(0.125), 1e-12);  // (1/12 + 2/48)^1/2
 }
 
 }  // namespace

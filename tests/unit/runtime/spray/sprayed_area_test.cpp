@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/spray/offset_curve.h"
 #include "runtime/spray/passes.h"
 
 namespace arelem::spray {
@@ -104,6 +105,67 @@ TEST(SprayedArea, ANarrowSlotIsSprayedOver) {
     EXPECT_NEAR(pieces[0].from, -43.4, 1e-9);
     EXPECT_NEAR(pieces[0].to, 443.4, 1e-9);
   }
+}
+
+/// Pieces of a line that lie inside curves, by the half-open rule.
+std::vector<Interval> piecesInside(const Outline& curve, double height) {
+  std::vector<double> all;
+  for (const Loop& loop : curve.loops) {
+    const std::vector<double> own = hits(loop, height);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<Interval> pieces;
+  for (std::size_t i = 1; i < all.size(); i += 2) {
+    pieces.push_back({all[i - 1], all[i]});
+  }
+  return pieces;
+}
+
+/// Passes are found strip by strip, in doubles; the curve is one exact union. They must agree.
+TEST(OffsetCurve, ItsHitsAreThoseOfThePasses) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> height(-130.0, 130.0);
+  std::size_t compared = 0;
+  for (int round = 0; round < 150; ++round) {
+    Outline outline = star(random, 100.0, {0.0, 0.0}, false);
+    if (round % 2 == 1) {
+      outline.loops.push_back(star(random, 15.0, {0.0, 0.0}, true).loops[0]);
+    }
+    const Footprint print = {round % 10 == 0 ? 0.0 : 1.0 + static_cast<double>(random() % 30),
+                             1.0 + static_cast<double>(random() % 30)};
+    const SprayedArea area(outline, print, PassRules::mitreLimit);
+    const Outline curve = offsetCurve(outline, print, PassRules::mitreLimit);
+    for (int i = 0; i < 20; ++i) {
+      const double y = height(random);
+      const std::vector<Interval> ours = area.at(y);
+      const std::vector<Interval> exact = piecesInside(curve, y);
+      ASSERT_EQ(ours.size(), exact.size()) << round << " at " << y;
+      for (std::size_t k = 0; k < ours.size(); ++k, ++compared) {
+        EXPECT_NEAR(ours[k].from, exact[k].from, 1e-6);
+        EXPECT_NEAR(ours[k].to, exact[k].to, 1e-6);
+      }
+    }
+  }
+  EXPECT_GT(compared, 2000U);
+}
+
+/// A square of side 100 with a = 20 and b = 10: mitred, 140 by 120.
+TEST(OffsetCurve, OfASquare) {
+  const Outline square = {{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}};
+  const Outline curve = offsetCurve(square, {20.0, 10.0}, PassRules::mitreLimit);
+  ASSERT_EQ(curve.loops.size(), 1U);
+  EXPECT_NEAR(areaOf(curve), 140.0 * 120.0, 1e-9);
+}
+
+/// A hole of 50 by 50 keeps 10 by 30; one of 30 by 30 is closed by the spray across its width.
+TEST(OffsetCurve, OfHoles) {
+  Outline plate = {{{{0, 0}, {300, 0}, {300, 100}, {0, 100}},
+                    {{20, 20}, {20, 70}, {70, 70}, {70, 20}},
+                    {{200, 20}, {200, 50}, {230, 50}, {230, 20}}}};
+  const Outline curve = offsetCurve(plate, {20.0, 10.0}, PassRules::mitreLimit);
+  ASSERT_EQ(curve.loops.size(), 2U);
+  EXPECT_NEAR(areaOf(curve), 340.0 * 120.0 - 10.0 * 30.0, 1e-9);
 }
 
 TEST(Passes, AStripNarrowerThanTheInsetsGetsOnePassInItsMiddle) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/geometry/tabulated_cylinder.h"
+#include "runtime/spray/surface/kept.h"
 #include "runtime/spray/surface/surface_job.h"
 
 namespace arelem::spray {
@@ -15,7 +17,7 @@ Entity entity(EntityType type, std::vector<double> canon) {
   return e;
 }
 Patch patch(const Entity& e, std::optional<Limits4> limits = std::nullopt) {
-  Result<Patch> made = patchOf(e, limits, 1.0);
+  Result<Patch> made = patchOf(e, {limits, {}}, 1.0);
   if (!made) {
     ADD_FAILURE() << made.failure().message;
     return {};
@@ -52,9 +54,121 @@ TEST(Patches, AreasAndRadii) {
   EXPECT_NEAR(areaOf(frustum), M_PI * std::sin(0.5) * (90000.0 - 10000.0), 150.0);
 }
 
+/// Three chords of a zigzag: no jump where they meet, and each step of u is a step of the place.
+TEST(Patches, ACurveGoesOnWhereItsIntervalsMeet) {
+  geometry::TabulatedCylinder curve;
+  const std::vector<geometry::Vec2> corners = {{-30, 0},  {0, 0},    {100, 0},
+                                               {160, 80}, {260, 80}, {290, 80}};
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    geometry::TabulatedCylinder::Interval& piece = curve.intervals.emplace_back();
+    const geometry::Vec2 step = corners[i + 1] - corners[i];
+    piece.start = corners[i];
+    piece.length = step.norm();
+    piece.along = step / piece.length;
+    piece.extension = i == 0 || i + 2 == corners.size();
+  }
+  curve.end = corners.back();
+  const Patch p =
+      patch(entity(EntityType::tabulatedCylinder, curve.canon()), Limits4{0, 300, 0, 10});
+  constexpr double step = 0.05;
+  for (double u = 0.0; u + step <= 300.0; u += step) {
+    const double way = (p.at(u + step, 0.0) - p.at(u, 0.0)).norm();
+    EXPECT_LE(way, step + 1e-9) << u;
+    EXPECT_GT(way, 0.8 * step) << u;
+  }
+  EXPECT_LT((p.at(200.0, 0.0) - Vec3(160, 80, 0)).norm(), 1e-9);
+}
+
+Patch between(const Entity& e,
+              std::vector<HalfSpace> keep,
+              std::optional<Limits4> ranges = std::nullopt) {
+  Result<Patch> made = patchOf(e, {ranges, std::move(keep)}, 1.0);
+  if (!made) {
+    ADD_FAILURE() << made.failure().message;
+    return {};
+  }
+  return *made;
+}
+
+TEST(Patches, EndAtPlanes) {
+  // Above z = 50 a cylinder of radius 100 along y is 120 degrees wide.
+  const std::vector<HalfSpace> ends = {{{0, 1, 0}, 10.0}, {{0, -1, 0}, -310.0}};
+  std::vector<HalfSpace> keep = ends;
+  keep.push_back({{0, 0, 1}, 50.0});
+  const Patch third = between(cylinder, keep);
+  EXPECT_NEAR(areaOf(third), 2.0 * M_PI / 3.0 * 100.0 * 300.0, 100.0);
+  EXPECT_NEAR(longestWay(third, false), 300.0, 20.0);
+  EXPECT_TRUE(third.keeps((third.u0 + third.u1) / 2.0, (third.v0 + third.v1) / 2.0));
+  // A slanted end: y above z, so the mean length is what the middle has.
+  const Patch slanted = between(cylinder, {{{0, 1, -1}, 0.0}, {{0, -1, 0}, -300.0}});
+  EXPECT_NEAR(areaOf(slanted), 2.0 * M_PI * 100.0 * 300.0, 300.0);
+  EXPECT_NEAR(slanted.v0, -100.0, 10.0);
+  // A cap of height 25 has the area 2 pi r h; a frustum between heights as one between v.
+  EXPECT_NEAR(areaOf(between(sphere, {{{0, 0, 1}, 3.0 + 50.0}})), 2.0 * M_PI * 75.0 * 25.0, 60.0);
+  const double c = std::cos(0.5);
+  EXPECT_NEAR(areaOf(between(cone, {{{0, 0, 1}, 100.0 * c}, {{0, 0, -1}, -300.0 * c}})),
+              M_PI * std::sin(0.5) * (90000.0 - 10000.0), 200.0);
+  // A triangle of a plane.
+  const Entity plane = entity(EntityType::plane, {0, 0, 1, 5});
+  EXPECT_NEAR(areaOf(between(plane, {{{1, 0, 0}, 0.0}, {{0, 1, 0}, 0.0}, {{-3, -4, 0}, -1200.0}})),
+              0.5 * 400.0 * 300.0, 60.0);
+}
+
+TEST(Patches, PlanesMustCutThemOffAndLeaveSomething) {
+  const auto message = [](const Entity& e, std::vector<HalfSpace> keep) {
+    const Result<Patch> made = patchOf(e, {std::nullopt, std::move(keep)}, 1.0);
+    return made ? std::string() : made.failure().message;
+  };
+  const Entity plane = entity(EntityType::plane, {0, 0, 1, 5});
+  EXPECT_NE(message(cylinder, {{{0, 1, 0}, 0.0}}).find("no end between the planes"),
+            std::string::npos);
+  EXPECT_NE(message(plane, {{{1, 0, 0}, 0.0}, {{-1, 0, 0}, -9.0}}).find("no end"),
+            std::string::npos);
+  for (const Entity& e : {cylinder, plane}) {
+    EXPECT_NE(message(e, {{{0, 1, 0}, 5.0}, {{0, -1, 0}, 5.0}}).find("nothing left"),
+              std::string::npos);
+  }
+  EXPECT_NE(message(sphere, {{{0, 0, 1}, 500.0}}).find("nothing left"), std::string::npos);
+}
+
+TEST(Lines, EndAtPlanesOnTheSurface) {
+  const Patch cap = between(sphere, {{{1, 0, 0}, 21.0}});
+  const LineSet set = linesOn(cap, {true, 10.0, 0.1});
+  std::size_t ends = 0;
+  for (const SurfaceLine& line : set.lines) {
+    for (const SurfaceLine& piece : keptPieces(cap, line)) {
+      for (const LinePoint& p : piece) {
+        EXPECT_NEAR((p.place - Vec3(1, 2, 3)).norm(), 75.0, 1e-9);
+        EXPECT_GE(p.place.x(), 21.0 - 1e-9);
+      }
+      for (const LinePoint& p : {piece.front(), piece.back()}) {
+        EXPECT_NEAR(p.place.x(), 21.0, 1e-6);
+        ++ends;
+      }
+    }
+  }
+  EXPECT_GT(ends, 20U);
+}
+
+/// Two triangles of a square, cut along its diagonal the other way and across: areas by pencil.
+TEST(Lines, MeshesAreCutByPlanes) {
+  geometry::TriangleMesh square;
+  square.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const auto areaAndOpen = [&](const std::vector<HalfSpace>& keep) {
+    const geometry::TriangleMesh cut = clipped(square, keep);
+    return std::pair{MeshSurface(cut, false).area(), geometry::openEdges(cut)};
+  };
+  EXPECT_NEAR(areaAndOpen({{{1, 0, 0}, 4.0}}).first, 60.0, 1e-9);
+  EXPECT_NEAR(areaAndOpen({{{-1, -1, 0}, -10.0}}).first, 50.0, 1e-9);
+  EXPECT_NEAR(areaAndOpen({{{1, 0, 0}, 4.0}, {{0, -1, 0}, -5.0}}).first, 30.0, 1e-9);
+  EXPECT_EQ(areaAndOpen({{{1, 0, 0}, 4.0}}).second, 5U);  // one of the sides is cut in two
+  EXPECT_TRUE(clipped(square, {{{1, 0, 0}, 11.0}}).triangles.empty());
+}
+
 TEST(Patches, LimitsAreChecked) {
   const auto code = [](const Entity& e, std::optional<Limits4> limits) {
-    const Result<Patch> made = patchOf(e, limits, 1.0);
+    const Result<Patch> made = patchOf(e, {limits, {}}, 1.0);
     return made ? std::string() : std::string(made.failure().row->code);
   };
   EXPECT_EQ(code(cylinder, std::nullopt), "E0377");

@@ -1,0 +1,29 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "runtime/geometry/shapes.h"
+
+/// Polygons in exact arithmetic (CGAL): areas are rounded once, at the end, and where a place lies
+/// is decided without rounding.
+namespace arelem::geometry {
+
+using Polygon = std::vector<Vec2>;  ///< corners in order, closed by itself
+
+/// Sum of the areas of polygons; those that run clockwise count negative.
+[[nodiscard]] double signedArea(std::span<const Polygon> polygons);
+
+/// Whether a place lies inside a polygon that does not cross itself; its border is not inside.
+[[nodiscard]] bool isInside(const Vec2& place, const Polygon& polygon);
+
+/// Two edges that meet where they must not.
+struct Meeting {
+  Vec2 place = Vec2::Zero();
+  std::size_t polygon = 0, otherPolygon = 0;  ///< from 0
+  std::size_t edge = 0, otherEdge = 0;  ///< from 0; an edge begins at the corner of its number
+};
+/// The first edges, in the order of the corners, that cross, touch or lie on each other, other than
+/// neighbors at their common corner.
+[[nodiscard]] std::optional<Meeting> firstMeeting(std::span<const Polygon> polygons);
+
+}  // namespace arelem::geometry
