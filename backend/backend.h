@@ -52,9 +52,10 @@ struct Target {
   std::string_view summary;
   std::vector<std::string_view> suffixes;  ///< with the dot; the first is the default
   bool binary = false;
-  bool readsBack = false;    ///< there is a reader for it
-  bool needsMotion = true;   ///< false: made from program and context alone
-  bool takesCurves = false;  ///< arcs and splines as they are; else cut vectors in their place
+  bool readsBack = false;     ///< there is a reader for it
+  bool needsMotion = true;    ///< false: made from program and context alone
+  bool needsProgram = false;  ///< records alone do not make it
+  bool takesCurves = false;   ///< arcs and splines as they are; else cut vectors in their place
   std::unique_ptr<Writer> (*make)(std::ostream& out,
                                   const Context& context,
                                   DiagnosticSink& sink) = nullptr;
