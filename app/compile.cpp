@@ -5,6 +5,7 @@
 #include "app/batch.h"
 #include "app/cl_input.h"
 #include "app/cl_stream.h"
+#include "app/code_file.h"
 #include "app/command.h"
 #include "app/depfile.h"
 #include "app/machine.h"
@@ -218,6 +219,11 @@ bool stream(const PlannedJob& plan,
   }
   Compilation job(options.settings);
   OutputSet outputs(job.log);
+  Result<backend::tape::Codes> codes = codesOf(options.settings);
+  if (!codes) {
+    return false;
+  }
+  job.codes = *std::move(codes);
   backend::Context context = backendContext(job);
   context.decimals = options.decimals;
   if (!outputs.open(plan.outputs, context)) {
@@ -252,7 +258,13 @@ ExitCode compileOne(const PlannedJob& plan,
   Compilation job(options.settings);
   job.progress = progressOnTerminal();
   OutputSet outputs(job.log);
-  if (Result<std::string> bytes = readBytes(plan.input, options.settings.limits); !bytes) {
+  Result<backend::tape::Codes> codes = codesOf(options.settings);
+  if (codes) {
+    job.codes = *std::move(codes);
+  }
+  if (!codes) {
+    job.log.accept(codes.takeFailure());
+  } else if (Result<std::string> bytes = readBytes(plan.input, options.settings.limits); !bytes) {
     job.log.accept(bytes.takeFailure());
   } else if (formatOf(*bytes) != InputFormat::text) {
     rewrite(job, outputs, plan, *std::move(bytes), options, interrupted);

@@ -97,6 +97,7 @@ backend::Context backendContext(const Compilation& job) {
   context.sources = &job.sources;
   context.program = &job.program;
   context.deck = job.evaluation.deck;
+  context.codes = &job.codes;
   for (const runtime::Defined& defined : job.evaluation.defined) {
     if (defined.entity) {
       context.entities.push_back(defined.entity);

@@ -5,6 +5,7 @@
 #include "app/settings.h"
 
 #include "backend/backend.h"
+#include "backend/cltape/codes.h"
 #include "runtime/path/smoother.h"
 #include "runtime/run.h"
 #include "runtime/timing/cut_timer.h"
@@ -24,6 +25,7 @@ struct Compilation {
   BufferId main;
   std::vector<std::string> filesRead;  ///< data files that definitions named
   DiagnosticLog log;
+  backend::tape::Codes codes;  ///< for tapes that are written
   ir::Program program;
   runtime::Evaluation evaluation;
   runtime::MotionOutcome motion;

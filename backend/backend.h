@@ -16,6 +16,9 @@ struct Machine;
 }
 
 namespace arelem::backend {
+namespace tape {
+class Codes;
+}
 
 /// One printed value or title, as the listing shows it.
 struct ListingItem {
@@ -37,6 +40,7 @@ struct Context {
   std::vector<ListingItem> printed;
   std::string_view deck;                    ///< what PUNCH wrote
   const robot::Machine* machine = nullptr;  ///< of --machine; null without
+  const tape::Codes* codes = nullptr;       ///< of --codes; null without
   int decimals =
       -1;  ///< of lengths in text targets, 1 to 15; -1: as many as read back to the same double
 };
