@@ -9,6 +9,7 @@
 #include "runtime/path/chords.h"
 #include "runtime/path/curve_needs.h"
 #include "runtime/path/smoother.h"
+#include "runtime/path/swarf.h"
 #include "runtime/path/transform.h"
 
 namespace arelem::app {
@@ -79,13 +80,19 @@ bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& int
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
-  const auto chords = path::makeChordStage(*smoother, job.log);
-  const bool straight = path::needsChords(job.evaluation.actions);
+  const bool text = job.program.dialect == spell(frontend::Dialect::cl);
+  // CL text that names a swarf section has been tilted by the system that wrote it.
+  const bool swarf = !text && path::hasSwarf(job.evaluation.actions);
+  const auto tilted = path::makeSwarfStage(*smoother, job.log);
+  const auto chords =
+      path::makeChordStage(swarf ? static_cast<cl::RecordSink&>(*tilted) : *smoother, job.log);
+  const bool straight = swarf || path::needsChords(job.evaluation.actions);
   runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}, false};
-  options.axesFollow = job.program.dialect == spell(frontend::Dialect::cl);
+  options.axesFollow = text;
   job.motion =
       runtime::execute(job.evaluation.actions, options,
                        straight ? static_cast<cl::RecordSink&>(*chords) : *smoother, job.log);
+  tilted->finish();
   smoother->finish();
   job.smoothed = smoother->facts();
   transformer->finish();
