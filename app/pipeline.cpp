@@ -8,6 +8,7 @@
 
 #include "runtime/path/chords.h"
 #include "runtime/path/curve_needs.h"
+#include "runtime/path/feed_override.h"
 #include "runtime/path/smoother.h"
 #include "runtime/path/swarf.h"
 #include "runtime/path/transform.h"
@@ -75,23 +76,30 @@ bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) 
   return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
 }
 
-bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& interrupted) {
+bool execute(Compilation& job,
+             cl::RecordSink& records,
+             const InterruptFlag& interrupted,
+             bool upright) {
   const Stopwatch watch(job.seconds.execute);
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
   const bool text = job.program.dialect == spell(frontend::Dialect::cl);
   // CL text that names a swarf section has been tilted by the system that wrote it.
-  const bool swarf = !text && path::hasSwarf(job.evaluation.actions);
+  const bool swarf = !text && !upright && path::firstSwarf(job.evaluation.actions).has_value();
   const auto tilted = path::makeSwarfStage(*smoother, job.log);
   const auto chords =
       path::makeChordStage(swarf ? static_cast<cl::RecordSink&>(*tilted) : *smoother, job.log);
   const bool straight = swarf || path::needsChords(job.evaluation.actions);
   runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}, false};
   options.axesFollow = text;
+  cl::RecordSink& first = straight ? static_cast<cl::RecordSink&>(*chords) : *smoother;
+  const auto feeds = path::makeFeedOverride(first, job.evaluation.actions);
+  const bool feedsChange = !text && path::overridesFeeds(job.evaluation.actions);
   job.motion =
       runtime::execute(job.evaluation.actions, options,
-                       straight ? static_cast<cl::RecordSink&>(*chords) : *smoother, job.log);
+                       feedsChange ? static_cast<cl::RecordSink&>(*feeds) : first, job.log);
+  feeds->finish();
   tilted->finish();
   smoother->finish();
   job.smoothed = smoother->facts();

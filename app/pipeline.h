@@ -53,10 +53,12 @@ struct Compilation {
                             bool history = false);
 
 /// Sections 2 and 3: cutter-location records, transformed, go to `records`.
-/// False when a motion failed; the records are then incomplete.
+/// False when a motion failed; the records are then incomplete. With `upright` swarf sections
+/// (VTLAXS) stay as they were before Section 3.
 [[nodiscard]] bool execute(Compilation& job,
                            cl::RecordSink& records,
-                           const InterruptFlag& interrupted);
+                           const InterruptFlag& interrupted,
+                           bool upright = false);
 
 /// What a back end may look at beside the records. Valid as long as the job.
 [[nodiscard]] backend::Context backendContext(const Compilation& job);

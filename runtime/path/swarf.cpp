@@ -143,13 +143,16 @@ std::unique_ptr<SwarfStage> makeSwarfStage(cl::RecordSink& next, DiagnosticSink&
   return std::make_unique<Swarf>(next, sink);
 }
 
-bool hasSwarf(const std::vector<runtime::Action>& actions) {
-  return std::any_of(actions.begin(), actions.end(), [](const runtime::Action& action) {
+std::optional<Span> firstSwarf(const std::vector<runtime::Action>& actions) {
+  for (const runtime::Action& action : actions) {
     const auto* pass = std::get_if<runtime::Pass>(&action.body);
     const auto* post = pass != nullptr ? std::get_if<cl::Post>(&pass->body) : nullptr;
-    return post != nullptr && post->foreign.empty() &&
-           (post->word == Word::VTLAXS || post->word == Word::WCORN);
-  });
+    if (post != nullptr && post->foreign.empty() &&
+        (post->word == Word::VTLAXS || post->word == Word::WCORN)) {
+      return action.origin;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace arelem::path

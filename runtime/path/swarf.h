@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
@@ -21,7 +22,7 @@ class SwarfStage : public cl::RecordSink {
 [[nodiscard]] std::unique_ptr<SwarfStage> makeSwarfStage(cl::RecordSink& next,
                                                          DiagnosticSink& sink);
 
-/// Whether any statement needs the stage.
-[[nodiscard]] bool hasSwarf(const std::vector<runtime::Action>& actions);
+/// The first statement that needs the stage; none where none does.
+[[nodiscard]] std::optional<Span> firstSwarf(const std::vector<runtime::Action>& actions);
 
 }  // namespace arelem::path
