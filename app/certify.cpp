@@ -8,8 +8,10 @@
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "ir/diag/verify.h"
 #include "runtime/certify/certificate.h"
 #include "runtime/path/chords.h"
+#include "runtime/path/swarf.h"
 
 namespace arelem::app {
 
@@ -60,9 +62,16 @@ ExitCode certify(const CertifyRequest& request,
     bool whole = false;
     {
       const Stopwatch watch(seconds);
-      whole = request.path.empty() ? execute(job, *certificate, interrupted)
-                                   : readPath(request.path, std::move(bytes), settings,
-                                              *certificate, interrupted, exit);
+      const auto swarf = path::firstSwarf(job.evaluation.actions);
+      if (request.path.empty()) {
+        whole = execute(job, *certificate, interrupted, true);
+      } else if (swarf) {
+        job.log.accept(diagnose(*swarf, diag::NotCertified,
+                                "a CL file has the tilted tool of the section, whose walls are not "
+                                "surfaces of the program"));
+      } else {
+        whole = readPath(request.path, std::move(bytes), settings, *certificate, interrupted, exit);
+      }
       if (whole || job.log.errors() > 0) {
         certificate->finish();
       }

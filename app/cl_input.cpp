@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "app/code_file.h"
 #include "app/source_file.h"
 
 #include "backend/cltape/reader.h"
@@ -34,7 +35,12 @@ bool readRecords(Compilation& job,
     whole = backend::readJsonRecords(bytes, displayName(path), records, job.log);
   } else {
     std::istringstream in(std::move(bytes));
-    whole = backend::readTape(in, records, job.log, job.settings.limits).complete;
+    Result<backend::tape::Codes> codes = codesOf(job.settings);
+    if (!codes) {
+      job.log.accept(codes.takeFailure());
+      return false;
+    }
+    whole = backend::readTape(in, records, job.log, job.settings.limits, *codes).complete;
   }
   return whole && job.log.errors() == 0 && !interrupted;
 }

@@ -4,6 +4,8 @@
 
 #include "app/batch.h"
 #include "app/cl_input.h"
+#include "app/cl_stream.h"
+#include "app/code_file.h"
 #include "app/command.h"
 #include "app/depfile.h"
 #include "app/machine.h"
@@ -76,14 +78,6 @@ void addOptions(CLI::App& app, CompileOptions& options) {
   addMessageOptions(app, options.settings);
 }
 
-double pathLength(const runtime::MotionOutcome& motion) {
-  double length = 0.0;
-  for (const runtime::MotionFact& fact : motion.facts) {
-    length += fact.length;
-  }
-  return length;
-}
-
 std::size_t statementCount(const ir::Program& program) {
   std::size_t count = 0;
   for (const ir::Block& block : program.blocks) {
@@ -96,15 +90,17 @@ std::uint32_t lineOf(const Compilation& job, const Span& at) {
   return job.sources.locate(at.buffer, at.begin).line;
 }
 
-void printSummary(const PlannedJob& plan, const Compilation& job, const OutputSet& outputs) {
+void printSummary(const PlannedJob& plan,
+                  const Compilation& job,
+                  std::size_t statements,
+                  const OutputSet& outputs) {
   const auto& spent = job.seconds;
   const double seconds = spent.parse + spent.evaluate + spent.execute + spent.write;
   std::cerr
       << fmt::format(
              "{}: {} statements, {} executed, {} motions, {} cut vectors, path length {:.6g}\n",
-             plan.input == "-" ? "<stdin>" : plan.input, statementCount(job.program),
-             job.evaluation.steps, job.motion.facts.size(), job.motion.cutVectors,
-             pathLength(job.motion))
+             plan.input == "-" ? "<stdin>" : plan.input, statements, job.evaluation.steps,
+             job.motion.motions, job.motion.cutVectors, job.motion.length)
       << fmt::format("   {:.1f} ms: parse {:.1f}, geometry {:.1f}, motion {:.1f}, files {:.1f}\n",
                      seconds * 1e3, spent.parse * 1e3, spent.evaluate * 1e3, spent.execute * 1e3,
                      spent.write * 1e3);
@@ -132,6 +128,11 @@ void printSummary(const PlannedJob& plan, const Compilation& job, const OutputSe
 bool needsMotion(const PlannedJob& plan) {
   return std::any_of(plan.outputs.begin(), plan.outputs.end(),
                      [](const PlannedOutput& output) { return output.target->needsMotion; });
+}
+
+bool needsProgram(const PlannedJob& plan) {
+  return std::any_of(plan.outputs.begin(), plan.outputs.end(),
+                     [](const PlannedOutput& output) { return output.target->needsProgram; });
 }
 
 /// Sends records to the outputs and, for the summary, to the clock.
@@ -207,13 +208,63 @@ void rewrite(Compilation& job,
   }
 }
 
+/// Large CL text, piece by piece. False when the file is to be read at once.
+bool stream(const PlannedJob& plan,
+            const CompileOptions& options,
+            const InterruptFlag& interrupted) {
+  if (!plan.report.empty() || !options.depfile.empty() || !options.machine.file.empty() ||
+      !options.machine.compat.empty() || needsProgram(plan) ||
+      !isLargeCl(plan.input, options.settings)) {
+    return false;
+  }
+  Compilation job(options.settings);
+  OutputSet outputs(job.log);
+  Result<backend::tape::Codes> codes = codesOf(options.settings);
+  if (!codes) {
+    return false;
+  }
+  job.codes = *std::move(codes);
+  backend::Context context = backendContext(job);
+  context.decimals = options.decimals;
+  if (!outputs.open(plan.outputs, context)) {
+    return false;  // and then with a message
+  }
+  Timed timed(outputs, timingMachine(nullptr), options.settings.verbose);
+  const auto fitter = path::makeArcFitter(timed, options.fitShare);
+  std::size_t statements = 0;
+  if (streamCl(job, plan.input, *fitter, statements, interrupted) == Streamed::refused) {
+    return false;
+  }
+  fitter->finish();
+  job.time = timed.finish();
+  if (job.log.errors() > 0 || job.log.warnings() > 0 || !outputs.close(false)) {
+    return false;
+  }
+  if (options.tally >= 0) {
+    writeTally(options.tally, 0, 0, job.motion.cutVectors);
+  }
+  if (options.settings.verbose && !options.settings.quiet) {
+    printSummary(plan, job, statements, outputs);
+  }
+  return true;
+}
+
 ExitCode compileOne(const PlannedJob& plan,
                     const CompileOptions& options,
                     const InterruptFlag& interrupted) {
+  if (stream(plan, options, interrupted)) {
+    return ExitCode::ok;
+  }
   Compilation job(options.settings);
   job.progress = progressOnTerminal();
   OutputSet outputs(job.log);
-  if (Result<std::string> bytes = readBytes(plan.input, options.settings.limits); !bytes) {
+  Result<backend::tape::Codes> codes = codesOf(options.settings);
+  if (codes) {
+    job.codes = *std::move(codes);
+  }
+  if (!codes) {
+    job.log.accept(codes.takeFailure());
+  } else if (Result<std::string> bytes = readBytes(plan.input, options.settings.limits); !bytes) {
     job.log.accept(bytes.takeFailure());
   } else if (formatOf(*bytes) != InputFormat::text) {
     rewrite(job, outputs, plan, *std::move(bytes), options, interrupted);
@@ -225,8 +276,7 @@ ExitCode compileOne(const PlannedJob& plan,
   }
   if (!options.depfile.empty() && job.log.errors() == 0 && !interrupted) {
     const std::string& machine = options.machine.file;
-    writeDepfile(job, plan,
-                 machine.empty() ? std::vector<std::string>{} : std::vector{machine},
+    writeDepfile(job, plan, machine.empty() ? std::vector<std::string>{} : std::vector{machine},
                  options.depfile);
   }
   job.log.print(job.sources, job.main, options.settings);
@@ -234,7 +284,7 @@ ExitCode compileOne(const PlannedJob& plan,
     writeTally(options.tally, job.log.errors(), job.log.warnings(), job.motion.cutVectors);
   }
   if (options.settings.verbose && !options.settings.quiet) {
-    printSummary(plan, job, outputs);
+    printSummary(plan, job, statementCount(job.program), outputs);
   }
   return job.log.exitCode();
 }

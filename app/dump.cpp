@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/cl_input.h"
+#include "app/code_file.h"
 #include "app/command.h"
 #include "app/options.h"
 #include "app/pipeline.h"
@@ -17,7 +18,11 @@ ExitCode dumpTape(const std::string& path, std::string bytes, const Settings& se
   const BufferId main = sources.add(displayName(path), "");
   DiagnosticLog log;
   std::istringstream in(std::move(bytes));
-  backend::dump(in, std::cout, log, settings.limits);
+  if (Result<backend::tape::Codes> codes = codesOf(settings); codes) {
+    backend::dump(in, std::cout, log, settings.limits, *codes);
+  } else {
+    log.accept(codes.takeFailure());
+  }
   std::cout.flush();
   log.print(sources, main, settings);
   return log.exitCode();

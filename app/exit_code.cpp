@@ -9,9 +9,9 @@ ExitCode exitCodeFor(const DiagRow& row) {
   if (row.severity != Severity::error) {
     return ExitCode::ok;
   }
-  // A control byte: not a text file. Machine files that are no TOML or say what does
+  // A control byte: not a text file. Code files and machine files that are no TOML or say what does
   // not exist, V+ and G97 programs that are none.
-  constexpr std::array<std::string_view, 6> unreadable = {"E0102", "E0630", "E0645",
+  constexpr std::array<std::string_view, 7> unreadable = {"E0102", "E0605", "E0630", "E0645",
                                                           "E0650", "E0651", "E0652"};
   if (std::find(unreadable.begin(), unreadable.end(), row.code) != unreadable.end()) {
     return ExitCode::inputUnreadable;

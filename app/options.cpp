@@ -116,6 +116,10 @@ void addSourceOptions(CLI::App& app, Settings& settings) {
               [&settings](const std::string& word) { setDefine(settings.defines, word); });
   addRepeated(app, "-I,--include", "a folder where LIBRY and INCLUDE look first", "DIR",
               [&settings](const std::string& word) { settings.libraryPath.push_back(word); });
+  app.add_option("--codes", settings.codes,
+                 "numbers of words on CL tapes, read or written: a TOML file, looked for here and "
+                 "in the library; apt4 is there")
+      ->type_name("FILE");
   addLimitOptions(app, settings.limits);
 }
 

@@ -9,7 +9,9 @@
 
 #include "runtime/path/chords.h"
 #include "runtime/path/curve_needs.h"
+#include "runtime/path/feed_override.h"
 #include "runtime/path/smoother.h"
+#include "runtime/path/swarf.h"
 #include "runtime/path/transform.h"
 
 namespace arelem::app {
@@ -75,18 +77,31 @@ bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) 
   return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
 }
 
-bool execute(Compilation& job, cl::RecordSink& records, const InterruptFlag& interrupted) {
+bool execute(Compilation& job,
+             cl::RecordSink& records,
+             const InterruptFlag& interrupted,
+             bool upright) {
   const Stopwatch watch(job.seconds.execute);
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
-  const auto chords = path::makeChordStage(*smoother, job.log);
-  const bool straight = path::needsChords(job.evaluation.actions);
+  const bool text = job.program.dialect == spell(frontend::Dialect::cl);
+  // CL text that names a swarf section has been tilted by the system that wrote it.
+  const bool swarf = !text && !upright && path::firstSwarf(job.evaluation.actions).has_value();
+  const auto tilted = path::makeSwarfStage(*smoother, job.log);
+  const auto chords =
+      path::makeChordStage(swarf ? static_cast<cl::RecordSink&>(*tilted) : *smoother, job.log);
+  const bool straight = swarf || path::needsChords(job.evaluation.actions);
   runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}, false};
-  options.axesFollow = job.program.dialect == spell(frontend::Dialect::cl);
+  options.axesFollow = text;
+  cl::RecordSink& first = straight ? static_cast<cl::RecordSink&>(*chords) : *smoother;
+  const auto feeds = path::makeFeedOverride(first, job.evaluation.actions);
+  const bool feedsChange = !text && path::overridesFeeds(job.evaluation.actions);
   job.motion =
       runtime::execute(job.evaluation.actions, options,
-                       straight ? static_cast<cl::RecordSink&>(*chords) : *smoother, job.log);
+                       feedsChange ? static_cast<cl::RecordSink&>(*feeds) : first, job.log);
+  feeds->finish();
+  tilted->finish();
   smoother->finish();
   job.smoothed = smoother->facts();
   transformer->finish();
@@ -98,6 +113,7 @@ backend::Context backendContext(const Compilation& job) {
   context.sources = &job.sources;
   context.program = &job.program;
   context.deck = job.evaluation.deck;
+  context.codes = &job.codes;
   for (const runtime::Defined& defined : job.evaluation.defined) {
     if (defined.entity) {
       context.entities.push_back(defined.entity);

@@ -5,6 +5,7 @@
 #include "app/settings.h"
 
 #include "backend/backend.h"
+#include "backend/cltape/codes.h"
 #include "runtime/path/smoother.h"
 #include "runtime/run.h"
 #include "runtime/timing/cut_timer.h"
@@ -24,6 +25,7 @@ struct Compilation {
   BufferId main;
   std::vector<std::string> filesRead;  ///< data files that definitions named
   DiagnosticLog log;
+  backend::tape::Codes codes;  ///< for tapes that are written
   ir::Program program;
   runtime::Evaluation evaluation;
   runtime::MotionOutcome motion;
@@ -51,10 +53,12 @@ struct Compilation {
                             bool history = false);
 
 /// Sections 2 and 3: cutter-location records, transformed, go to `records`.
-/// False when a motion failed; the records are then incomplete.
+/// False when a motion failed; the records are then incomplete. With `upright` swarf sections
+/// (VTLAXS) stay as they were before Section 3.
 [[nodiscard]] bool execute(Compilation& job,
                            cl::RecordSink& records,
-                           const InterruptFlag& interrupted);
+                           const InterruptFlag& interrupted,
+                           bool upright = false);
 
 /// What a back end may look at beside the records. Valid as long as the job.
 [[nodiscard]] backend::Context backendContext(const Compilation& job);

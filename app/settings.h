@@ -17,6 +17,7 @@ struct Settings {
   Limits limits;
   std::map<std::string, double> defines;
   std::vector<std::string> libraryPath;
+  std::string codes;             ///< of --codes: numbers of words on CL tapes
   std::uint64_t maxErrors = 20;  ///< errors shown
   DiagnosticFormat format = DiagnosticFormat::human;
   ColorChoice color = ColorChoice::automatic;

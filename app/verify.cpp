@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/certify.h"
+#include "app/code_file.h"
 #include "app/command.h"
 #include "app/machine.h"
 #include "app/options.h"
@@ -52,7 +53,13 @@ bool pathOfOutput(const std::string& file,
   if (objectionToText(file, bytes)) {
     job.main = job.sources.add(displayName(file), "");
     std::istringstream in(std::move(bytes));
-    good = backend::readTape(in, path, job.log, settings.limits).complete && job.log.errors() == 0;
+    Result<backend::tape::Codes> codes = codesOf(settings);
+    if (codes) {
+      good = backend::readTape(in, path, job.log, settings.limits, *codes).complete &&
+             job.log.errors() == 0;
+    } else {
+      job.log.accept(codes.takeFailure());
+    }
   } else {
     good = pathOfText(job, file, std::move(bytes), path, interrupted);
   }

@@ -16,6 +16,9 @@ struct Machine;
 }
 
 namespace arelem::backend {
+namespace tape {
+class Codes;
+}
 
 /// One printed value or title, as the listing shows it.
 struct ListingItem {
@@ -41,6 +44,7 @@ struct Context {
   std::vector<ListingItem> printed;
   std::string_view deck;                    ///< what PUNCH wrote
   const robot::Machine* machine = nullptr;  ///< of --machine; null without
+  const tape::Codes* codes = nullptr;       ///< of --codes; null without
   int decimals =
       -1;  ///< of lengths in text targets, 1 to 15; -1: as many as read back to the same double
 };
@@ -56,9 +60,10 @@ struct Target {
   std::string_view summary;
   std::vector<std::string_view> suffixes;  ///< with the dot; the first is the default
   bool binary = false;
-  bool readsBack = false;    ///< there is a reader for it
-  bool needsMotion = true;   ///< false: made from program and context alone
-  bool takesCurves = false;  ///< arcs and splines as they are; else cut vectors in their place
+  bool readsBack = false;     ///< there is a reader for it
+  bool needsMotion = true;    ///< false: made from program and context alone
+  bool needsProgram = false;  ///< records alone do not make it
+  bool takesCurves = false;   ///< arcs and splines as they are; else cut vectors in their place
   std::unique_ptr<Writer> (*make)(std::ostream& out,
                                   const Context& context,
                                   DiagnosticSink& sink) = nullptr;

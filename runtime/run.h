@@ -34,6 +34,14 @@ using ProgressCall = std::function<void(std::string_view what, std::size_t done,
 using DefinitionCall = std::function<void(
     const Entity& result, std::span<const define::Parameter>, const define::Context&)>;
 
+/// What CL text says once and what holds for all that follows, from one piece of it to the next.
+struct Carried {
+  bool multax = false;
+  bool worldPlaces = false;  ///< TRNTYP/WORLD
+  bool toldOfUnits = false;
+  std::optional<Word> unit;  ///< of UNITS
+};
+
 struct Options {
   Limits limits;
   const InterruptFlag* interrupted = nullptr;  ///< may be null
@@ -41,7 +49,9 @@ struct Options {
   bool history = false;                        ///< keep every definition: Evaluation::history
   ProgressCall progress;                       ///< may be empty
   DefinitionCall defined;                      ///< may be empty
-  bool axesFollow = false;  ///< an axis that is not z is written without MULTAX: CL files
+  bool axesFollow = false;     ///< an axis that is not z is written without MULTAX: CL files
+  Carried* carried = nullptr;  ///< may be null; else read before and written after the evaluation
+  bool keepsFacts = true;      ///< MotionOutcome::facts; without, only its sums
 };
 
 /// One item of what PRINT and TITLES ask for, in order of execution.
@@ -111,8 +121,23 @@ struct MotionFact {
 
 struct MotionOutcome {
   std::vector<MotionFact> facts;
+  std::uint64_t motions = 0;
   std::uint64_t cutVectors = 0;
+  double length = 0.0;   ///< of the path, part unit
   bool complete = true;  ///< false after an error, an interrupt or a limit
+};
+
+/// Section 2 piece by piece: actions whose meaning does not reach over the end of a piece.
+class Execution {
+ public:
+  Execution(const Options& options, cl::RecordSink& records, DiagnosticSink& sink);
+  ~Execution();
+  void feed(const std::vector<Action>& actions);
+  [[nodiscard]] MotionOutcome finish();
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
 };
 
 /// Section 2 (ARELEM): actions to cutter-location records.

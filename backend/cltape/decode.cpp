@@ -43,18 +43,18 @@ cl::Body text(Word word, Words words) {
   return cl::Text{word, std::move(characters)};
 }
 
-Decoded post(int sub, Words words) {
-  const auto word = findPostWord(sub);
+Decoded post(int sub, Words words, const Codes& codes) {
   if (sub == 0) {
-    return decodeForeignPost(words);
+    return decodeForeignPost(words, codes);
   }
-  if (!word) {
+  auto begun = codes.majorOf(sub);
+  if (!begun) {
     return raw(2000, sub, words);
   }
-  if (row(*word).wordClass == WordClass::fixedField) {
-    return text(*word, words);
+  if (begun->foreign.empty() && row(begun->word).wordClass == WordClass::fixedField) {
+    return text(begun->word, words);
   }
-  return decodePost(*word, words);
+  return decodePost(*std::move(begun), words, codes);
 }
 
 Decoded surface(int sub, Words words) {
@@ -186,7 +186,7 @@ Decoded decodeClass(int type, int sub, Words words, DecodeState& state) {
     case 1000:
       return cl::Body(cl::Card{});
     case 2000:
-      return post(sub, words);
+      return post(sub, words, state.codes);
     case 3000:
       return surface(sub, words);
     case 5000:

@@ -1,14 +1,16 @@
 #pragma once
 #include <span>
 
+#include "backend/cltape/codes.h"
 #include "backend/cltape/post_decode.h"
 #include "backend/cltape/word.h"
 #include "ir/cl/record.h"
 
 namespace arelem::backend::tape {
 
-/// What earlier records of the tape say about the later ones.
+/// What is known of the tape: the numbers of its words, and what earlier records say about later ones.
 struct DecodeState {
+  Codes codes;
   bool withAxis = false;  ///< after MULTAX/ON: six numbers a location
 };
 

@@ -105,9 +105,11 @@ class Describer {
 };
 }  // namespace
 
-TapeSummary dump(std::istream& in, std::ostream& out, DiagnosticSink& sink, const Limits& limits) {
+TapeSummary dump(std::istream& in, std::ostream& out, DiagnosticSink& sink, const Limits& limits,
+                 const tape::Codes& codes) {
   tape::Scanner scanner(in, sink, limits);
   tape::DecodeState state;
+  state.codes = codes;
   std::string line = "  record     offset  class        words  meaning\n";
   while (const tape::TapeRecord* raw = scanner.next()) {
     line += fmt::format("{:>8} {:>10}  {:>5}/{:<6} {:>5}  ", raw->number, raw->offset, raw->type,

@@ -10,6 +10,7 @@ namespace arelem::backend {
 TapeSummary dump(std::istream& in,
                  std::ostream& out,
                  DiagnosticSink& sink,
-                 const Limits& limits = {});
+                 const Limits& limits = {},
+                 const tape::Codes& codes = {});
 
 }  // namespace arelem::backend

@@ -15,10 +15,10 @@ bool isLaterModifier(Word word) {
 /// Turns the body into words behind `out`.
 class BodyEncoder {
  public:
-  explicit BodyEncoder(std::vector<TapeWord>& out) : out_(out) {}
+  BodyEncoder(const Codes& codes, std::vector<TapeWord>& out) : codes_(codes), out_(out) {}
 
   void operator()(const cl::Post& post) {
-    if (!post.foreign.empty()) {
+    if (!post.foreign.empty() && codes_.major(post.foreign) == 0) {
       text(post.foreign);
     }
     bool first = true;
@@ -76,10 +76,12 @@ class BodyEncoder {
     if (const auto* number = std::get_if<double>(&value)) {
       out_.push_back(parameterWord(*number));
     } else if (const auto* word = std::get_if<Word>(&value)) {
-      const auto code = modifierCode(*word);
+      const auto code = codes_.minor(*word);
       code ? out_.push_back(integerWord(*code)) : text(spell(*word));
     } else {
-      text(std::get<std::string>(value));
+      const auto& characters = std::get<std::string>(value);
+      const auto code = codes_.minor(characters);
+      code ? out_.push_back(integerWord(*code)) : text(characters);
     }
   }
   void text(std::string_view word) {
@@ -110,8 +112,18 @@ class BodyEncoder {
     numbers(value.canon);
   }
 
+  const Codes& codes_;
   std::vector<TapeWord>& out_;
 };
+
+/// The subclass of a 2000 record, which a code file may have changed.
+int subclass(const cl::Body& body, const Codes& codes, int usual) {
+  if (const auto* post = std::get_if<cl::Post>(&body)) {
+    return post->foreign.empty() ? codes.major(post->word) : codes.major(post->foreign);
+  }
+  const auto* text = std::get_if<cl::Text>(&body);
+  return text != nullptr ? codes.major(text->word) : usual;
+}
 }  // namespace
 
 std::optional<Word> modifierOf(int code) {
@@ -139,12 +151,12 @@ std::optional<int> modifierCode(Word word) {
   return r.code;
 }
 
-void encode(const cl::Body& body, Encoded& out) {
+void encode(const cl::Body& body, const Codes& codes, Encoded& out) {
   const auto [type, sub] = cl::typeCode(body);
   out.type = type;
-  out.sub = sub;
+  out.sub = subclass(body, codes, sub);
   out.words.clear();
-  std::visit(BodyEncoder(out.words), body);
+  std::visit(BodyEncoder(codes, out.words), body);
 }
 
 }  // namespace arelem::backend::tape

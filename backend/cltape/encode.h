@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "backend/cltape/codes.h"
 #include "backend/cltape/word.h"
 #include "ir/cl/record.h"
 
@@ -15,8 +16,9 @@ struct Encoded {
 
 /// Words of a body; `out` is reused. A motion is written as it is: the caller splits what is too
 /// long. Source: record layout of the CL tape of the APT360 port, extended by UNITS (9000/9), words
-/// without a code as text, and post words outside the vocabulary (2000/0, the word as text first).
-void encode(const cl::Body& body, Encoded& out);
+/// without a code as text, and post words outside the vocabulary (2000/0, the word as text first, where
+/// `codes` has no number for it).
+void encode(const cl::Body& body, const Codes& codes, Encoded& out);
 
 /// Most numbers of one 5000 record: 80 locations of three numbers or 40 of six.
 inline constexpr std::size_t motionNumbers = 240;

@@ -18,7 +18,8 @@ constexpr std::size_t nameAndSubscript = 2;
 /// Reads parameters from the front of the words that are left.
 class Parameters {
  public:
-  Parameters(cl::Post& post, Words words) : post_(post), words_(words) {}
+  Parameters(cl::Post& post, Words words, const Codes& codes)
+      : post_(post), words_(words), codes_(codes) {}
 
   /// False for a word that is no number, code or text.
   bool readAll() {
@@ -45,11 +46,11 @@ class Parameters {
   bool plain() {
     const TapeWord word = words_.front();
     if (isCode(word)) {
-      const auto modifier = modifierOf(asInteger(word));
-      if (!modifier) {
+      auto minor = codes_.minorOf(asInteger(word));
+      if (!minor) {
         return false;
       }
-      post_.arguments.emplace_back(*modifier);
+      post_.arguments.push_back(*std::move(minor));
     } else if (isText(word)) {
       post_.arguments.emplace_back(text());
       return true;
@@ -112,6 +113,7 @@ class Parameters {
 
   cl::Post& post_;
   Words words_;
+  const Codes& codes_;
 };
 
 Decoded malformed(std::string why) {
@@ -153,17 +155,16 @@ std::optional<cl::SurfaceValue> namedSurface(Words words, std::size_t count) {
   return value;
 }
 
-Decoded decodePost(Word word, Words words) {
-  cl::Post post{word, "", {}};
-  if (!Parameters(post, words).readAll()) {
+Decoded decodePost(cl::Post post, Words words, const Codes& codes) {
+  if (!Parameters(post, words, codes).readAll()) {
     return malformed("a parameter is no number, minor word or text");
   }
   return cl::Body(std::move(post));
 }
 
-Decoded decodeForeignPost(Words words) {
+Decoded decodeForeignPost(Words words, const Codes& codes) {
   cl::Post post;
-  Parameters front(post, words);
+  Parameters front(post, words, codes);
   post.foreign = front.text();
   if (post.foreign.empty()) {
     return malformed("a word outside the vocabulary begins with its text");

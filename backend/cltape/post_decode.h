@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "backend/cltape/codes.h"
 #include "backend/cltape/word.h"
 #include "ir/cl/record.h"
 
@@ -21,9 +22,10 @@ struct Decoded {
   std::string fault;  ///< "" when the body is good
 };
 
-[[nodiscard]] Decoded decodePost(Word word, std::span<const TapeWord> words);
+/// The parameters behind a word that is known already.
+[[nodiscard]] Decoded decodePost(cl::Post post, std::span<const TapeWord> words, const Codes& codes);
 /// 2000/0: the major word is the text in front.
-[[nodiscard]] Decoded decodeForeignPost(std::span<const TapeWord> words);
+[[nodiscard]] Decoded decodeForeignPost(std::span<const TapeWord> words, const Codes& codes);
 
 /// The entity type with this number.
 [[nodiscard]] std::optional<EntityType> typeOf(TapeWord word);

@@ -53,9 +53,11 @@ class Folder {
 TapeSummary readTape(std::istream& in,
                      cl::RecordSink& records,
                      DiagnosticSink& sink,
-                     const Limits& limits) {
+                     const Limits& limits,
+                     const tape::Codes& codes) {
   tape::Scanner scanner(in, sink, limits);
   tape::DecodeState state;
+  state.codes = codes;
   Folder folder(records);
   while (const tape::TapeRecord* raw = scanner.next()) {
     if (raw->type == 1000) {

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "backend/cltape/codes.h"
 #include "backend/cltape/word.h"
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
@@ -80,6 +81,7 @@ struct TapeSummary {
 TapeSummary readTape(std::istream& in,
                      cl::RecordSink& records,
                      DiagnosticSink& sink,
-                     const Limits& limits = {});
+                     const Limits& limits = {},
+                 const tape::Codes& codes = {});
 
 }  // namespace arelem::backend

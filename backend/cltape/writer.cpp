@@ -29,7 +29,8 @@ char* writeLittle(char* place, Integer value) {
 
 class TapeWriter : public Writer {
  public:
-  TapeWriter(std::ostream& out, DiagnosticSink& sink) : out_(out), sink_(sink) {}
+  TapeWriter(std::ostream& out, const tape::Codes* codes, DiagnosticSink& sink)
+      : out_(out), sink_(sink), codes_(codes != nullptr ? *codes : tape::Codes()) {}
 
   void accept(const cl::Record& record) override {
     if (const auto* motion = std::get_if<cl::Motion>(&record.body)) {
@@ -43,7 +44,7 @@ class TapeWriter : public Writer {
     if (const auto* multax = std::get_if<cl::Multax>(&record.body)) {
       withAxis_ = multax->on;
     }
-    tape::encode(record.body, encoded_);
+    tape::encode(record.body, codes_, encoded_);
     write(record, encoded_.type, encoded_.sub, encoded_.words.data(), encoded_.words.size());
   }
 
@@ -153,6 +154,7 @@ class TapeWriter : public Writer {
 
   OutBuffer out_;
   DiagnosticSink& sink_;
+  const tape::Codes codes_;
   Numbering numbering_;
   tape::Encoded encoded_;
   std::vector<double> sixes_;
@@ -162,8 +164,8 @@ class TapeWriter : public Writer {
 };
 }  // namespace
 
-std::unique_ptr<Writer> makeTapeWriter(std::ostream& out, const Context&, DiagnosticSink& sink) {
-  return std::make_unique<TapeWriter>(out, sink);
+std::unique_ptr<Writer> makeTapeWriter(std::ostream& out, const Context& context, DiagnosticSink& sink) {
+  return std::make_unique<TapeWriter>(out, context.codes, sink);
 }
 
 }  // namespace arelem::backend

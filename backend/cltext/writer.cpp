@@ -13,7 +13,8 @@ namespace arelem::backend {
 
 namespace {
 bool isAppliedAlready(Word word) {
-  return word == Word::TRACUT || word == Word::COPY || word == Word::INDEX || word == Word::SMOOTH;
+  return word == Word::TRACUT || word == Word::COPY || word == Word::INDEX ||
+         word == Word::SMOOTH || word == Word::VTLAXS || word == Word::WCORN;
 }
 
 class TextWriter : public Writer {

@@ -94,10 +94,10 @@ bool arcStatement(State& state, std::string_view word, const Items& items) {
 
 void frameStatement(State& state, std::string_view word, const Items& items) {
   if (word == "TRNTYP") {
-    state.worldPlaces = !items.empty() && isText(items[0], "WORLD");
+    state.carried.worldPlaces = !items.empty() && isText(items[0], "WORLD");
   }
   constexpr std::size_t numbers = 12;
-  if (word != "CSYS" || !state.worldPlaces || items.size() != numbers) {
+  if (word != "CSYS" || !state.carried.worldPlaces || items.size() != numbers) {
     return;
   }
   Vec3 axis;
@@ -116,10 +116,10 @@ void frameStatement(State& state, std::string_view word, const Items& items) {
 }
 
 void checkFeedUnits(State& state, std::string_view word, const Items& items) {
-  if ((word != "FEDRAT" && word != "CYCLE") || !state.unit) {
+  if ((word != "FEDRAT" && word != "CYCLE") || !state.carried.unit) {
     return;
   }
-  const bool inches = *state.unit == Word::INCHES || *state.unit == Word::FEET;
+  const bool inches = *state.carried.unit == Word::INCHES || *state.carried.unit == Word::FEET;
   for (const Item& item : items) {
     const Word* unit = std::get_if<Word>(&item.value);
     if (unit == nullptr) {
@@ -128,11 +128,11 @@ void checkFeedUnits(State& state, std::string_view word, const Items& items) {
     const bool metric = *unit == Word::MMPM || *unit == Word::MMPR;
     const bool imperial = *unit == Word::IPM || *unit == Word::IPR;
     if ((inches && metric) || (!inches && imperial)) {
-      if (!state.toldOfUnits) {
+      if (!state.carried.toldOfUnits) {
         state.report(
-            diagnose(state.statement->span, diag::MixedUnits, spell(*unit), spell(*state.unit)));
+            diagnose(state.statement->span, diag::MixedUnits, spell(*unit), spell(*state.carried.unit)));
       }
-      state.toldOfUnits = true;
+      state.carried.toldOfUnits = true;
     }
   }
 }

@@ -177,6 +177,10 @@ void Interpreter::call(const ir::Call& c) {
 
 void Interpreter::finish() {
   state_.out.steps = steps_;
+  if (state_.options.carried != nullptr) {
+    state_.carried.multax = state_.multax;
+    *state_.options.carried = state_.carried;
+  }
   state_.out.complete = !state_.stopped;
   if (!state_.stopped) {
     state_.endImplied();

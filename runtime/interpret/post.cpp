@@ -1,6 +1,7 @@
 #include "ir/diag/interpret.h"
 #include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/command.h"
+#include "runtime/interpret/swarf_form.h"
 
 namespace arelem::runtime::interpret {
 
@@ -146,7 +147,7 @@ bool checkTransformation(State& state, Word word, const Items& items) {
     state.report(diagnose(span, diag::CopyForm, "COPY", describe(items), copyForms));
     return false;
   }
-  return true;
+  return (word != Word::VTLAXS && word != Word::WCORN) || checkSwarf(state, word, items);
 }
 
 }  // namespace
@@ -154,11 +155,6 @@ bool checkTransformation(State& state, Word word, const Items& items) {
 void post(State& state, const ir::Command& command) {
   const Word word = command.word;
   const std::string_view name = spell(word);
-  if (word == Word::VTLAXS || word == Word::WCORN) {
-    state.report(diagnose(state.statement->span, diag::Unsupported, name,
-                          "swarf sections with a prorated tilt are not computed"));
-    return;
-  }
   const auto items = evaluate(state, command.arguments, Use::motion);
   if (!items || !checkTransformation(state, word, *items)) {
     return;

@@ -11,6 +11,10 @@ namespace arelem::runtime::interpret {
 State::State(const ir::Program& p, const Options& o, DiagnosticSink& sink, Evaluation& evaluation)
     : program(p), options(o), out(evaluation), store(p, o.limits, o.history), sink_(sink) {
   context.files = &options.files;
+  if (options.carried != nullptr) {
+    carried = *options.carried;
+    multax = carried.multax;
+  }
   for (const ir::Symbol& symbol : program.symbols) {
     if (symbol.arraySize > options.limits.array) {
       report(diagnose(symbol.definition, diag::LimitArray, symbol.name, symbol.arraySize,

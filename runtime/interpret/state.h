@@ -28,9 +28,7 @@ class State {
   bool redefinable = false;  ///< CANON/ON
   bool listing = false;      ///< PRINT/ON
   bool multax = false;       ///< MULTAX
-  bool worldPlaces = false;  ///< TRNTYP/WORLD
-  std::optional<Word> unit;  ///< of UNITS
-  bool toldOfUnits = false;  ///< a feed in other units was reported
+  Carried carried;           ///< what CL text says once
 
   const ir::Statement* statement = nullptr;  ///< the one being executed
   std::shared_ptr<const CallChain> calls;

@@ -5,6 +5,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/motion/cl_curves.h"
 #include "runtime/motion/direction.h"
+#include "runtime/motion/facts.h"
 #include "runtime/motion/follow.h"
 #include "runtime/motion/implied_check.h"
 #include "runtime/motion/look_ahead.h"
@@ -23,30 +24,24 @@ namespace arelem::runtime {
 namespace {
 using motion::State;
 
-class Machine {
+class Motions {
  public:
-  Machine(const std::vector<Action>& actions,
-          const Options& options,
-          cl::RecordSink& records,
-          DiagnosticSink& sink)
-      : actions_(actions),
-        options_(options),
-        writer_(records),
-        reporter_(writer_, sink),
-        labels_(actions) {}
+  Motions(const Options& options, cl::RecordSink& records, DiagnosticSink& sink)
+      : options_(options), writer_(records), reporter_(writer_, sink) {}
 
-  MotionOutcome run() {
-    std::uint64_t steps = 0;
-    for (index_ = 0; index_ < actions_.size() && !stop_; ++index_) {
+  void run(const std::vector<Action>& actions) {
+    actions_ = &actions;
+    labels_ = motion::Labels(actions);
+    for (index_ = 0; index_ < actions.size() && !stop_; ++index_) {
       if (interrupted()) {
         report(fail(diag::Interrupted));
         break;
       }
-      if (++steps > options_.limits.steps || writer_.count() > options_.limits.records) {
-        report(fail(diag::MotionLimit, steps, writer_.count()));
+      if (++steps_ > options_.limits.steps || writer_.count() > options_.limits.records) {
+        report(fail(diag::MotionLimit, steps_, writer_.count()));
         break;
       }
-      const Action& action = actions_[index_];
+      const Action& action = actions[index_];
       if (std::holds_alternative<Label>(action.body)) {
         continue;
       }
@@ -58,12 +53,12 @@ class Machine {
       std::visit([&](const auto& body) { perform(body); }, action.body);
       writer_.end();
     }
-    outcome_.complete = !reporter_.failed();
-    return std::move(outcome_);
   }
 
+  MotionOutcome finish() { return facts_.take(!reporter_.failed()); }
+
  private:
-  const Action& action() const { return actions_[index_]; }
+  const Action& action() const { return (*actions_)[index_]; }
   bool interrupted() const {
     return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
   }
@@ -117,7 +112,7 @@ class Machine {
     for (Failure& warning : (*curve)->warnings) {
       report(std::move(warning));
     }
-    fact((*curve)->statement, 1, (*curve)->length, nullptr, std::chrono::steady_clock::now());
+    fact((*curve)->statement, 1, (*curve)->length, nullptr, facts_.begin());
   }
 
   void putFeed(const std::optional<double>& feed) {
@@ -138,27 +133,13 @@ class Machine {
   void fact(const char* statement,
             std::uint64_t vectors,
             double length,
-            const motion::FollowResult* r,
-            std::chrono::steady_clock::time_point since) {
-    MotionFact f;
-    f.origin = action().origin;
-    f.isn = action().isn;
-    f.statement = statement;
-    f.cutVectors = vectors;
-    f.length = length;
-    if (r != nullptr) {
-      f.driveInner = r->driveInner;
-      f.driveOuter = r->driveOuter;
-      f.partInner = r->partInner;
-      f.partOuter = r->partOuter;
-    }
-    f.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
-    outcome_.cutVectors += vectors;
-    outcome_.facts.push_back(std::move(f));
+            const motion::FollowResult* result,
+            motion::Facts::Instant since) {
+    facts_.add(action(), statement, vectors, length, result, since);
   }
 
   void perform(const Locate& l) {
-    const auto since = std::chrono::steady_clock::now();
+    const auto since = facts_.begin();
     if (l.axis) {
       if (l.axis->norm() <= tolerance::nullDirection) {
         report(fail(diag::NullIndirection, spell(l.word), l.axis->norm()));
@@ -203,7 +184,7 @@ class Machine {
   }
 
   void perform(const FollowSpline& f) {
-    const auto since = std::chrono::steady_clock::now();
+    const auto since = facts_.begin();
     needPosition();
     auto path = motion::alongSpline(*f.curve, state_.band(motion::driveRole));
     if (!path) {
@@ -238,7 +219,7 @@ class Machine {
     if (state_.cutterRefused) {
       return;
     }
-    const auto since = std::chrono::steady_clock::now();
+    const auto since = facts_.begin();
     needPosition();
     takeAutomaticPart();
     putFeed(s.feed);
@@ -265,13 +246,13 @@ class Machine {
     if (state_.cutterRefused) {
       return;
     }
-    const auto since = std::chrono::steady_clock::now();
+    const auto since = facts_.begin();
     needPosition();
     takeAutomaticPart();
     motion::FollowRequest request;
     request.heading = f.heading;
     auto drive = motion::named(f.drive);
-    auto checks = motion::checkGoals(actions_, index_, f, state_.driveRelation);
+    auto checks = motion::checkGoals(*actions_, index_, f, state_.driveRelation);
     if (!drive || !checks) {
       report(drive ? checks.takeFailure() : drive.takeFailure());
     } else {
@@ -284,7 +265,7 @@ class Machine {
 
   std::optional<Failure> runFollow(const Follow& f,
                                    const motion::FollowRequest& request,
-                                   std::chrono::steady_clock::time_point since) {
+                                   motion::Facts::Instant since) {
     output_.begin(f, state_.output, state_.multax);
     auto result = motion::follow(state_, request, output_, options_.limits, options_.interrupted);
     if (!result) {
@@ -325,7 +306,7 @@ class Machine {
   void perform(const Parameter& p) {
     if (p.word == Word::CUTTER) {
       writer_.put(cl::Values{Word::CUTTER, p.values});
-      reportIf(motion::setCutter(state_, p, motion::cutterIsUsed(actions_, index_)));
+      reportIf(motion::setCutter(state_, p, motion::cutterIsUsed(*actions_, index_)));
     } else {
       motion::setParameter(state_, p, writer_);
     }
@@ -353,7 +334,7 @@ class Machine {
   }
   void perform(const Label&) {}
   void perform(const Pocket& p) {
-    const auto since = std::chrono::steady_clock::now();
+    const auto since = facts_.begin();
     needPosition();
     const auto path = motion::pocketPath(p, state_);
     if (!path) {
@@ -368,27 +349,47 @@ class Machine {
     stop_ = true;
   }
 
-  const std::vector<Action>& actions_;
-  const Options& options_;
+  const std::vector<Action>* actions_ = nullptr;
+  const Options options_;
+  motion::Facts facts_{options_.keepsFacts};
   motion::RecordWriter writer_;
   motion::MotionOutput output_{writer_};
   motion::Reporter reporter_;
-  motion::Labels labels_;
+  motion::Labels labels_{{}};
   std::size_t index_ = 0;
+  std::uint64_t steps_ = 0;
   bool stop_ = false;
   bool warnedNoFrom_ = false;
   State state_;
   motion::ClCurves curves_{state_, writer_};
   EntityPtr lastDrive_;
-  MotionOutcome outcome_;
 };
 }  // namespace
+
+struct Execution::Machine : Motions {
+  using Motions::Motions;
+};
+
+Execution::Execution(const Options& options, cl::RecordSink& records, DiagnosticSink& sink)
+    : machine_(std::make_unique<Machine>(options, records, sink)) {}
+
+Execution::~Execution() = default;
+
+void Execution::feed(const std::vector<Action>& actions) {
+  machine_->run(actions);
+}
+
+MotionOutcome Execution::finish() {
+  return machine_->finish();
+}
 
 MotionOutcome execute(const std::vector<Action>& actions,
                       const Options& options,
                       cl::RecordSink& records,
                       DiagnosticSink& sink) {
-  return Machine(actions, options, records, sink).run();
+  Execution execution(options, records, sink);
+  execution.feed(actions);
+  return execution.finish();
 }
 
 }  // namespace arelem::runtime

@@ -132,6 +132,50 @@ class Cl(ArelemCase):
                     ["FEDRAT", "1", "understood"], ["$$", "1", "comments, not in the CL data"]):
             self.assertIn(row, counts)
 
+    def test_numbers_of_words_on_tapes(self):
+        self.write("a.apt", "MACHIN/MILL,1\nFEDRAT/100,MMPM\nROTABL/90,CLW\nMYWORD/1,OTHER,IPM\nGOTO/1,2,3\nFINI\n")
+        self.write("c.toml", "[minor]\nMMPM=399\nOTHER=400\nGRID=73\n[major]\nMYWORD=1026\nROTABL=1500\n")
+        codes = ("--codes", "c.toml")
+        self.assertExit(0, "compile", "a.apt", "--dialect", "cl", "-o", "a.cltape", "-o", "a.cls", *codes)
+        self.assertExit(0, "dump", "a.cltape", *codes)
+        self.assertRegex(self.out, r"2000/1500 .*ROTABL / 90.0, CLW")
+        self.assertRegex(self.out, r'2000/1026 .*MYWORD / 1.0, "OTHER", "IPM"')  # GRID has taken the number of IPM
+        tape = (self.folder / "a.cltape").read_bytes()
+        for code in (399, 400):
+            self.assertIn(code.to_bytes(8, "little"), tape)
+        self.assertExit(0, "compile", "a.cltape", "-o", "b.cltape", "-o", "b.cls", *codes)
+        self.assertEqual((self.folder / "b.cltape").read_bytes(), tape)
+        self.assertEqual((self.folder / "b.cls").read_text(), (self.folder / "a.cls").read_text())
+        self.assertExit(0, "compile", "a.cltape", "-o", "c.cls")  # without the file the numbers mean other words
+        self.assertIn("MYWORD", (self.folder / "a.cls").read_text())
+        self.assertNotIn("MYWORD", (self.folder / "c.cls").read_text())
+
+    def test_code_file_of_the_library(self):
+        self.write("a.apt", "FEDRAT/100,MMPM\nGOTO/1,2,3\nFINI\n")
+        self.assertExit(0, "compile", "a.apt", "-o", "a.cltape", "--codes", "apt4")
+        self.assertIn((171).to_bytes(8, "little"), (self.folder / "a.cltape").read_bytes())
+        self.assertExit(0, "compile", "a.apt", "-o", "b.cltape")
+        self.assertIn((315).to_bytes(8, "little"), (self.folder / "b.cltape").read_bytes())
+
+    def test_wrong_code_files(self):
+        self.write("a.apt", "GOTO/1,2,3\nFINI\n")
+        self.write("a.cltape", "old")
+        for text, said in {
+            "[minor]\nMMPM=0\n": "line 2: the code of MMPM must be a whole number from 1 to 32767",
+            "[minor]\nA=7\nB=7\n": "A and B have the same code, 7",
+            "[major]\nMYWORD=1009\n": "MYWORD takes the code 1009 of FEDRAT",
+            "[words]\nA=1\n": "`words`",
+            "[minor]\nlower=1\n": "`lower` is no word",
+            "[minor\n": "line 1",
+        }.items():
+            self.write("c.toml", text)
+            with self.subTest(text):
+                self.assertExit(3, "compile", "a.apt", "-o", "a.cltape", "--codes", "c.toml")
+                self.assertIn("E0605", self.err)
+                self.assertIn(said, self.err)
+                self.assertEqual((self.folder / "a.cltape").read_text(), "old")
+        self.assertExit(3, "compile", "a.apt", "--codes", "none.toml")
+
     def test_diff_tells_first_and_largest(self):
         self.write("a.cls", "GOTO/1,0,0\nGOTO/2,0,0\nGOTO/3,0,0\nRAPID\nGOTO/4,0,0\nFINI\n")
         self.write("b.cls", "GOTO/1,0,0\nGOTO/2,0,.5\nGOTO/3,0,2\nRAPID\nGOTO/4,0,0\nFINI\n")

@@ -1,15 +1,14 @@
 // fuzz TARGET [--rounds N | --seconds S] [--seed N] [--keep FILE] FOLDER...
 //
-// Runs every part program below the folders, then changed copies of them, through a target. The
-// text in work is written to FILE first, so that a crash leaves its input there. A text that takes
-// longer than `slowest` is a failure too.
+// Runs every file below the folders that suits the target, then changed copies of them, through the
+// target. The bytes in work are written to FILE first, so that a crash leaves its input there. What
+// takes longer than `slowest` is a failure too.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <sstream>
 
 #include "tests/fuzz/mutate.h"
@@ -21,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double slowest = 10.0;  // seconds, with sanitizers
 
 struct Plan {
-  void (*target)(const std::string&) = nullptr;
+  const arelem::fuzz::Target* target = nullptr;
   std::uint64_t rounds = 0;
   double seconds = 0.0;
   std::uint64_t seed = 1;
@@ -29,11 +28,13 @@ struct Plan {
   std::vector<std::string> folders;
 };
 
-std::vector<std::string> readCorpus(const std::vector<std::string>& folders) {
+std::vector<std::string> readCorpus(const arelem::fuzz::Target& target,
+                                    const std::vector<std::string>& folders) {
   std::vector<fs::path> paths;
   for (const std::string& folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (entry.path().extension() == ".apt") {
+      if (std::count(target.suffixes.begin(), target.suffixes.end(),
+                     entry.path().extension().string()) > 0) {
         paths.push_back(entry.path());
       }
     }
@@ -44,7 +45,13 @@ std::vector<std::string> readCorpus(const std::vector<std::string>& folders) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
-    texts.push_back(std::move(text).str());
+    std::string bytes = std::move(text).str();
+    if (!target.compiledTo.empty()) {
+      bytes = arelem::fuzz::compiled(bytes, target.compiledTo);
+    }
+    if (!bytes.empty()) {
+      texts.push_back(std::move(bytes));
+    }
   }
   return texts;
 }
@@ -58,7 +65,7 @@ bool runOne(const Plan& plan, const std::string& text) {
     std::ofstream(plan.keep, std::ios::binary) << text;
   }
   const auto start = Clock::now();
-  plan.target(text);
+  plan.target->run(text);
   if (since(start) <= slowest) {
     return true;
   }
@@ -67,9 +74,9 @@ bool runOne(const Plan& plan, const std::string& text) {
 }
 
 int run(const Plan& plan) {
-  const std::vector<std::string> corpus = readCorpus(plan.folders);
+  const std::vector<std::string> corpus = readCorpus(*plan.target, plan.folders);
   if (corpus.empty()) {
-    std::cerr << "no part programs in the folders\n";
+    std::cerr << "no files for this target in the folders\n";
     return 2;
   }
   const auto start = Clock::now();
@@ -83,19 +90,17 @@ int run(const Plan& plan) {
     good = runOne(plan, mutator.next());
     ++rounds;
   }
-  std::cout << corpus.size() << " programs and " << rounds << " changed ones in " << since(start)
+  std::cout << corpus.size() << " texts and " << rounds << " changed ones in " << since(start)
             << " s\n";
   return good ? 0 : 1;
 }
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::map<std::string, void (*)(const std::string&)> targets = {
-      {"reader", arelem::fuzz::readText}, {"program", arelem::fuzz::wholeProgram}};
   const std::vector<std::string> words(argv + 1, argv + argc);
   Plan plan;
-  if (!words.empty() && targets.contains(words[0])) {
-    plan.target = targets.at(words[0]);
+  for (const arelem::fuzz::Target& target : arelem::fuzz::targets()) {
+    plan.target = !words.empty() && words[0] == target.name ? &target : plan.target;
   }
   for (std::size_t i = 1; i < words.size(); ++i) {
     const bool option = words[i].starts_with("--") && i + 1 < words.size();
@@ -112,8 +117,12 @@ int main(int argc, char** argv) {
     }
   }
   if (plan.target == nullptr || plan.folders.empty()) {
-    std::cerr
-        << "fuzz {reader|program} [--rounds N | --seconds S] [--seed N] [--keep FILE] FOLDER...\n";
+    std::cerr << "fuzz TARGET [--rounds N | --seconds S] [--seed N] [--keep FILE] FOLDER...\n"
+                 "targets:";
+    for (const arelem::fuzz::Target& target : arelem::fuzz::targets()) {
+      std::cerr << ' ' << target.name;
+    }
+    std::cerr << '\n';
     return 2;
   }
   return run(plan);

@@ -1,9 +1,22 @@
 #include "tests/fuzz/targets.h"
 
+#include <array>
 #include <sstream>
 
+#include "backend/backend.h"
+#include "backend/cltape/codes.h"
+#include "backend/cltape/dump.h"
+#include "backend/cltape/reader.h"
+#include "backend/g97/block.h"
+#include "backend/json/reader.h"
+#include "backend/robot/machine.h"
+#include "backend/vplus/reader.h"
 #include "frontend/compile.h"
+#include "runtime/geometry/mesh_file.h"
+#include "runtime/region/drawing.h"
 #include "runtime/run.h"
+#include "runtime/spray/calibration.h"
+#include "runtime/stencil/alphabet.h"
 
 namespace arelem::fuzz {
 
@@ -12,10 +25,13 @@ class Silence : public DiagnosticSink {
  public:
   void accept(Diagnostic diagnostic) override {
     length_ += diagnostic.message.size();  // the text is made, as a user would see it
+    errors_ = errors_ || diagnostic.severity() == Severity::error;
   }
+  [[nodiscard]] bool errors() const { return errors_; }
 
  private:
   std::size_t length_ = 0;
+  bool errors_ = false;
 };
 
 Limits smallLimits() {
@@ -35,8 +51,8 @@ frontend::Options optionsFor(const std::string& text) {
   options.limits = smallLimits();
   return options;
 }
-}  // namespace
 
+/// Cards, columns, tokens, parser and checks of the frontend. The dialect follows from the length.
 void readText(const std::string& text) {
   SourceMap sources;
   Silence silence;
@@ -48,6 +64,7 @@ void readText(const std::string& text) {
   ir::survey(program, counts);
 }
 
+/// The same, then Section 1 with small limits.
 void wholeProgram(const std::string& text) {
   SourceMap sources;
   Silence silence;
@@ -57,6 +74,95 @@ void wholeProgram(const std::string& text) {
   const runtime::Evaluation evaluation =
       runtime::evaluate(program, {options.limits, nullptr, {}}, silence);
   static_cast<void>(evaluation);
+}
+
+void tape(const std::string& bytes) {
+  Silence silence;
+  cl::Recording records;
+  std::istringstream in(bytes);
+  backend::readTape(in, records, silence, smallLimits());
+  std::istringstream again(bytes);
+  std::ostringstream out;
+  backend::dump(again, out, silence, smallLimits());
+  // What was read can be written.
+  const auto writer = backend::findTarget("cltape")->make(out, {}, silence);
+  for (const cl::Record& record : records.records) {
+    writer->accept(record);
+  }
+  writer->finish();
+}
+
+void json(const std::string& bytes) {
+  Silence silence;
+  cl::Recording records;
+  static_cast<void>(backend::readJsonRecords(bytes, "fuzz.json", records, silence));
+}
+
+void drawing(const std::string& bytes) {
+  region::DrawingRules rules;
+  rules.mostPoints = 100'000;
+  if (auto read = region::readDrawing(bytes, "fuzz.dxf", rules); read) {
+    static_cast<void>(region::chained(std::move(read->curves), "fuzz.dxf", 1e-3));
+  }
+}
+
+void mesh(const std::string& bytes) {
+  for (const auto format : {geometry::MeshFormat::stl, geometry::MeshFormat::obj,
+                            geometry::MeshFormat::ply, geometry::MeshFormat::off}) {
+    static_cast<void>(geometry::readMesh(bytes, format, "fuzz.mesh"));
+  }
+}
+
+void tables(const std::string& bytes) {
+  static_cast<void>(robot::readMachine(bytes, "fuzz.toml"));
+  static_cast<void>(backend::tape::Codes::read(bytes, "fuzz.toml"));
+  static_cast<void>(spray::readCalibration(bytes, "fuzz.toml"));
+}
+
+void alphabet(const std::string& bytes) {
+  static_cast<void>(stencil::readAlphabet(bytes, "fuzz.alphabet"));
+}
+
+void g97(const std::string& bytes) {
+  static_cast<void>(g97::readPrograms(bytes, {}, "fuzz.lng"));
+}
+
+void vplus(const std::string& bytes) {
+  static_cast<void>(vplus::readProgram(bytes, "fuzz.v2", nullptr));
+}
+
+const std::array table = {
+    Target{"reader", readText, {".apt"}},
+    Target{"program", wholeProgram, {".apt"}},
+    Target{"tape", tape, {".apt"}, "cltape"},
+    Target{"json", json, {".apt"}, "json"},
+    Target{"drawing", drawing, {".dxf"}},
+    Target{"mesh", mesh, {".stl", ".obj", ".ply", ".off"}},
+    Target{"tables", tables, {".toml"}},
+    Target{"alphabet", alphabet, {".alphabet"}},
+    Target{"g97", g97, {".apt"}, "g97"},
+    Target{"vplus", vplus, {".apt"}, "vplus"},
+};
+}  // namespace
+
+std::span<const Target> targets() {
+  return table;
+}
+
+std::string compiled(const std::string& program, std::string_view format) {
+  SourceMap sources;
+  Silence silence;
+  const BufferId buffer = sources.add("seed.apt", program);
+  frontend::Options options;
+  options.limits = smallLimits();
+  const ir::Program read = frontend::compile(sources, buffer, options, silence);
+  const runtime::Options run{options.limits, nullptr, {}};
+  const runtime::Evaluation evaluation = runtime::evaluate(read, run, silence);
+  std::ostringstream out;
+  const auto writer = backend::findTarget(format)->make(out, {}, silence);
+  static_cast<void>(runtime::execute(evaluation.actions, run, *writer, silence));
+  writer->finish();
+  return silence.errors() ? "" : std::move(out).str();
 }
 
 }  // namespace arelem::fuzz

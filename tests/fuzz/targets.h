@@ -1,13 +1,27 @@
 #pragma once
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// What is fuzzed: any bytes must end with diagnostics, never with a crash, a hang or undefined
 /// behavior.
 namespace arelem::fuzz {
 
-/// Cards, columns, tokens, parser and checks of the frontend. The dialect follows from the length.
-void readText(const std::string& text);
-/// The same, then Section 1 with small limits.
-void wholeProgram(const std::string& text);
+struct Target {
+  std::string_view name;
+  void (*run)(const std::string& bytes);
+  /// Suffixes of the files that make the corpus.
+  std::vector<std::string_view> suffixes;
+  /// The output format into which part programs are compiled to make the corpus; "" for the files
+  /// as they are.
+  std::string_view compiledTo = "";
+};
+
+/// Every reader of the project: part programs and all files that programs and commands name.
+[[nodiscard]] std::span<const Target> targets();
+
+/// A part program as an output format of the back end; "" where it has errors.
+[[nodiscard]] std::string compiled(const std::string& program, std::string_view format);
 
 }  // namespace arelem::fuzz

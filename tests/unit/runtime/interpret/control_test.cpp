@@ -160,7 +160,7 @@ TEST(RunControl, WithoutEffectIsCounted) {
 
 TEST(RunControl, WhatIsNotAvailableIsAnError) {
   Builder b;
-  b.command(Word::VTLAXS, {Word::OFF});
+  b.command(Word::OBTAIN, {Word::OFF});
   b.run();
   EXPECT_THAT(b.reported(), ElementsAre("E0473"));
 }

@@ -1,0 +1,24 @@
+#include "app/code_file.h"
+
+#include <filesystem>
+
+#include "app/library_file.h"
+
+namespace arelem::app {
+
+Result<backend::tape::Codes> codesOf(const Settings& settings) {
+  if (settings.codes.empty()) {
+    return backend::tape::Codes();
+  }
+  std::string name = settings.codes;
+  if (!std::filesystem::path(name).has_extension()) {
+    name += ".toml";
+  }
+  Result<LibraryFile> file = readLibraryFile(name, settings, "codes");
+  if (!file) {
+    return file.takeFailure();
+  }
+  return backend::tape::Codes::read(file->text, file->name);
+}
+
+}  // namespace arelem::app

@@ -1,0 +1,158 @@
+#include "runtime/path/swarf.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "ir/diag/interpret.h"
+#include "runtime/path/swarf_section.h"
+
+namespace arelem::path {
+
+namespace {
+const cl::Post* postOf(const cl::Record& record, Word word) {
+  const auto* post = std::get_if<cl::Post>(&record.body);
+  return post != nullptr && post->foreign.empty() && post->word == word ? post : nullptr;
+}
+
+class Swarf : public SwarfStage {
+ public:
+  Swarf(cl::RecordSink& next, DiagnosticSink& sink) : next_(next), sink_(sink) {}
+
+  void accept(const cl::Record& record) override {
+    if (const cl::Post* post = postOf(record, Word::VTLAXS)) {
+      std::get<Word>(post->arguments.at(0)) == Word::ON ? on(record, *post) : off(record, *post);
+    } else if (section_) {
+      inside(record);
+    } else {
+      pass(record);
+    }
+  }
+
+  void finish() override {
+    if (section_) {
+      report(began_, fail(diag::SwarfSection, "VTLAXS/ON has no VTLAXS/OFF"));
+    }
+    flush();
+  }
+
+ private:
+  /// Holds the last motion back: it may turn out to be the first location of a section.
+  void pass(const cl::Record& record) {
+    if (postOf(record, Word::WCORN) != nullptr && !dropped_) {
+      report(record, fail(diag::SwarfSection, "WCORN stands outside of VTLAXS/ON and VTLAXS/OFF"));
+    }
+    if (std::holds_alternative<cl::Motion>(record.body)) {
+      flush();
+      ended_.reset();
+    } else if (held_.empty()) {
+      return next_.accept(record);
+    }
+    held_.push_back(record);
+  }
+  void flush() {
+    for (const cl::Record& record : held_) {
+      next_.accept(record);
+    }
+    held_.clear();
+  }
+
+  void on(const cl::Record& record, const cl::Post& post) {
+    if (section_) {
+      report(record, fail(diag::SwarfSection, "VTLAXS/ON stands twice without VTLAXS/OFF between"));
+      return;
+    }
+    if (held_.empty() && !ended_) {
+      report(record, fail(diag::SwarfSection, "no location stands before VTLAXS/ON"));
+      return;
+    }
+    began_ = record;
+    section_.emplace(post);
+    check(record, ended_ ? section_->begin(*ended_) : section_->begin(held_.front()));
+    for (std::size_t i = 1; i < held_.size() && section_; ++i) {
+      inside(held_[i]);
+    }
+    if (section_) {
+      held_.clear();
+      inside(record);
+    }
+  }
+
+  void inside(const cl::Record& record) {
+    if (postOf(record, Word::WCORN) != nullptr) {
+      return check(record, section_->corner(record));
+    }
+    for (const Word word : {Word::TRACUT, Word::COPY, Word::INDEX}) {
+      if (postOf(record, word) != nullptr) {
+        return check(record, fail(diag::SwarfSection,
+                                  fmt::format("{} stands in a section of VTLAXS", spell(word))));
+      }
+    }
+    const auto* motion = std::get_if<cl::Motion>(&record.body);
+    if (motion != nullptr && motion->kind == cl::Motion::Kind::from) {
+      return check(record, fail(diag::SwarfSection, "FROM stands in a section of VTLAXS"));
+    }
+    check(record, section_->add(record));
+  }
+
+  void off(const cl::Record& record, const cl::Post& post) {
+    if (dropped_) {
+      dropped_ = false;  // what was wrong has been said
+      return;
+    }
+    if (!section_) {
+      report(record, fail(diag::SwarfSection, "VTLAXS/OFF has no VTLAXS/ON before it"));
+      return;
+    }
+    check(record, section_->finish(post));
+    if (!section_) {
+      dropped_ = false;
+      return;
+    }
+    ended_ = SwarfSection::End{section_->last(), swarfTilt(post, 1)};
+    for (const cl::Record& done : section_->records()) {
+      next_.accept(done);
+    }
+    section_.reset();
+    next_.accept(record);
+  }
+
+  void check(const cl::Record& record, std::optional<Failure> failure) {
+    if (failure) {
+      report(record, *std::move(failure));
+      section_.reset();
+      dropped_ = true;
+    }
+  }
+  void report(const cl::Record& record, Failure failure) {
+    sink_.accept(at(record.origin, std::move(failure)));
+  }
+
+  cl::RecordSink& next_;
+  DiagnosticSink& sink_;
+  std::vector<cl::Record> held_;  ///< the last motion and what came behind it
+  std::optional<SwarfSection> section_;
+  std::optional<SwarfSection::End> ended_;  ///< until the next motion
+  cl::Record began_;
+  bool dropped_ = false;  ///< an error ended the section before its VTLAXS/OFF
+};
+}  // namespace
+
+std::unique_ptr<SwarfStage> makeSwarfStage(cl::RecordSink& next, DiagnosticSink& sink) {
+  return std::make_unique<Swarf>(next, sink);
+}
+
+std::optional<Span> firstSwarf(const std::vector<runtime::Action>& actions) {
+  for (const runtime::Action& action : actions) {
+    const auto* pass = std::get_if<runtime::Pass>(&action.body);
+    const auto* post = pass != nullptr ? std::get_if<cl::Post>(&pass->body) : nullptr;
+    if (post != nullptr && post->foreign.empty() &&
+        (post->word == Word::VTLAXS || post->word == Word::WCORN)) {
+      return action.origin;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace arelem::path
