@@ -150,7 +150,7 @@ Result<double> CurveReader::height(const DrawingObject& entity) const {
     return rise;
   }
   if (all.empty()) {
-    return 0.0;
+    all.push_back(0.0);
   }
   const auto [low, high] = std::minmax_element(all.begin(), all.end());
   if (std::abs(*high - *low) + std::abs(*rise) > tolerance::drawingJoint) {

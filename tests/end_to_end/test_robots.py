@@ -63,9 +63,10 @@ class Robots(ArelemCase):
         self.write("stop.apt", STOP)
         self.write("cell.toml", "[envelope]\nz = [100, 900]\n")
         self.write("arm.toml", "[envelope]\nz = [100, 900]\n[elbow]\n")
-        for name, machine in (("s.v2", "cell.toml"), ("s.joints.csv", "arm.toml")):
+        self.write("upright.apt", STOP.replace("QUADR", "OFF"))
+        for name, machine, program in (("s.v2", "cell.toml", "stop.apt"), ("s.joints.csv", "arm.toml", "upright.apt")):
             with self.subTest(name):
-                self.assertExit(6, "stop.apt", "-o", name, "--machine", machine)
+                self.assertExit(6, program, "-o", name, "--machine", machine)
                 self.assertIn("E0667", self.err)
                 self.assertFalse((self.folder / name).exists())
 

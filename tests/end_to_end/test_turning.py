@@ -12,7 +12,7 @@ from examples import REFUSED
 
 RESOLUTION = 1e-3  # the last digits
 AXIS = 1e-5
-SWINGS = {"right_turn.apt"}  # near the pole of the trunnion while it paints: refused, with the place
+SWINGS = {"stop.apt", "school_xing.apt"}  # near the pole of the trunnion while it paints: refused, with the place
 DATA = ["-I", PROJECT / "examples"]
 TURN = 2e-6  # 1e-4 degrees, rounded, of two axes; times the distance from them
 MACHINES = ["mill5_table_table", "mill5_head_head", "mill5_head_table"]

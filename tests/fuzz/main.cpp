@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -64,12 +65,14 @@ bool runOne(const Plan& plan, const std::string& text) {
   if (!plan.keep.empty()) {
     std::ofstream(plan.keep, std::ios::binary) << text;
   }
-  const auto start = Clock::now();
+  // Of this process: others on the machine do not count.
+  const std::clock_t start = std::clock();
   plan.target->run(text);
-  if (since(start) <= slowest) {
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (seconds <= slowest) {
     return true;
   }
-  std::cerr << "a text of " << text.size() << " bytes took " << since(start) << " s\n";
+  std::cerr << "a text of " << text.size() << " bytes took " << seconds << " s\n";
   return false;
 }
 

@@ -152,7 +152,7 @@ def write_pictures(arelem):
         letter = pathlib.Path(folder) / "letter.apt"
         text = "UNITS/MM\nSTENCL/'{}',HEIGHT,2440,FAN,63.5,SPEED,600,TILT,{}\nFINI\n"
         letter.write_text(text.format("S", "BEST"))
-        run(arelem, letter, "-o", PICTURES / "s_joints.svg", "--machine", "stencil_robot.machine.toml")
+        run(arelem, letter, "--to", "joint-plots", "-o", PICTURES / "s_joints.svg", "--machine", "stencil_robot.machine.toml")
         for rule in RULES:
             letter.write_text(text.format("P", rule))
             name = rule.lower()
