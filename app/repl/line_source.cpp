@@ -92,6 +92,8 @@ char* nextCandidate(const char* /*text*/, int index) {
 char** completeLine(const char* text, int start, int end) {
   rl_attempted_completion_over = 1;  // never the editor's own list of files
   const std::string line(rl_line_buffer, static_cast<std::size_t>(end));
+  const bool command = !line.empty() && line.front() == ':' && line.find(' ') == line.npos;
+  rl_completion_append_character = command ? ' ' : '\0';  // the editor sets it anew each time
   const frontend::Completion found = state().completer(line);
   // The editor replaces from `start`; candidates that begin earlier lose what stands there.
   const auto from = static_cast<std::size_t>(start);
@@ -169,7 +171,6 @@ class Editor : public LineSource {
     rl_catch_signals = 0;  // they come through the pipe
     rl_getc_function = getKey;
     rl_attempted_completion_function = completeLine;
-    rl_completion_append_character = '\0';
     rl_basic_word_break_characters = const_cast<char*>(" \t,/()=+-*'");  // NOLINT: its interface
     rl_completer_quote_characters = "";
     rl_variable_bind("enable-bracketed-paste", "on");

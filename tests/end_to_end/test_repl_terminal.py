@@ -44,6 +44,9 @@ class Terminal(ArelemCase):
             os.close(self.tty)
             self.tty = -1
 
+    def shown(self, text):
+        return text
+
     def send(self, text):
         os.write(self.tty, text.encode())
 
@@ -59,7 +62,7 @@ class Terminal(ArelemCase):
                 got = b""
             if not got:
                 self.fail(f"ended before {pattern!r}: {self.seen!r}")
-            self.seen += got.decode(errors="replace")
+            self.seen = self.shown(self.seen + got.decode(errors="replace"))
         at = re.search(pattern, self.seen)
         text, self.seen = self.seen[:at.end()], self.seen[at.end():]
         return text
@@ -69,7 +72,7 @@ class Terminal(ArelemCase):
         end = time.monotonic() + seconds
         while not re.search(pattern, self.seen) and time.monotonic() < end:
             if select.select([self.tty], [], [], max(0, end - time.monotonic()))[0]:
-                self.seen += os.read(self.tty, 65536).decode(errors="replace")
+                self.seen = self.shown(self.seen + os.read(self.tty, 65536).decode(errors="replace"))
         return re.search(pattern, self.seen) is not None
 
     def tell(self, line, pattern, prompt=r"> "):
@@ -123,8 +126,12 @@ class Terminal(ArelemCase):
         self.assertNotIn("CENTER", listed)
         self.send("\x15GO\t\t")
         self.expect(r"GOFWD/")
-        self.send("\x15:dis\t")
-        self.expect(r":distance")
+        self.send("\x15:dis\tP1,P2\r")              # the command is complete, and a blank with it
+        self.expect(r"2\.82842")
+        self.expect(r"> ")
+        self.send("A1=SQ\t16)\r")                 # SQRTF( without a blank
+        self.expect(r"A1=SQRTF\(16\)")
+        self.expect(r"A1 = 4\b")
 
     def test_interrupt_cancels_the_line_and_the_computation(self):
         self.start()
@@ -137,7 +144,7 @@ class Terminal(ArelemCase):
         self.expect(r"A = 5")
         self.expect(r"> ")
         self.send("LOOPST\rB) X=1\rJUMPTO/B\rLOOPND\r")
-        self.expect(r"LOOPND\r?\n")
+        self.expect(r"LOOPND\r*\n")
         # When the computation has begun is not seen: a signal between the line and it counts for neither.
         for _ in range(100):
             os.kill(self.pid, signal.SIGINT)
@@ -269,6 +276,18 @@ class Terminal(ArelemCase):
         self.expect(r"\x1b\[1;32m")
         self.send("P1=POINT/7,8\r")
         self.expect(r"\x1b\[1;36mP1\x1b\[0m = \x1b\[35mPOINT")
+
+
+class Colored(Terminal):
+    """The same with the line that is drawn in colors. What is seen is looked at without them."""
+
+    def start(self, **how):
+        super().start(**{**how, "env": {"NO_COLOR": "", "CLICOLOR_FORCE": "1", **(how.get("env") or {})}})
+
+    def shown(self, text):
+        return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", text)
+
+    test_colors = test_the_typed_line_has_colors = None  # they look at the codes
 
 
 if __name__ == "__main__":
