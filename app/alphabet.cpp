@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -8,6 +9,7 @@
 #include "app/output_file.h"
 
 #include "backend/alphabet/chart.h"
+#include "runtime/stencil/engrave.h"
 #include "runtime/stencil/film.h"
 #include "runtime/stencil/stencil.h"
 
@@ -24,6 +26,7 @@ struct AlphabetOptions {
   double height = 2440.0;
   double speed = 600.0;
   bool plain = false;
+  bool pens = false;
 };
 
 backend::Chart chartOf(const stencil::Alphabet& alphabet, bool plain) {
@@ -47,6 +50,37 @@ backend::Chart chartOf(const stencil::Alphabet& alphabet, bool plain) {
       for (const stencil::Line& line : run.lines) {
         lines.push_back({backend::ChartPoint{line.first.x(), line.first.y()},
                          backend::ChartPoint{line.second.x(), line.second.y()}});
+      }
+    }
+  }
+  return chart;
+}
+
+/// What ENGRAV cuts of each symbol.
+backend::Chart penChartOf(const stencil::Alphabet& alphabet, bool plain) {
+  backend::Chart chart;
+  chart.title = std::filesystem::path(alphabet.file).filename().string() + ", pen lines";
+  chart.height = alphabet.penHeight;
+  constexpr double pixels = 144.0;  // of the height
+  chart.unit = pixels / alphabet.penHeight;
+  chart.lines = !plain;
+  stencil::Engraving engraving;
+  engraving.placement.height = alphabet.penHeight;
+  engraving.chord = 0.001 * alphabet.penHeight;
+  for (const stencil::Symbol& symbol : alphabet.symbols) {
+    backend::ChartSymbol& drawn = chart.symbols.emplace_back();
+    drawn.name = symbol.name;
+    drawn.width = alphabet.penWidth;
+    engraving.text = symbol.name;
+    const auto lines = stencil::penLines(engraving, alphabet, Limits{}, stencil::Vec2::Zero());
+    if (!lines) {
+      continue;
+    }
+    for (const stencil::PenLine& line : *lines) {
+      auto& points = drawn.pens.emplace_back();
+      for (const stencil::Vec2& p : line.points) {
+        points.emplace_back(p.x(), p.y());
+        drawn.width = std::max(drawn.width, p.x());
       }
     }
   }
@@ -117,6 +151,7 @@ int runAlphabet(const Invocation& invocation) {
                  "an alphabet file, here or in the library; default: roadway.alphabet");
   app.add_option("-o,--output", options.output, "picture of all symbols, SVG")->type_name("FILE");
   app.add_flag("--plain", options.plain, "the picture as on the road, without grid and lines");
+  app.add_flag("--pens", options.pens, "the picture of the lines that ENGRAV cuts");
   const auto number = [&](const char* name, double& value, double low, double high,
                           const char* text) {
     app.add_option(name, value, text)
@@ -140,7 +175,9 @@ int runAlphabet(const Invocation& invocation) {
   if (!alphabet) {
     log.accept(alphabet.takeFailure());
   } else if (!options.output.empty()) {
-    writeTo(log, options.output, chartOf(*alphabet, options.plain));
+    writeTo(
+        log, options.output,
+        options.pens ? penChartOf(*alphabet, options.plain) : chartOf(*alphabet, options.plain));
   } else {
     printFilms(*alphabet, options);
   }

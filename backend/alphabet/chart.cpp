@@ -11,10 +11,9 @@ namespace {
 using svg::Canvas;
 using svg::Pixel;
 
-constexpr double unit = 14.0;  // pixels of one grid unit
 constexpr double margin = 24.0;
-constexpr double gap = 2.0;  // grid units between symbols
-constexpr double mostWidth = 80.0;
+constexpr double gap = 2.0;           // grid units between symbols
+constexpr double mostWidth = 1120.0;  // pixels
 constexpr double caption = 26.0;
 constexpr double head = 34.0;
 
@@ -29,7 +28,7 @@ std::vector<Slot> slotsOf(const Chart& chart) {
   double x = 0.0;
   int row = 0;
   for (const ChartSymbol& symbol : chart.symbols) {
-    if (x > 0.0 && x + symbol.width > mostWidth) {
+    if (x > 0.0 && (x + symbol.width) * chart.unit > mostWidth) {
       x = 0.0;
       ++row;
     }
@@ -43,11 +42,11 @@ class Sheet {
  public:
   Sheet(Canvas& canvas, const Chart& chart) : canvas_(canvas), chart_(chart) {}
 
-  [[nodiscard]] double rowHeight() const { return unit * chart_.height + caption + margin; }
+  [[nodiscard]] double rowHeight() const { return chart_.unit * chart_.height + caption + margin; }
 
   void symbol(const ChartSymbol& symbol, const Slot& slot) {
-    left_ = margin + unit * slot.left;
-    foot_ = head + rowHeight() * slot.row + unit * chart_.height;
+    left_ = margin + chart_.unit * slot.left;
+    foot_ = head + rowHeight() * slot.row + chart_.unit * chart_.height;
     if (chart_.lines) {
       grid(symbol.width);
     }
@@ -68,13 +67,22 @@ class Sheet {
         fan(stroke);
       }
     }
-    canvas_.text({left_ + 0.5 * unit * symbol.width, foot_ + 18.0}, symbol.name,
+    for (const auto& pen : symbol.pens) {
+      std::vector<Pixel> line;
+      for (const ChartPoint& point : pen) {
+        line.push_back(at(point));
+      }
+      canvas_.polyline(line,
+                       "fill=\"none\" stroke=\"#20242a\" stroke-width=\"2\" "
+                       "stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+    }
+    canvas_.text({left_ + 0.5 * chart_.unit * symbol.width, foot_ + 18.0}, symbol.name,
                  "text-anchor=\"middle\"");
   }
 
  private:
   [[nodiscard]] Pixel at(const ChartPoint& p) const {
-    return {left_ + unit * p.first, foot_ - unit * p.second};
+    return {left_ + chart_.unit * p.first, foot_ - chart_.unit * p.second};
   }
   void grid(double width) {
     for (double x = 0.0; x <= width + 1e-9; x += 1.0) {
@@ -110,8 +118,8 @@ void writeChart(std::ostream& out, const Chart& chart) {
     widest = std::max(widest, slots[i].left + chart.symbols[i].width);
   }
   const int rows = slots.empty() ? 1 : slots.back().row + 1;
-  const double rowHeight = unit * chart.height + caption + margin;
-  Canvas canvas(out, 2.0 * margin + unit * widest, head + rows * rowHeight);
+  const double rowHeight = chart.unit * chart.height + caption + margin;
+  Canvas canvas(out, 2.0 * margin + chart.unit * widest, head + rows * rowHeight);
   canvas.begin(chart.title, std::to_string(chart.symbols.size()) + " symbols");
   canvas.text({margin, 22.0}, chart.title, "class=\"title\"");
   Sheet sheet(canvas, chart);

@@ -16,11 +16,13 @@ struct ChartSymbol {
   double width = 4.0;
   /// The fan lines of each stroke, from the first to the second edge.
   std::vector<std::vector<std::array<ChartPoint, 2>>> strokes;
+  std::vector<std::vector<ChartPoint>> pens;  ///< lines of no width, drawn instead
 };
 
 struct Chart {
   std::string title;
   double height = 25.0;  ///< of all symbols
+  double unit = 14.0;    ///< pixels of one grid unit
   std::vector<ChartSymbol> symbols;
   bool lines = true;  ///< with the fan lines and the grid; else as on the road
 };

@@ -56,6 +56,14 @@ class Engrave(ArelemCase):
         self.write("part.apt", example)
         self.assertExit(0, "part.apt", "-o", "part.ngc", "-o", "part.cls")
 
+    def test_chart_of_pen_lines(self):
+        self.write("x.alphabet", "GRID 4 25\nPENGRID 4 6 1\nSYMBOL L\nPEN FROM 0,6 LINE 0,0 LINE 3,0\n")
+        self.assertExit(0, "alphabet", "x.alphabet", "--pens", "--plain", "-o", "c.svg")
+        chart = (self.folder / "c.svg").read_text()
+        self.assertIn(">L</text>", chart)
+        # 24 pixels a unit: 144 down, 72 to the right.
+        self.assertIn('points="96,178 24,178 24,34"', chart)
+
     def test_refusals_leave_the_file_alone(self):
         for statement, code in [("ENGRAV/'A%',HEIGHT,10,DEEP,.3,CLEARP,2", "E0560"),
                                 ("ENGRAV/' ',HEIGHT,10,DEEP,.3,CLEARP,2", "E0563"),

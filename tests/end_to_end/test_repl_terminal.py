@@ -85,9 +85,14 @@ class Terminal(ArelemCase):
     def exit_code(self):
         """Ends it as a user does. To be called at a prompt: while the terminal is not the editor's,
         an end of input is the terminal's own affair and the editor never sees it."""
-        self.send("\x04")
-        deadline = time.monotonic() + 10
+        asked, deadline = 0.0, time.monotonic() + 30
         while time.monotonic() < deadline:
+            if time.monotonic() > asked + 2:  # one that came between two prompts is lost
+                asked = time.monotonic()
+                try:
+                    self.send("\x04")
+                except OSError:
+                    pass
             done, status = os.waitpid(self.pid, os.WNOHANG)
             if done:
                 self.pid = 0
@@ -152,8 +157,11 @@ class Terminal(ArelemCase):
                 break
         self.expect(r"interrupted")
         self.expect(r"> ")
-        self.send("A+1\r")
-        self.expect(r"ANS1 = 6")
+        for _ in range(20):  # a signal too many may still be under way, and would cancel the line
+            self.send("A+1\r")
+            if self.comes(r"ANS\d+ = 6", 1):
+                break
+        self.expect(r"ANS\d+ = 6")
         self.expect(r"> ")
         self.assertEqual(self.exit_code(), 0)
 
@@ -269,6 +277,7 @@ class Terminal(ArelemCase):
         self.expect(r"color off")
         self.send("L1\r")
         self.assertNotIn("\x1b[36m", self.expect(r"L1 = LINE"))
+        self.expect(r"> ")
         self.assertEqual(self.exit_code(), 0)
 
     def test_colors(self):

@@ -145,6 +145,7 @@ def ring_ratio():
 def write_pictures(arelem):
     run(arelem, "alphabet", "-o", PICTURES / "roadway_alphabet.svg")
     run(arelem, "alphabet", "--plain", "-o", PICTURES / "roadway_plain.svg")
+    run(arelem, "alphabet", "--pens", "--plain", "-o", PICTURES / "roadway_pens.svg")
     for name in ("stop", "ahead", "right_turn"):
         run(arelem, "stencil", EXAMPLES / f"{name}.apt", "--film", PICTURES / f"{name}_film.svg")
     run(arelem, "stencil", EXAMPLES / "school_xing.apt", "--film", PICTURES / "school_xing_film.svg")
