@@ -5,6 +5,7 @@
 
 #include "ir/diag/verify.h"
 #include "ir/space/tolerance.h"
+#include "runtime/spline/cubic.h"
 
 namespace arelem::certify {
 
@@ -45,7 +46,8 @@ bool Association::putsOut(const Action& action) const {
   }
   return std::holds_alternative<Locate>(action.body) ||
          std::holds_alternative<Startup>(action.body) ||
-         std::holds_alternative<Follow>(action.body);
+         std::holds_alternative<Follow>(action.body) ||
+         std::holds_alternative<runtime::FollowSpline>(action.body);
 }
 
 const Action* Association::advance() {
@@ -111,6 +113,12 @@ void Association::unseen(const Action& action) {
     }
     return;
   }
+  if (const auto* along = std::get_if<runtime::FollowSpline>(&action.body)) {
+    const auto curve = spline::CubicSpline::of(along->curve->canon);
+    modal_.positioned = curve.ok();
+    modal_.toolEnd = curve ? curve->at(curve->end()) : modal_.toolEnd;
+    return;
+  }
   modal_.takeAutomaticPart();
   if (const auto* startup = std::get_if<Startup>(&action.body);
       startup && startup->surfaces.size() > 1) {
@@ -171,6 +179,8 @@ void Association::judge(const Action& action, const Run& run) {
     judgeStartup(action, *startup, run);
   } else if (const auto* follow = std::get_if<Follow>(&action.body)) {
     judgeFollow(action, *follow, run);
+  } else if (const auto* along = std::get_if<runtime::FollowSpline>(&action.body)) {
+    judgeAlong(action, *along, run);
   } else {
     modal_.apply(action);  // CUT puts out where the tool is
     moveTo(pathOf(run, nullptr).back());

@@ -37,6 +37,12 @@ class Association {
   void judgeLocate(const runtime::Action& action, const runtime::Locate& locate, const Run& run);
   void judgeStartup(const runtime::Action& action, const runtime::Startup& startup, const Run& run);
   void judgeFollow(const runtime::Action& action, const runtime::Follow& follow, const Run& run);
+  [[nodiscard]] std::size_t lengthAlong(const runtime::FollowSpline& along,
+                                        const Run& all,
+                                        std::size_t used) const;
+  void judgeAlong(const runtime::Action& action,
+                  const runtime::FollowSpline& along,
+                  const Run& run);
   void judgeCopy(const Run& run);
   [[nodiscard]] std::vector<Location> pathOf(const Run& run,
                                              const surface::AnySurface* drive) const;

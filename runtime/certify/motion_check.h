@@ -41,6 +41,8 @@ class MotionCheck {
                               std::size_t index,
                               std::span<const Location> path,
                               const surface::AnySurface& drive) const;
+  /// Reports what the figures say against the tolerance.
+  void judge(StatementResult& result, const runtime::Action& action, const GuideFigures& figures);
 
  private:
   /// A contact that a stop or startup asks for, measured.
@@ -57,7 +59,6 @@ class MotionCheck {
                                   const surface::AnySurface& drive) const;
   [[nodiscard]] GuideTask taskOf(const Modal& modal, Role role, Named surface, bool on) const;
   [[nodiscard]] Allowed allowedFor(const Modal& modal, Role role) const;
-  void judge(StatementResult& result, const runtime::Action& action, const GuideFigures& figures);
   void judgeHand(const Modal& modal,
                  const runtime::Action& action,
                  const GuideFigures& drive,

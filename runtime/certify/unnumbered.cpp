@@ -12,6 +12,9 @@ using runtime::Follow;
 /// How many of the locations from `used` belong to the action: one, or for a motion those up to the
 /// first that stands at a check surface.
 std::size_t Association::lengthOf(const Action& action, const Run& all, std::size_t used) {
+  if (const auto* along = std::get_if<runtime::FollowSpline>(&action.body)) {
+    return lengthAlong(*along, all, used);
+  }
   const auto* follow = std::get_if<Follow>(&action.body);
   const auto drive = follow != nullptr ? named(follow->drive) : Result<Named>(Named{});
   if (follow == nullptr || !drive) {

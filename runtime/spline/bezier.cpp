@@ -56,6 +56,22 @@ std::pair<Bezier, Bezier> Bezier::halves() const {
           Bezier{{middle, bc, c, control[3]}, half, end}};
 }
 
+Bezier Bezier::part(double from, double to) const {
+  const double a = (from - begin) / (end - begin);
+  const double b = (to - begin) / (end - begin);
+  // The polar form of the curve at three parameters.
+  const auto polar = [&](double u, double v, double w) {
+    const auto mix = [](const Vec3& p, const Vec3& q, double s) {
+      return Vec3((1.0 - s) * p + s * q);
+    };
+    const Vec3 p = mix(control[0], control[1], u);
+    const Vec3 q = mix(control[1], control[2], u);
+    const Vec3 r = mix(control[2], control[3], u);
+    return mix(mix(p, q, v), mix(q, r, v), w);
+  };
+  return {{polar(a, a, a), polar(a, a, b), polar(a, b, b), polar(b, b, b)}, from, to};
+}
+
 double Bezier::chordBound() const {
   return std::max(distanceToSegment(control[1], control[0], control[3]),
                   distanceToSegment(control[2], control[0], control[3]));

@@ -17,6 +17,8 @@ struct Bezier {
   [[nodiscard]] double curvature(double t) const;
   /// Both halves at the middle parameter (de Casteljau).
   [[nodiscard]] std::pair<Bezier, Bezier> halves() const;
+  /// The part between two parameters (de Casteljau).
+  [[nodiscard]] Bezier part(double from, double to) const;
   /// No point of the piece is farther than this from its chord: the larger distance of the inner
   /// control points from it (convex hull).
   [[nodiscard]] double chordBound() const;

@@ -76,13 +76,18 @@ class CubicSpline {
   /// The point next to `p`: no other is nearer by more than 1e-9 of the size of the curve.
   [[nodiscard]] Nearest nearest(const Vec3& p) const;
 
+  /// The parameter of the foot of the perpendicular from `p`, looked for from `from` on and never
+  /// behind it: for the places of a path that runs along the curve.
+  [[nodiscard]] double footAhead(const Vec3& p, double from) const;
+  /// The span of a parameter inside the curve.
+  [[nodiscard]] std::size_t spanOf(double t) const;
+
   /// Canonical numbers of a BSPLIN: closed (0 or 1), m, the distinct knots, x y z of each control
   /// point.
   [[nodiscard]] std::vector<double> canon() const;
   [[nodiscard]] static Result<CubicSpline> of(std::span<const double> canon);
 
  private:
-  [[nodiscard]] std::size_t spanOf(double t) const;
   [[nodiscard]] double inside(double t) const;
   [[nodiscard]] Nearest polished(Nearest best, const Vec3& p) const;
 

@@ -12,6 +12,9 @@ namespace {
 
 constexpr int deepestHalving = 40;
 constexpr int mostPolishing = 8;
+constexpr int mostSteps = 30;
+/// Steps below this share of the parameters are none.
+constexpr double noStep = 1e-12;
 /// A search for the nearest point stops at pieces this small, relative to the curve.
 constexpr double nearestShare = 1e-9;
 
@@ -81,6 +84,25 @@ CubicSpline::Nearest CubicSpline::nearest(const Vec3& p) const {
     }
   }
   return polished(best, p);
+}
+
+/// Steps of the length that the curve has there, so that it does not run past.
+double CubicSpline::footAhead(const Vec3& p, double from) const {
+  double t = from;
+  for (int i = 0; i < mostSteps; ++i) {
+    const Derivatives d = derivatives(t);
+    const double square = d.first.squaredNorm();
+    if (!(square > 0.0)) {
+      break;
+    }
+    const double next = std::clamp(t + (p - d.point).dot(d.first) / square, from, end());
+    const double moved = std::abs(next - t);
+    t = next;
+    if (moved <= noStep * (end() - begin())) {
+      break;
+    }
+  }
+  return t;
 }
 
 /// Newton's method on the foot of the perpendicular: the search above leaves the parameter known to

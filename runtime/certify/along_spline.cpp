@@ -1,0 +1,64 @@
+// GOTO/spline: its locations against the curve.
+#include "ir/diag/verify.h"
+#include "runtime/certify/association.h"
+#include "runtime/certify/spline_guide.h"
+
+namespace arelem::certify {
+
+using runtime::Action;
+
+/// Of a file without statement numbers: the locations up to the end of the curve.
+std::size_t Association::lengthAlong(const runtime::FollowSpline& along,
+                                     const Run& all,
+                                     std::size_t used) const {
+  const auto curve = spline::CubicSpline::of(along.curve->canon);
+  if (!curve) {
+    return 1;
+  }
+  SplineWalk walk(*curve, options_.slack);
+  for (std::size_t i = used; i < all.locations.size(); ++i) {
+    if (walk.arrives(order_.programmed(all.locations[i]).toolEnd)) {
+      return i + 1 - used;
+    }
+  }
+  return all.locations.size() - used;
+}
+
+/// The tool goes to the start of the curve, if it is not there, and along it to its end.
+void Association::judgeAlong(const Action& action,
+                             const runtime::FollowSpline& along,
+                             const Run& run) {
+  const auto curve = spline::CubicSpline::of(along.curve->canon);
+  std::vector<Location> path = pathOf(run, nullptr);
+  StatementResult result;
+  result.origin = action.origin;
+  result.isn = action.isn;
+  result.statement = "GOTO";
+  result.cutVectors = path.size();
+  const auto objection = [&](Failure failure) {
+    result.good = false;
+    report(action, std::move(failure));
+  };
+  if (!curve) {
+    objection(fail(diag::NotCertified, curve.failure().message));
+  } else {
+    const Vec3 start = curve->at(curve->begin());
+    if (modal_.positioned && (modal_.toolEnd - start).norm() <= options_.slack) {
+      path.insert(path.begin(), {modal_.toolEnd, modal_.axis});
+    }
+    for (const auto& [end, place] :
+         {std::pair{start, path.front().toolEnd}, {curve->at(curve->end()), path.back().toolEnd}}) {
+      if (!((end - place).norm() <= options_.slack)) {
+        objection(fail(diag::LocationMoved, (end - place).norm()));
+      }
+    }
+    const Allowed allowed{0.0, modal_.inner[driveRole] + modal_.outer[driveRole], options_.slack};
+    const std::string name = along.curve->name.empty() ? "(BSPLIN)" : along.curve->name;
+    result.drive = GuideFigures{name, allowed, proveAlongSpline(*curve, path, allowed)};
+    check_.judge(result, action, *result.drive);
+  }
+  moveTo(path.back());
+  add(std::move(result));
+}
+
+}  // namespace arelem::certify
