@@ -2,10 +2,12 @@
 
 #include <iostream>
 
+#include "app/cl_input.h"
 #include "app/machine.h"
 #include "app/options.h"
 #include "app/path_options.h"
 #include "app/pipeline.h"
+#include "app/source_file.h"
 #include <nlohmann/json.hpp>
 
 #include "runtime/path/arc_fit.h"
@@ -24,7 +26,9 @@ struct TimeOptions {
 };
 
 void addOptions(CLI::App& app, TimeOptions& options) {
-  app.add_option("FILE", options.input, "part program; - is standard input")->required();
+  app.add_option("FILE", options.input,
+                 "part program, CL text, CL tape or json; - is standard input")
+      ->required();
   addMachineOptions(app, options.machine);
   const auto limit = [&](const char* name, std::optional<double>& value, const char* help,
                          const CLI::Validator& check) {
@@ -141,8 +145,13 @@ int runTime(const Invocation& invocation) {
   timing::CutTimer timer(*machine, job.log);
   Lines lines(timer);
   const auto fitter = path::makeArcFitter(lines, options.fitShare);
-  const bool done = load(job, options.input, interrupted) && evaluate(job, interrupted) &&
-                    execute(job, *fitter, interrupted);
+  Result<std::string> bytes = readBytes(options.input, options.settings.limits);
+  if (!bytes) {
+    job.log.accept(bytes.takeFailure());
+    job.log.print(job.sources, job.main, options.settings);
+    return static_cast<int>(job.log.exitCode());
+  }
+  const bool done = readRecords(job, options.input, *std::move(bytes), *fitter, interrupted);
   fitter->finish();
   if (done) {
     const timing::TimeTable table = timer.finish();

@@ -83,7 +83,7 @@ bool pathOfVplus(const std::string& file,
   }
   for (const vplus::Move& move : program->moves) {
     path.locations.push_back(
-        {move.pose.point / millimeters, move.pose.axis, move.pose.side, nowhere});
+        {move.pose.point / millimeters, move.pose.axis, move.pose.side, nowhere, {}});
   }
   return true;
 }

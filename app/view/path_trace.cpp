@@ -20,7 +20,7 @@ PathTrace::PathTrace(backend::Scene& scene, const SourceMap& sources)
     : scene_(scene), sources_(sources), timer_(timing::Machine(), complaints_) {
   timer_.tellPieces([this](std::uint64_t move, double seconds) {
     if (move < moves_.size()) {
-      scene_.seconds[moves_[move]] = static_cast<float>(seconds);
+      scene_.seconds[moves_[move]] += static_cast<float>(seconds);
     }
   });
 }

@@ -119,7 +119,7 @@ class TextWriter : public Writer {
   /// The surface that cut vectors run along is a comment.
   void flushCircle() {
     if (circle_) {
-      line_.begin(circle_->type == EntityType::cylinder ? "CYLNDR" : "CIRCLE", true);
+      line_.begin(spell(circle_->type), true);
       lengths(circle_->canon);
       circle_.reset();
     }

@@ -3,11 +3,22 @@
 #include <nlohmann/json.hpp>
 
 #include "ir/diag/output.h"
+#include "ir/words/words.h"
 
 namespace arelem::backend {
 
 namespace {
 using nlohmann::json;
+
+/// By the name that the writer gives it; what is none of them runs like a cylinder: nowhere.
+EntityType surfaceType(std::string_view name) {
+  for (const EntityType type : {EntityType::circle, EntityType::cylinder, EntityType::pathSpline}) {
+    if (spell(type) == name) {
+      return type;
+    }
+  }
+  return EntityType::cylinder;
+}
 
 /// Null unless all points have three or six numbers.
 bool readPoints(const json& points, cl::Motion& motion) {
@@ -22,6 +33,52 @@ bool readPoints(const json& points, cl::Motion& motion) {
     }
   }
   return true;
+}
+
+cl::Value argument(const json& value) {
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  const std::string text = value.get<std::string>();
+  const std::optional<Word> word = findWord(text);
+  return word ? cl::Value(*word) : cl::Value(text);
+}
+
+cl::Body post(const json& row) {
+  const std::string name = row.at("word").get<std::string>();
+  const std::optional<Word> word = findWord(name);
+  if (row.contains("text")) {
+    return cl::Text{word.value_or(Word::PPRINT), row["text"].get<std::string>()};
+  }
+  cl::Post made{word.value_or(Word::END), word ? "" : name, {}};
+  for (const json& value : row.value("args", json::array())) {
+    if (value.is_number() || value.is_string()) {  // a matrix has done its work before
+      made.arguments.push_back(argument(value));
+    }
+  }
+  return made;
+}
+
+/// Records that are no motion. Rows of other kinds say nothing of the path.
+cl::Body command(const std::string& kind, const json& row) {
+  const std::optional<Word> word = findWord(kind);
+  if (kind == "POST") {
+    return post(row);
+  }
+  if (kind == "FINI") {
+    return cl::Fini{};
+  }
+  if (kind == "MULTAX") {
+    return cl::Multax{row.value("on", true)};
+  }
+  if (kind == "UNITS") {
+    return cl::Units{findWord(row.at("unit").get<std::string>()).value_or(Word::MM)};
+  }
+  if (word && row.contains("values")) {
+    return cl::Values{*word, row["values"].get<std::vector<double>>()};
+  }
+  const bool isSwitch = word && (*word == Word::CUT || *word == Word::DNTCUT);
+  return isSwitch ? cl::Body(cl::Switch{*word}) : cl::Body(cl::Card{});
 }
 
 bool hand(const json& row, cl::RecordSink& records) {
@@ -49,9 +106,11 @@ bool hand(const json& row, cl::RecordSink& records) {
     record.body = std::move(motion);
   } else if (kind == "SURFACE") {
     cl::Surface surface;
-    surface.surface.type = row.at("surf") == "CIRCLE" ? EntityType::circle : EntityType::cylinder;
+    surface.surface.type = surfaceType(row.at("surf").get<std::string>());
     surface.surface.canon = row.at("canon").get<std::vector<double>>();
     record.body = std::move(surface);
+  } else {
+    record.body = command(kind, row);
   }
   records.accept(record);
   return true;

@@ -43,7 +43,15 @@ void Association::judgeAlong(const Action& action,
     objection(fail(diag::NotCertified, curve.failure().message));
   } else {
     const Vec3 start = curve->at(curve->begin());
-    if (modal_.positioned && (modal_.toolEnd - start).norm() <= options_.slack) {
+    const auto isStart = [&](const Vec3& place) {
+      return (place - start).norm() <= options_.slack;
+    };
+    if (path.size() == 1 && isStart(path[0].toolEnd) && !isStart(modal_.toolEnd)) {
+      moveTo(path[0]);  // a record of its own: the way to the start
+      --index_;
+      return;
+    }
+    if (modal_.positioned && isStart(modal_.toolEnd)) {
       path.insert(path.begin(), {modal_.toolEnd, modal_.axis});
     }
     for (const auto& [end, place] :

@@ -50,6 +50,17 @@ bool Association::putsOut(const Action& action) const {
          std::holds_alternative<runtime::FollowSpline>(action.body);
 }
 
+/// SMOOTH/tol, ... A program that only ends smoothing moves nothing.
+bool smooths(const cl::Body& body) {
+  const auto* post = std::get_if<cl::Post>(&body);
+  if (post == nullptr || post->arguments.empty()) {
+    return false;
+  }
+  const bool isSmooth =
+      (post->foreign.empty() ? arelem::spell(post->word) : post->foreign) == "SMOOTH";
+  return isSmooth && std::holds_alternative<double>(post->arguments.front());
+}
+
 const Action* Association::advance() {
   while (!ended_ && index_ < actions_.size() && !order_.expectsCopy()) {
     const Action& action = actions_[index_];
@@ -65,6 +76,14 @@ const Action* Association::advance() {
     if (++steps_ > options_.limits.steps) {
       ended_ = true;
     } else if (const auto* pass = std::get_if<runtime::Pass>(&action.body)) {
+      if (smooths(pass->body)) {
+        report(action, fail(diag::NotCertified,
+                            std::string("SMOOTH moves the path off the statements behind it; "
+                                        "`verify OUTPUT --with PROGRAM` compares it")));
+        ++summary_.faults;
+        ended_ = gaveUp_ = true;
+        break;
+      }
       std::string objection;
       order_.apply(pass->body, objection);
       if (!objection.empty()) {
@@ -155,6 +174,8 @@ void Association::take(int isn, const Run& run) {
   if (order_.expectsCopy()) {
     judgeCopy(run);
     order_.keep(run);
+  } else if (gaveUp_) {
+    return;
   } else if (action == nullptr || action->isn != isn) {
     surplus(run.locations);
   } else {
@@ -354,6 +375,9 @@ void Association::judgeCopy(const Run& run) {
 }
 
 void Association::finish() {
+  if (gaveUp_) {
+    return;
+  }
   for (const Action* action = advance(); action != nullptr; action = advance()) {
     miss(*action);
   }

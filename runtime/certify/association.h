@@ -72,6 +72,7 @@ class Association {
   std::size_t index_ = 0;  ///< of the next action
   std::uint64_t steps_ = 0;
   bool ended_ = false;
+  bool gaveUp_ = false;  ///< what comes cannot be judged, and that was said
   std::uint64_t surplus_ = 0;
   Vec3 firstSurplus_ = Vec3::Zero();
   std::vector<StatementResult> results_;

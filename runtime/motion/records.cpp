@@ -1,5 +1,7 @@
 #include "runtime/motion/records.h"
 
+#include "runtime/path/point_records.h"
+
 namespace arelem::motion {
 
 namespace {
@@ -52,7 +54,7 @@ void RecordWriter::startPoints(cl::Motion::Kind kind,
 
 void RecordWriter::add(const Vec3& toolEnd, const Vec3& axis) {
   auto& motion = std::get<cl::Motion>(points_.body);
-  if (motion.coordinates.size() + motion.stride() > numbersPerRecord) {
+  if (motion.coordinates.size() + motion.stride() > path::numbersPerRecord) {
     flush();
   }
   for (int i = 0; i < 3; ++i) {

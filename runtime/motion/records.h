@@ -4,7 +4,8 @@
 
 namespace arelem::motion {
 
-/// Puts the records of one action after another into the stream, points in chunks of 240 numbers.
+/// Puts the records of one action after another into the stream, points in chunks of
+/// path::numbersPerRecord numbers.
 class RecordWriter {
  public:
   explicit RecordWriter(cl::RecordSink& sink) : sink_(sink) {}
@@ -28,7 +29,6 @@ class RecordWriter {
  private:
   void flush();
 
-  static constexpr std::size_t numbersPerRecord = 240;
   cl::RecordSink& sink_;
   cl::Record record_;
   cl::Record points_;

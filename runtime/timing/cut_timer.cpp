@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ir/cl/vendor.h"
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
+#include "runtime/path/cl_spline.h"
 #include "runtime/timing/machine_limits.h"
 #include "runtime/timing/spline_follower.h"
 #include "runtime/timing/spline_limits.h"
@@ -19,6 +21,9 @@ constexpr double secondsOfAMinute = 60.0;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Of a CIRCLE or CYLNDR: center, axis, radius.
 constexpr std::size_t arcNumbers = 7;
+/// Chords of a spline of a CL file, mm.
+constexpr double splineChord = 1e-3;
+constexpr double fullTurn = 2.0 * std::numbers::pi;
 
 bool stopsTool(Word word) {
   switch (word) {
@@ -65,7 +70,8 @@ class CutTimer::Path {
       surface_ = surface->surface;
     } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
       unit_ = millimetersOf(units->unit);
-    } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
+    } else if (const auto* post = std::get_if<cl::Post>(&record.body);
+               post && !clSpline_.take(*post)) {
       const bool known = post->foreign.empty();
       if ((known ? spell(post->word) : std::string_view(post->foreign)) == "MACHLM") {
         limits(*post);
@@ -144,10 +150,8 @@ class CutTimer::Path {
   }
 
   /// mm/s of a cutting move; 0 with a report when there is none.
-  double cuttingSpeed(const Vec3& to) {
-    const double perMinute = perTurn_   ? feed_ * turns_
-                             : inverse_ ? feed_ * (to - *at_).norm()
-                                        : feed_;
+  double cuttingSpeed(double length, const Vec3& to) {
+    const double perMinute = perTurn_ ? feed_ * turns_ : inverse_ ? feed_ * length : feed_;
     if (!(perMinute > 0.0) && !feedReported_) {
       sink_.accept(at(record_->origin,
                       fail(diag::FeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_)));
@@ -172,9 +176,63 @@ class CutTimer::Path {
       }
     }
     for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
-      line(unit_ * Vec3(&motion.coordinates[i]));
+      const Vec3 end = unit_ * Vec3(&motion.coordinates[i]);
+      ++table_.moves;
+      if (motion.isArc() && run_ && run_->canon.size() == arcNumbers) {
+        arc(end, motion.way == cl::Motion::Way::counterclockwise);
+      } else if (motion.way == cl::Motion::Way::spline) {
+        alongClSpline(end);
+      } else {
+        line(end);
+      }
     }
+    clSpline_.clear();
     rapid_ = false;
+  }
+
+  /// CIRCLE of a CL file and the GOTO of its end: one piece, as long as the arc or helix.
+  void arc(const Vec3& to, bool counterclockwise) {
+    const Vec3 axis = (counterclockwise ? 1.0 : -1.0) * Vec3(&run_->canon[3]).normalized();
+    const Vec3 center = unit_ * Vec3(run_->canon.data());
+    const auto across = [&](const Vec3& p) {
+      const Vec3 from = p - center;
+      return Vec3(from - axis.dot(from) * axis);
+    };
+    const Vec3 a = across(*at_);
+    const Vec3 b = across(to);
+    const double radius = 0.5 * (a.norm() + b.norm());
+    const double rise = axis.dot(to - *at_);
+    double sweep = std::atan2(axis.dot(a.cross(b)), a.dot(b));
+    const bool whole = (b - a).norm() <= tolerance::symmetric * (1.0 + radius);
+    sweep = whole ? fullTurn : sweep <= 0.0 ? sweep + fullTurn : sweep;
+    const double length = std::hypot(radius * sweep, rise);
+    const double speed = rapid_ ? machine_.limits.velocity : cuttingSpeed(length, to);
+    if (!(length > tolerance::sameSide) || !(speed > 0.0)) {
+      at_ = to;
+      return;
+    }
+    const double level = radius * sweep / length;  // share of the way square to the axis
+    const double curvature = level * level / std::max(radius, tolerance::coincidence);
+    const auto tangent = [&](const Vec3& from) {
+      return Vec3(level * axis.cross(from).normalized() + rise / length * axis);
+    };
+    add(length, std::min(speed, curveSpeed(curvature, machine_.limits.acceleration)),
+        corner(tangent(a), length));
+    direction_ = tangent(b);
+    lengthBefore_ = length;
+    arcBefore_ = false;
+    at_ = to;
+  }
+
+  /// NURBS of a CL file: chords, whose corners cost what the curve costs.
+  void alongClSpline(const Vec3& to) {
+    auto points = clSpline_.points(Vec3(*at_ / unit_), splineChord / unit_);
+    if (!points) {
+      return line(to);  // told where the file was read
+    }
+    for (const Vec3& p : *points) {
+      line(unit_ * p);
+    }
   }
 
   void setPlace(const cl::Motion& motion) {
@@ -184,11 +242,10 @@ class CutTimer::Path {
   void line(const Vec3& to) {
     const Vec3 step = to - *at_;
     const double length = step.norm();
-    ++table_.moves;
     if (!(length > tolerance::sameSide)) {
       return;
     }
-    const double speed = rapid_ ? machine_.limits.velocity : cuttingSpeed(to);
+    const double speed = rapid_ ? machine_.limits.velocity : cuttingSpeed(length, to);
     if (!(speed > 0.0)) {
       at_ = to;
       return;
@@ -286,6 +343,7 @@ class CutTimer::Path {
   std::optional<cl::SurfaceValue> surface_;
   std::optional<cl::SurfaceValue> run_;
   std::optional<SplineFollower> follower_;
+  path::ClSpline clSpline_;
 };
 
 CutTimer::CutTimer(const Machine& machine, DiagnosticSink& sink)

@@ -218,5 +218,44 @@ class Certify(ArelemCase):
             self.assertIn(word, row)
 
 
+class Splines(ArelemCase):
+    PROGRAM = ("CUTTER/6\nTOLER/.002\nFEDRAT/600\nB1=BSPLIN/0,0,0, 10,8,0, 20,-8,4, 30,0,0\n"
+               "B2=BSPLIN/CLOSED,30,0,0, 40,5,2, 50,0,4, 40,-5,2\nFROM/0,0,9\nGOTO/B1\nGOTO/B2\nGOTO/0,0,9\nFINI\n")
+
+    def test_paths_of_every_format_are_proven(self):
+        self.write("p.apt", self.PROGRAM)
+        self.assertExit(0, "compile", "p.apt", "-o", "p.cls", "-o", "p.cltape", "-o", "p.jsonl")
+        self.assertIn("$$-> BSPLIN / 0.0, 4.0,", (self.folder / "p.cls").read_text())
+        for path in ((), ("p.cls",), ("p.cltape",), ("p.jsonl",)):
+            self.assertExit(0, "verify", "p.apt", *path, "--json")
+            rows = [json.loads(line) for line in self.out.splitlines()]
+            splines = [row["drive"] for row in rows if "drive" in row]
+            self.assertEqual([row["surface"] for row in splines], ["B1", "B2"])
+            for drive in splines:
+                self.assertLessEqual(drive["outer"], 0.002)
+                self.assertGreater(drive["outer"], 0.0005)
+                self.assertEqual(drive["outerIs"], "proven")
+
+    def test_a_place_off_the_curve_is_found(self):
+        self.write("p.apt", self.PROGRAM)
+        self.assertExit(0, "compile", "p.apt", "-o", "p.cls")
+        lines = (self.folder / "p.cls").read_text().splitlines()
+        at = [i for i, line in enumerate(lines) if line.startswith("GOTO")][5]
+        x, y, z = (float(w) for w in lines[at].split("/")[1].split(","))
+        lines[at] = f"GOTO / {x}, {y}, {z + 0.01}"
+        self.write("q.cls", "\n".join(lines) + "\n")
+        self.assertExit(5, "verify", "p.apt", "q.cls")
+        self.assertIn("E0905", self.err)
+
+    def test_smooth_is_told(self):
+        self.write("s.apt", "CUTTER/6\nFEDRAT/600\nFROM/0,0,0\nSMOOTH/.05\nGOTO/20,0,0\nGOTO/40,.5,0\nGOTO/40,20,0\n"
+                   "SMOOTH/NOMORE\nFINI\n")
+        self.assertExit(5, "verify", "s.apt")
+        self.assertEqual(self.err.count("error["), 1)
+        self.assertIn("E0915", self.err)
+        self.assertExit(0, "compile", "s.apt", "-o", "s.cls")
+        self.assertExit(0, "verify", "s.cls", "--with", "s.apt")
+
+
 if __name__ == "__main__":
     unittest.main()

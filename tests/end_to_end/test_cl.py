@@ -166,5 +166,16 @@ class Corpus(ArelemCase):
                 self.assertExit(0, "diff", path, "x.cls", "--tolerance", "2e-3")
 
 
+class JsonIsRead(ArelemCase):
+    def test_words_survive(self):
+        self.write("w.apt", "PARTNO WORDS\nUNITS/MM\nCUTTER/6,1\nINTOL/.01\nLOADTL/2\nSPINDL/1200,CCLW\nCOOLNT/MIST\nFROM/0,0,50\n"
+                   "RAPID\nGOTO/10,0,5\nFEDRAT/120,MMPM\nGOTO/10,0,0\nPPRINT HELLO\nDELAY/1.5\nMULTAX\nGOTO/20,0,0,0,0,1\n"
+                   "END\nFINI\n")
+        self.assertExit(0, "compile", "w.apt", "--dialect", "cl", "-o", "a.cls", "-o", "a.ngc", "-o", "a.jsonl")
+        self.assertExit(0, "compile", "a.jsonl", "-o", "b.cls", "-o", "b.ngc")
+        for suffix in ("cls", "ngc"):
+            self.assertEqual((self.folder / f"a.{suffix}").read_text(), (self.folder / f"b.{suffix}").read_text())
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -41,6 +41,32 @@ class Time(ArelemCase):
         self.assertGreater(self.seconds(corner)["total"], self.seconds(line)["total"])
         self.assertGreater(self.seconds(corner, "--deviation", "0")["total"], self.seconds(corner)["total"])
 
+    def test_arcs_of_cl_files_tapes_and_json(self):
+        # A quarter of a circle of radius 10, 10 mm up, and 10 mm straight on.
+        length = math.hypot(5 * math.pi, 10) + 10
+        self.write("p.cls", "UNITS / MM\nCUTTER / 6.0\nFROM / 10.0, 0.0, 0.0\nFEDRAT / 100.0, MMPM\n"
+                   "CIRCLE / 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 10.0\nGOTO / 0.0, 10.0, 10.0\nGOTO / -10.0, 10.0, 10.0\nFINI\n")
+        self.assertExit(0, "compile", "p.cls", "-o", "p.cltape", "-o", "p.jsonl")
+        totals = []
+        for file in ("p.cls", "p.cltape", "p.jsonl"):
+            self.assertExit(0, "time", file, "--json")
+            table = json.loads(self.out)
+            self.assertAlmostEqual(table["cuttingLength"], length, places=6)
+            self.assertEqual(table["moves"], 2)
+            totals.append(table["total"])
+        self.assertEqual(len(set(totals)), 1)
+
+    def test_fine_chords_cost_what_the_curve_costs(self):
+        # A circle of radius 1: v = sqrt(4000 * 1) = 63.2 mm/s, however many chords it has.
+        times = []
+        for count in (100, 400):
+            points = "".join(f"GOTO/{math.cos(2 * math.pi * i / count):.9f},{math.sin(2 * math.pi * i / count):.9f},0\n"
+                             for i in range(1, 10 * count + 1))
+            times.append(self.seconds("CUTTER/1\nFROM/1,0,0\nFEDRAT/24000\n" + points + "FINI\n")["total"])
+        for time in times:
+            self.assertGreater(time, 20 * math.pi / math.sqrt(4000))
+            self.assertLess(time, 20 * math.pi / math.sqrt(4000) + 0.15)  # and from rest to rest
+
     def test_missing_feed(self):
         self.write("p.apt", "CUTTER/1\nFROM/0,0,0\nGOTO/100,0,0\nFINI\n")
         self.assertExit(4, "time", "p.apt")
