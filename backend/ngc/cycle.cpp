@@ -21,10 +21,12 @@ class Reader {
       cycle_.kind = Cycle::Kind::chip;
     } else if (type == "BORE" || type == "REAM") {
       cycle_.kind = Cycle::Kind::bore;
+    } else if (type == "TAP") {
+      cycle_.kind = Cycle::Kind::tap;
     } else if (type != "DRILL" && type != "FACE") {
       return fail(diag::NgcCycle, "/" + type +
                                       " has no canned cycle here; there are DRILL, FACE, "
-                                      "REAM, BORE, DEEP and BRKCHP");
+                                      "REAM, BORE, TAP, DEEP and BRKCHP");
     }
     for (next_ = 1; next_ < values_.size();) {
       if (!item()) {
@@ -145,6 +147,9 @@ class Reader {
       return fail(diag::NgcCycle, pecks
                                       ? std::string("has DWELL, which no cycle of pecks takes")
                                       : std::string("has a step, which only DEEP and BRKCHP take"));
+    }
+    if (hasDwell_ && cycle_.kind == Cycle::Kind::tap) {
+      return fail(diag::NgcCycle, std::string("/TAP has DWELL, which no control waits for in it"));
     }
     if (hasDwell_ && !(cycle_.dwell >= 0.0)) {
       return fail(diag::NgcCycle, fmt::format("has a dwell of {} seconds", cycle_.dwell));

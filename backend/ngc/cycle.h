@@ -9,7 +9,7 @@ namespace arelem::backend::ngc {
 /// A canned cycle of CYCLE/ type, depth, unit, feed, clearance, modifiers. Lengths in the part
 /// unit.
 struct Cycle {
-  enum class Kind { drill, dwell, peck, chip, bore, boreDwell };
+  enum class Kind { drill, dwell, peck, chip, bore, boreDwell, tap };
   Kind kind = Kind::drill;
   double depth = 0.0;          ///< below the location; written with either sign
   double clearance = 0.0;      ///< above it
@@ -22,8 +22,8 @@ struct Cycle {
 
 /// Reads the positional and the keyworded forms: DRILL, FACE (G81, or G82 with DWELL), DEEP (G83)
 /// and BRKCHP (G73) with STEP or INCR, BORE and REAM (G85, or G89 with DWELL: the tool feeds out
-/// again), with the words of NX, SolidWorks CAM, Creo and CATIA. Errors: other cycles, a number that
-/// is missing.
+/// again), TAP (G84, or G74 where the spindle turns counter-clockwise), with the words of NX,
+/// SolidWorks CAM, Creo and CATIA. Errors: other cycles, a number that is missing.
 [[nodiscard]] Result<Cycle> readCycle(const cl::Post& post);
 
 }  // namespace arelem::backend::ngc

@@ -84,11 +84,32 @@ void Moves::hole(const ToolPose& at) {
   }
   const Vec3 along = onMachine(at.end + at.axis) - onMachine(at.end);
   const bool upright = (along - Vec3::UnitZ()).norm() <= tolerance::symmetric;
-  if (control_.cycles && upright) {
+  const bool canned = control_.cycles && upright;
+  if (!cycleAllowed(canned)) {
+    return;
+  }
+  if (canned) {
     cannedHole(at);
   } else {
     drilledHole(at);
   }
+}
+
+/// At the bottom of a thread the spindle turns back with the feed: only the control can do that.
+bool Moves::cycleAllowed(bool canned) {
+  if (cycle_->kind != Cycle::Kind::tap) {
+    return true;
+  }
+  if (spindle_ == Spindle::off) {
+    report(fail(diag::NgcCycle, std::string("/TAP needs a spindle that turns; SPINDL starts it")));
+    return false;
+  }
+  if (!canned) {
+    report(fail(diag::NgcCycle,
+                std::string("/TAP turns the spindle back at the bottom, which only a canned cycle "
+                            "along z does")));
+  }
+  return canned;
 }
 
 /// The way to the first hole: across at the height where the tool is, or at the clearance if that
@@ -109,7 +130,8 @@ void Moves::approach(const ToolPose& clear) {
 }
 
 void Moves::cannedHole(const ToolPose& at) {
-  constexpr std::array codes = {"G81", "G82", "G83", "G73", "G85", "G89"};
+  const bool counter = spindle_ == Spindle::counterclockwise;
+  const std::array codes = {"G81", "G82", "G83", "G73", "G85", "G89", counter ? "G74" : "G84"};
   const Vec3 place = onMachine(at.end);
   const double clear = place.z() + cycle_->clearance * unit_;
   block_.modal('p', "G17");

@@ -26,6 +26,8 @@ class Moves {
   void setBand(double band) { band_ = band; }
   void setSurface(const cl::SurfaceValue& surface) { surface_ = surface; }
   void setSpindle(double turns) { turns_ = turns; }
+  enum class Spindle { off, clockwise, counterclockwise };
+  void setSpindle(Spindle spindle) { spindle_ = spindle; }
   [[nodiscard]] double spindle() const { return turns_; }  ///< turns a minute
   void rapid() { rapid_ = true; }
   void feed(const cl::Post& post);
@@ -43,6 +45,7 @@ class Moves {
   std::size_t arc(std::span<const Vec3> rest);
   void hole(const robot::ToolPose& at);
   void approach(const robot::ToolPose& clear);
+  [[nodiscard]] bool cycleAllowed(bool canned);
   void cannedHole(const robot::ToolPose& at);
   void drilledHole(const robot::ToolPose& at);
   void closeCycle();
@@ -63,6 +66,7 @@ class Moves {
   double unit_ = 1.0;
   double band_ = 0.0;  // mm
   double turns_ = 0.0;
+  Spindle spindle_ = Spindle::off;
   bool rapid_ = false;
   std::optional<double> feed_;  // mm a minute or a turn, or moves a minute
   FeedMode feedMode_ = FeedMode::perMinute;

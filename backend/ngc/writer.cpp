@@ -261,6 +261,7 @@ class NgcWriter : public Writer {
 
   void spindle(const cl::Post& post) {
     if (has(post, "OFF")) {
+      moves_.setSpindle(ngc::Moves::Spindle::off);
       return line("M5");
     }
     for (const std::string_view mode : {"SFM", "SMM", "ORIENT", "LOCK", "MAXRPM"}) {
@@ -277,6 +278,8 @@ class NgcWriter : public Writer {
     }
     if (running_) {
       counter_ = has(post, "CCLW") || (counter_ && !has(post, "CLW"));
+      moves_.setSpindle(counter_ ? ngc::Moves::Spindle::counterclockwise
+                                 : ngc::Moves::Spindle::clockwise);
       line(counter_ ? "M4" : "M3");
     }
   }

@@ -9,8 +9,8 @@ namespace arelem::smooth {
 
 enum class Method : std::uint8_t {
   source,  ///< the algorithm of Naseath, chapter 3
-  tube,    ///< convex minimisation of curvature inside the tube: the largest one falls most
-  time     ///< the same with weights of the time that curvature costs
+  tube,    ///< least curvature inside the tube by convex problems: the largest one falls most
+  time     ///< the one of two such paths, of few and of many control points, that takes less time
 };
 
 struct Options {
@@ -19,7 +19,7 @@ struct Options {
   int precision = 5;  ///< source: samples of each knot interval in the search for the deviation
   double accuracy =
       0.01;  ///< source: ends when so little of the tolerance is left, as a share of it
-  /// source: ends where no point moves by more; both: bound on the work.
+  /// source: bound on the work.
   int mostIterations = 200;
   bool fixedEnds = true;  ///< tube, time: the ends of an open curve stay. The source moves them.
   /// time: of the machine, in the part unit; its velocity may be the feed.
@@ -34,8 +34,9 @@ struct Smoothed {
 };
 
 /// The control points move; the knots stay, and `tube` and `time` add one in the middle of each
-/// interval first. Every point of the new curve is within the tolerance of the point of the given
-/// curve at the same parameter, certified by the Bezier points of the difference. Errors: a
+/// interval first, `time` perhaps twice. Linear in the number of control points: long paths are
+/// solved in windows. Every point of the new curve is within the tolerance of the point of the
+/// given curve at the same parameter, certified by the Bezier points of the difference. Errors: a
 /// tolerance or accuracy that is not positive, precision below 1.
 [[nodiscard]] Result<Smoothed> smooth(const spline::CubicSpline& curve, const Options& options);
 

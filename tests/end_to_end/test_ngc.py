@@ -126,6 +126,21 @@ class Features(NgcCase):
         for code in ("G81", "G82", "G83", "G73", "G85"):
             self.assertIn(code + " ", text)
 
+    def test_tapping(self):
+        for way, code, back in (("CLW", "G84", "COUNTERCLOCKWISE"), ("CCLW", "G74", "CLOCKWISE")):
+            text = (f"CUTTER/6\nSPINDL/400,{way}\nFROM/0,0,50\nCYCLE/TAP,12,MMPR,1.25,3\nGOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\n"
+                    "RAPID\nGOTO/0,0,50\nFINI\n")
+            calls = self.interpret(text, "--dialect", "cl")
+            self.assertIn(f"{code} X10.0000 Y0.0000 Z-12.0000 R3.0000 G95 F1.2500", (self.folder / "part.ngc").read_text())
+            moves = [m for m in paths.canonical_moves(calls) if m.feed is not None]
+            # Down and, with the spindle turning back, up again at the same feed, in both holes.
+            self.assertEqual([m.end for m in moves], [(10, 0, -12), (10, 0, 3), (20, 0, -12), (20, 0, 3)])
+            self.assertEqual(sum(name == f"START_SPINDLE_{back}" for name, _ in calls), 2)
+        self.write("plain.toml", "[control]\ncycles = false\n")
+        self.write("p.apt", text)
+        self.assertExit(6, "compile", "p.apt", "--dialect", "cl", "--machine", "plain.toml", "-o", "q.ngc")
+        self.assertIn("E0673", self.err)
+
     def test_cycles_one_by_one(self):
         self.write("plain.toml", "[control]\ncycles = false\n")
         self.check_holes(self.interpret(self.CYCLES, "--dialect", "cl", "--machine", "plain.toml"))
@@ -189,7 +204,8 @@ class Features(NgcCase):
         head = "CUTTER/6\nFROM/0,0,50\n"
         for code, text in (("E0671", "GOTO/1,0,0\n"), ("E0674", "FEDRAT/.1,MMPR\nGOTO/1,0,0\n"),
                            ("E0669", "FEDRAT/9\nGOTO/1,0,0\nEND\nGOTO/2,0,0\n"), ("E0688", "FEDRAT/9\nGOTO/1E9,0,0\n"),
-                           ("E0670", "SPINDL/100,SFM\n"), ("E0673", "FEDRAT/9\nCYCLE/TAP,9,MMPM,80,2\nGOTO/1,0,0\n")):
+                           ("E0670", "SPINDL/100,SFM\n"), ("E0673", "FEDRAT/9\nCYCLE/TAP,9,MMPM,80,2\nGOTO/1,0,0\n"),
+                           ("E0673", "FEDRAT/9\nCYCLE/MILL,9,MMPM,80,2\nGOTO/1,0,0\n")):
             with self.subTest(code):
                 source = self.write("p.apt", head + text + "FINI\n")
                 self.assertEqual(self.run_arelem("compile", source, "--dialect", "cl", "--to", "ngc", "-o", "p.ngc"), 6)
