@@ -10,7 +10,6 @@
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/spray_words.h"
 #include "runtime/spray/region_job.h"
-#include "runtime/spray/surface/kept.h"
 #include "runtime/spray/units.h"
 
 namespace arelem::runtime::interpret {
@@ -240,14 +239,13 @@ Result<std::shared_ptr<const spray::MeshSurface>> meshOf(const SprayWords& words
   for (Vec3& corner : mesh.vertices) {
     corner *= unit;
   }
-  if (!keep.empty()) {
-    mesh = clipped(mesh, keep);
-    if (mesh.triangles.empty()) {
-      return fail(diag::SurfaceLimits, "MESH", "nothing left",
-                  "the planes of LIMITS must keep a part of it");
-    }
+  const spray::MeshSurface whole(std::move(mesh), words.otherSide);
+  auto kept = std::make_shared<const spray::MeshSurface>(whole.cutBy(keep));
+  if (kept->mesh().triangles.empty()) {
+    return fail(diag::SurfaceLimits, "MESH", "nothing left",
+                "the planes of LIMITS must keep a part of it");
   }
-  return std::make_shared<const spray::MeshSurface>(std::move(mesh), words.otherSide);
+  return std::shared_ptr<const spray::MeshSurface>(std::move(kept));
 }
 
 /// The work of a job: a patch or a mesh.

@@ -89,6 +89,52 @@ std::pair<double, double> shrunk(const std::vector<bool>& kept,
   return {from + step * (behind - 1), from + step * (behind + last - widest)};
 }
 
+/// A corner of a polygon that a triangle becomes.
+struct ShadedCorner {
+  std::uint32_t vertex = 0;
+  Vec3 normal = Vec3::UnitZ();
+};
+
+ShadedMesh clippedBy(const ShadedMesh& whole, const HalfSpace& side) {
+  ShadedMesh result;
+  result.mesh.vertices = whole.mesh.vertices;
+  const std::vector<Vec3>& places = whole.mesh.vertices;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> cuts;
+  // The same place for both triangles of an edge.
+  const auto cut = [&](const ShadedCorner& a, const ShadedCorner& b) {
+    const auto [low, high] = std::minmax(a.vertex, b.vertex);
+    const auto [found, added] =
+        cuts.try_emplace({low, high}, static_cast<std::uint32_t>(result.mesh.vertices.size()));
+    const double share =
+        side.over(places[low]) / (side.over(places[low]) - side.over(places[high]));
+    if (added) {
+      result.mesh.vertices.push_back(places[low] + share * (places[high] - places[low]));
+    }
+    const double way = a.vertex == low ? share : 1.0 - share;
+    return ShadedCorner{found->second, (a.normal + way * (b.normal - a.normal)).normalized()};
+  };
+  for (std::size_t t = 0; t < whole.mesh.triangles.size(); ++t) {
+    std::vector<ShadedCorner> kept;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t next = (i + 1) % 3;
+      const ShadedCorner a = {whole.mesh.triangles[t][i], whole.normals[t][i]};
+      const ShadedCorner b = {whole.mesh.triangles[t][next], whole.normals[t][next]};
+      const bool in = side.over(places[a.vertex]) >= 0.0;
+      if (in) {
+        kept.push_back(a);
+      }
+      if (in != (side.over(places[b.vertex]) >= 0.0)) {
+        kept.push_back(cut(a, b));
+      }
+    }
+    for (std::size_t i = 2; i < kept.size(); ++i) {
+      result.mesh.triangles.push_back({kept[0].vertex, kept[i - 1].vertex, kept[i].vertex});
+      result.normals.push_back({kept[0].normal, kept[i - 1].normal, kept[i].normal});
+    }
+  }
+  return result;
+}
+
 /// Leaves out the vertices of no triangle.
 geometry::TriangleMesh withoutLoose(const geometry::TriangleMesh& mesh) {
   geometry::TriangleMesh result;
@@ -191,44 +237,12 @@ bool shrinkToKept(Patch& patch, bool uTurns, bool vTurns) {
   return some;
 }
 
-geometry::TriangleMesh clipped(const geometry::TriangleMesh& mesh,
-                               const std::vector<HalfSpace>& keep) {
-  geometry::TriangleMesh result = mesh;
+ShadedMesh clipped(ShadedMesh whole, const std::vector<HalfSpace>& keep) {
   for (const HalfSpace& side : keep) {
-    const geometry::TriangleMesh whole = std::move(result);
-    result = {whole.vertices, {}};
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> cuts;
-    // The same place for both triangles of an edge.
-    const auto cut = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [place, added] =
-          cuts.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(result.vertices.size()));
-      if (added) {
-        const Vec3& p = whole.vertices[std::min(a, b)];
-        const Vec3& q = whole.vertices[std::max(a, b)];
-        const double t = side.over(p) / (side.over(p) - side.over(q));
-        result.vertices.push_back(p + t * (q - p));
-      }
-      return place->second;
-    };
-    for (const auto& triangle : whole.triangles) {
-      std::vector<std::uint32_t> kept;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t a = triangle[i];
-        const std::uint32_t b = triangle[(i + 1) % 3];
-        const bool in = side.over(whole.vertices[a]) >= 0.0;
-        if (in) {
-          kept.push_back(a);
-        }
-        if (in != (side.over(whole.vertices[b]) >= 0.0)) {
-          kept.push_back(cut(a, b));
-        }
-      }
-      for (std::size_t i = 2; i < kept.size(); ++i) {
-        result.triangles.push_back({kept[0], kept[i - 1], kept[i]});
-      }
-    }
+    whole = clippedBy(whole, side);
   }
-  return withoutLoose(result);
+  whole.mesh = withoutLoose(whole.mesh);
+  return whole;
 }
 
 }  // namespace arelem::spray

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "runtime/geometry/triangle_mesh.h"
 #include "runtime/spray/surface/surface_lines.h"
 
@@ -22,8 +24,13 @@ struct KeptGrid {
 /// `turns` tells which of them go round. False where nothing is kept.
 [[nodiscard]] bool shrinkToKept(Patch& patch, bool uTurns, bool vTurns);
 
-/// A mesh cut by planes; neighbors stay neighbors.
-[[nodiscard]] geometry::TriangleMesh clipped(const geometry::TriangleMesh& mesh,
-                                             const std::vector<HalfSpace>& keep);
+/// A mesh with the normals at the corners of each triangle.
+struct ShadedMesh {
+  geometry::TriangleMesh mesh;
+  std::vector<std::array<Vec3, 3>> normals;
+};
+/// What lies on the kept side of all planes. Neighbors stay neighbors, and normals what they were:
+/// a cut must not bend the surface.
+[[nodiscard]] ShadedMesh clipped(ShadedMesh whole, const std::vector<HalfSpace>& keep);
 
 }  // namespace arelem::spray

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ir/space/tolerance.h"
+#include "runtime/spray/surface/kept.h"
 
 namespace arelem::spray {
 
@@ -197,6 +198,14 @@ double MeshSurface::angleAt(std::size_t triangle, std::size_t corner) const {
   const Vec3 a = mesh_.vertices[corners[(i + 1) % 3]] - mesh_.vertices[corner];
   const Vec3 b = mesh_.vertices[corners[(i + 2) % 3]] - mesh_.vertices[corner];
   return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+MeshSurface MeshSurface::cutBy(const std::vector<HalfSpace>& keep) const {
+  ShadedMesh cut = clipped({mesh_, normals_}, keep);
+  MeshSurface result = *this;
+  result.mesh_ = std::move(cut.mesh);
+  result.normals_ = std::move(cut.normals);
+  return result;
 }
 
 double MeshSurface::area() const {

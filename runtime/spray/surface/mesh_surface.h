@@ -27,6 +27,9 @@ class MeshSurface {
  public:
   explicit MeshSurface(geometry::TriangleMesh mesh, bool flipped);
 
+  /// What planes keep of it, bent as it was.
+  [[nodiscard]] MeshSurface cutBy(const std::vector<HalfSpace>& keep) const;
+
   [[nodiscard]] const geometry::TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] double area() const;
   /// Twice the area of a triangle along its normal.

@@ -12,7 +12,7 @@
 namespace arelem::spray {
 
 namespace {
-constexpr double alike = 0.999;  // radii that are measured to less are the same
+constexpr double alike = 0.999;         // radii that are measured to less are the same
 constexpr double piecesOfRadius = 4.0;  // of the footprint, over which a mesh's bend is measured
 
 class Planner {

@@ -156,14 +156,30 @@ TEST(Lines, MeshesAreCutByPlanes) {
   square.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
   const auto areaAndOpen = [&](const std::vector<HalfSpace>& keep) {
-    const geometry::TriangleMesh cut = clipped(square, keep);
-    return std::pair{MeshSurface(cut, false).area(), geometry::openEdges(cut)};
+    const MeshSurface cut = MeshSurface(square, false).cutBy(keep);
+    return std::pair{cut.area(), geometry::openEdges(cut.mesh())};
   };
   EXPECT_NEAR(areaAndOpen({{{1, 0, 0}, 4.0}}).first, 60.0, 1e-9);
   EXPECT_NEAR(areaAndOpen({{{-1, -1, 0}, -10.0}}).first, 50.0, 1e-9);
   EXPECT_NEAR(areaAndOpen({{{1, 0, 0}, 4.0}, {{0, -1, 0}, -5.0}}).first, 30.0, 1e-9);
   EXPECT_EQ(areaAndOpen({{{1, 0, 0}, 4.0}}).second, 5U);  // one of the sides is cut in two
-  EXPECT_TRUE(clipped(square, {{{1, 0, 0}, 11.0}}).triangles.empty());
+  EXPECT_TRUE(MeshSurface(square, false).cutBy({{{1, 0, 0}, 11.0}}).mesh().triangles.empty());
+}
+
+/// A roof of two slopes, cut near its ridge: the normals along a section change as before.
+TEST(Lines, CutsDoNotBendAMesh) {
+  geometry::TriangleMesh roof;
+  roof.vertices = {{-10, 0, 0}, {0, 0, 1}, {10, 0, 0}, {-10, 10, 0}, {0, 10, 1}, {10, 10, 0}};
+  roof.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+  const MeshSurface whole(roof, false);
+  const MeshSurface cut =
+      whole.cutBy({{{-1, 0, 0}, -0.01}});  // little of the right slope
+  const CuttingPlane plane = {{0, 1, 0}, 5.0, std::nullopt, Vec3::Zero()};
+  const std::vector<SurfaceLine> lines = cut.sections({plane}, 1e-6);
+  ASSERT_EQ(lines.size(), 1U);
+  const LinePoint& end = lines[0].front().place.x() > 0.0 ? lines[0].front() : lines[0].back();
+  EXPECT_NEAR(end.place.x(), 0.01, 1e-9);
+  EXPECT_LT((end.normal - Vec3::UnitZ()).norm(), 1e-3);  // at the ridge it points up
 }
 
 TEST(Patches, LimitsAreChecked) {
