@@ -23,7 +23,7 @@ template <surface::Surface S>
 /// A cutter against any kind of surface. It takes one of four ways:
 ///   wall     a wall along the axis meets the cutter as a ball of its largest radius
 ///   ball     a ball end is its ball; what is beside it is cleared by the plane that supports the
-///            contact, else searched
+///            contact, else searched; where that does not do, one of the next two ways (widen)
 ///   convex   outside a convex solid the gap of a convex cutter is a convex function of the tool
 ///   end:
 ///            chords bound it from above, supporting planes from below
@@ -58,6 +58,14 @@ class CutterProbe final : public Probe {
     } else {
       way_ = convex_ ? Way::convex : Way::general;
     }
+  }
+
+  bool widen() override {
+    if (way_ != Way::ball || pieces_.size() == 1) {
+      return false;
+    }
+    way_ = convex_ ? Way::convex : Way::general;
+    return true;
   }
 
   Node resume(const Node& previous) override {
