@@ -15,7 +15,7 @@ constexpr bool isFlat = std::is_same_v<S, surface::Plane>;
 /// The faces of a mesh change the gap between any few places that one looks at: its chords are
 /// proven.
 template <surface::Surface S>
-constexpr bool isFaceted = std::is_same_v<S, surface::Mesh>;
+constexpr bool hasFaces = std::is_same_v<S, surface::Mesh>;
 
 constexpr double shortest = 0.5;
 constexpr double longest = 0.95;
@@ -37,12 +37,12 @@ double judged(certify::Probe& probe, const certify::Chord& chord, double inner, 
 template <surface::Surface S>
 class OnField final : public Field {
  public:
-  OnField(S s, double side) : Field(isFlat<S>), surface_(std::move(s)), side_(side) {}
+  OnField(S s, double side) : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3&) override {
     return tool::pointContact(surface_, side_, toolEnd, hint_);
   }
   double judge(const certify::Chord& chord, double inner, double outer) override {
-    if constexpr (isFaceted<S>) {
+    if constexpr (hasFaces<S>) {
       if (!probe_) {
         probe_ = certify::makeProbe(surface_, {nullptr, side_, 0.0});
       }
@@ -62,14 +62,14 @@ template <surface::Surface S>
 class CutterField final : public Field {
  public:
   CutterField(S s, double side, const tool::Profile& cutter, double thick)
-      : Field(isFlat<S>), surface_(std::move(s)), side_(side), cutter_(cutter), thick_(thick) {}
+      : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side), cutter_(cutter), thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3& axis) override {
     tool::Contact c = tool::contact(surface_, side_, cutter_, toolEnd, axis, search_);
     c.gap -= thick_;
     return c;
   }
   double judge(const certify::Chord& chord, double inner, double outer) override {
-    if constexpr (isFaceted<S>) {
+    if constexpr (hasFaces<S>) {
       if (!probe_) {
         probe_ = certify::makeProbe(surface_, {&cutter_, side_, thick_});
       }

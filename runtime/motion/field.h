@@ -22,12 +22,14 @@ class Field {
   [[nodiscard]] virtual double judge(const certify::Chord& chord, double inner, double outer);
   /// True where the gap is a linear function of the tool end (planes).
   [[nodiscard]] bool flat() const { return flat_; }
+  /// True for meshes: no few places tell about those between them; `judge` does.
+  [[nodiscard]] bool isFaceted() const { return faceted_; }
 
  protected:
-  explicit Field(bool flat) : flat_(flat) {}
+  Field(bool flat, bool faceted) : flat_(flat), faceted_(faceted) {}
 
  private:
-  bool flat_;
+  bool flat_, faceted_;
 };
 
 /// Which part of the tool meets the surface.

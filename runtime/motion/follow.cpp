@@ -115,7 +115,13 @@ class Follower {
       const PathPoint& a = last_;
       const auto b = stride_.next(a, cap);
       if (!b) {
-        return lost();
+        const auto turned = inCorner_ ? std::nullopt : course_.path.roundCorner(a);
+        if (!turned) {
+          return lost();
+        }
+        last_ = *turned;
+        inCorner_ = true;
+        continue;
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {
         return bad;
@@ -145,6 +151,7 @@ class Follower {
       putTurn(*b);
       put(*b);
       hasMoved_ = true;
+      inCorner_ = false;
     }
   }
 
@@ -249,6 +256,7 @@ class Follower {
   StopFinder stops_;
   PathPoint last_;
   bool hasMoved_ = false;                ///< a cut vector along the path was put out
+  bool inCorner_ = false;                ///< the path turned at the present place
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };
