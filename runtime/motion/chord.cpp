@@ -26,9 +26,7 @@ struct Cubic {
     second = 3.0 * change - 2.0 * first - end;
     third = first + end - 2.0 * change;
   }
-  [[nodiscard]] double at(double x) const {
-    return gap + x * (first + x * (second + x * third));
-  }
+  [[nodiscard]] double at(double x) const { return gap + x * (first + x * (second + x * third)); }
   [[nodiscard]] double slopeAt(double x) const {
     return first + x * (2.0 * second + 3.0 * x * third);
   }

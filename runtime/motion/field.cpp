@@ -62,7 +62,11 @@ template <surface::Surface S>
 class CutterField final : public Field {
  public:
   CutterField(S s, double side, const tool::Profile& cutter, double thick)
-      : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side), cutter_(cutter), thick_(thick) {}
+      : Field(isFlat<S>, hasFaces<S>),
+        surface_(std::move(s)),
+        side_(side),
+        cutter_(cutter),
+        thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3& axis) override {
     tool::Contact c = tool::contact(surface_, side_, cutter_, toolEnd, axis, search_);
     c.gap -= thick_;

@@ -148,8 +148,7 @@ class ChordFit {
     outer_ = outer;
     smooth_ = smoothShare * (inner + outer);
     const GapNode middle = measure(0.5 * length_);
-    const int depth =
-        field_.isFaceted() || foretold(first_, last_, middle, smooth_) ? 0 : deepest;
+    const int depth = field_.isFaceted() || foretold(first_, last_, middle, smooth_) ? 0 : deepest;
     consider(first_, middle, depth);
     consider(middle, last_, depth);
     return factor_;
@@ -166,9 +165,8 @@ class ChordFit {
   GapNode measure(double along) {
     const double share = along / length_;
     const Vec3 place = a_.toolEnd + along * direction_;
-    const Vec3 axis = turn_.isZero(0.0)
-                          ? a_.axis
-                          : Vec3((a_.axis + share * (b_.axis - a_.axis)).normalized());
+    const Vec3 axis =
+        turn_.isZero(0.0) ? a_.axis : Vec3((a_.axis + share * (b_.axis - a_.axis)).normalized());
     return node(along, field_.at(place, axis), place);
   }
   void consider(const GapNode& a, const GapNode& b, int depth) {

@@ -56,7 +56,8 @@ constexpr double levelTurn = 1e-9;
 
 double restOf(double curvature, double inner, double outer) {
   const double band = inner + outer;
-  return curvature >= -levelTurn / probe(band) ? outer - edgeShare * band : edgeShare * band - inner;
+  return curvature >= -levelTurn / probe(band) ? outer - edgeShare * band
+                                               : edgeShare * band - inner;
 }
 }  // namespace
 
