@@ -116,4 +116,22 @@ surface::Foot footOn(const surface::AnySurface& any, const Vec3& point) {
       any);
 }
 
+double hollowRadius(const surface::AnySurface& any, double side, const Vec3& point) {
+  return std::visit(
+      [&]<class S>(const S& s) {
+        typename S::Hint hint{};
+        const Vec3 n = s.foot(point, hint).normal;
+        const Vec3 at = point - s.foot(point, hint).distance * n;
+        const surface::Foot there = s.foot(at, hint);
+        const Vec3 e1 = n.unitOrthogonal();
+        const Vec3 e2 = n.cross(e1);
+        const double a = side * s.bend(at, there, e1, hint);
+        const double c = side * s.bend(at, there, e2, hint);
+        const double b = 0.5 * (side * s.bend(at, there, e1 + e2, hint) - a - c);
+        const double least = 0.5 * (a + c) - std::hypot(0.5 * (a - c), b);
+        return least < 0.0 ? -1.0 / least : tolerance::farAway;
+      },
+      any);
+}
+
 }  // namespace arelem::motion

@@ -46,4 +46,10 @@ struct Tool {
 /// Signed distance of a point to a surface, by the surface's own normal.
 [[nodiscard]] surface::Foot footOn(const surface::AnySurface& surface, const Vec3& point);
 
+/// The least radius of curvature of the surface nearest to a point, where it is hollow seen from
+/// `side`; without end where it is not.
+[[nodiscard]] double hollowRadius(const surface::AnySurface& surface,
+                                  double side,
+                                  const Vec3& point);
+
 }  // namespace arelem::motion

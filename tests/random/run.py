@@ -38,7 +38,7 @@ EXPLAINED = {
     "E0511": "the tool stands on the surface to which it shall go",
     "E0512": "the contact is lost",
     "E0513": "more cut vectors than NUMPTS",
-    "E0516": "the cutter does not fit",
+    "E0521": "the cutter does not fit",
 }
 # Stops of moved scenes may lie apart by this share of the band over the sine at which they are met.
 SHARE = 0.5
