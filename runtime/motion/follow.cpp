@@ -20,6 +20,9 @@ namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
 constexpr double halfTurn = std::numbers::pi;
+/// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
+/// unit.
+constexpr double cornersApart = 1e-4;
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
 /// Motions of more cut vectors are not computed again for the sake of a message.
@@ -129,12 +132,16 @@ class Follower {
       const PathPoint& a = last_;
       const auto b = stride_.next(a, cap);
       if (!b) {
-        const auto turned = inCorner_ ? std::nullopt : course_.path.roundCorner(a);
+        const bool chatters = corner_ && (*corner_ - a.toolEnd).norm() <= cornersApart;
+        const auto turned = chatters ? std::nullopt : course_.path.roundCorner(a);
         if (!turned) {
           return lost();
         }
+        corner_ = a.toolEnd;
         last_ = *turned;
-        inCorner_ = true;
+        for (Guide& g : course_.path.guides) {
+          g.bend = 0.0;
+        }
         continue;
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {
@@ -164,7 +171,6 @@ class Follower {
       putTurn(*b);
       put(*b);
       hasMoved_ = true;
-      inCorner_ = false;
     }
   }
 
@@ -293,7 +299,7 @@ class Follower {
   bool hasMoved_ = false;  ///< a cut vector along the path was put out
   double turned_ = 0.0;    ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;
-  bool inCorner_ = false;                ///< the path turned at the present place
+  std::optional<Vec3> corner_;           ///< where the path turned last
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };

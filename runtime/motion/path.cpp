@@ -104,23 +104,24 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
   return p;
 }
 
-/// The tool goes where the gap opens that held it before.
+/// Where the new contact holds the tool back, the gap that held it before opens; where it lets the
+/// tool go (a rim that leaves an edge), that gap closes behind the corner.
 std::optional<PathPoint> Path::roundCorner(const PathPoint& at) {
   const Vec3 ahead = at.toolEnd + aheadOfCorner * at.tangent;
   const Vec3 axisAhead = axis.at(ahead);
   PathPoint turned = at;
-  const tool::Contact* held = nullptr;
+  Vec3 towards = Vec3::Zero();
   for (std::size_t i = 0; i < guides.size(); ++i) {
     tool::Contact next = guides[i].field->at(ahead, axisAhead);
     if (next.normal.dot(at.contacts[i].normal) > sameContact) {
       continue;
     }
+    towards += next.gap <= at.contacts[i].gap ? at.contacts[i].normal : -at.contacts[i].normal;
     next.gap = at.contacts[i].gap;
     next.point -= aheadOfCorner * at.tangent;
     turned.contacts[i] = next;
-    held = &at.contacts[i];
   }
-  if (held == nullptr || !aim(turned, held->normal)) {
+  if (towards.isZero(0.0) || !aim(turned, towards)) {
     return std::nullopt;
   }
   return turned;

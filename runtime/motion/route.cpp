@@ -66,6 +66,9 @@ double restGap(
   if (exact || field.flat()) {
     return 0.0;
   }
+  if (field.isFaceted()) {
+    return restOf(0.0, inner, outer);
+  }
   const double step = probe(inner + outer);
   const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
   const Vec3 t = normal.unitOrthogonal();
@@ -84,6 +87,9 @@ double restGapAfter(Field& field,
                     bool exact) {
   if (exact || field.flat()) {
     return 0.0;
+  }
+  if (field.isFaceted()) {
+    return restOf(0.0, inner, outer);
   }
   const Vec3 across = field.at(toolEnd, axis.at(toolEnd)).normal.cross(along).normalized();
   return restOf(bend + curvatureAlong(field, toolEnd, axis, across, probe(inner + outer)), inner,

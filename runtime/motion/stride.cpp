@@ -72,6 +72,7 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   double bestLength = 0.0;
   Tried tried;
   int grown = 0;
+  bool looked = false;  // at the curvature of a trial
   bool corner = false;  // lengths fail because the path cannot be followed so far
   for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
     auto b = path_.step(a, length, path_.vertexGaps(), accept);
@@ -87,17 +88,20 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
     if (factor < 1.0 - tolerance::coincidence) {
       // Past an inflection the surface bends the other way than it did: aim at the other edge of
       // the band before shortening the chord.
-      if (i == 0 && learnTurn(a, *b)) {
+      if (!looked && learnTurn(a, *b)) {
         length = std::min({planned(a), cap, length});
+        tried = {};
       } else {
         length = tried.shorter(length, factor, i);
       }
+      looked = true;
       corner = false;
       if (best && ++grown > growLimit) {
         break;
       }
       continue;
     }
+    looked = true;
     const double reached = (b->toolEnd - a.toolEnd).norm();
     const bool better = !best || reached > bestLength;
     if (better) {

@@ -43,7 +43,8 @@ class BadMotion(ArelemCase):
 
     def test_cut_vectors_run_out(self):
         fault = self.fault("3DCALC", "CUTTER/1", "NUMPTS/20", "C1=CYLNDR/0,0,0,0,0,1,3", "L1=LINE/9,0,9,1",
-                           "PS1=PLANE/0,0,1,0", "FROM/0,-9,0", "INDIRV/0,1,0", "GO/TO,C1,TO,PS1", "TLLFT,GORGT/C1,TO,L1", exit_code=7)
+                           "PS1=PLANE/0,0,1,0", "FROM/0,-9,0", "INDIRV/0,1,0", "GO/TO,C1,TO,PS1", "TLLFT,GORGT/C1,TO,L1",
+                           exit_code=7)
         self.assertFault(fault, "E0513", "803", 20)
         self.assertIn("nearest to `L1`", fault["message"])
 
@@ -64,8 +65,8 @@ class BadMotion(ArelemCase):
         # A mesh of one triangle ends at x = 1; the ball runs off it and reaches no check surface.
         self.write("m.stl", "solid m\nfacet normal 0 0 1\nouter loop\nvertex -9 -9 0\nvertex 1 0 0\nvertex -9 9 0\n"
                             "endloop\nendfacet\nendsolid m\n")
-        fault = self.fault("CUTTER/1,.5", "OUTTOL/.001", "M1=MESH/STL,'m.stl'", "DS1=PLANE/0,1,0,0", "XM=PLANE/1,0,0,-5",
-                           "X9=PLANE/1,0,0,9", "FROM/-5,0,4", "GO/ON,DS1,TO,M1,ON,XM", "INDIRV/1,0,0",
+        fault = self.fault("CUTTER/1,.5", "OUTTOL/.001", "M1=MESH/STL,'m.stl'", "DS1=PLANE/0,1,0,0",
+                           "XM=PLANE/1,0,0,-5", "X9=PLANE/1,0,0,9", "FROM/-5,0,4", "GO/ON,DS1,TO,M1,ON,XM", "INDIRV/1,0,0",
                            "TLON,GOFWD/DS1,ON,X9")
         self.assertIn((fault["code"], fault["legacy"]), (("E0512", "902"), ("E0508", "724")))
 
@@ -114,8 +115,8 @@ class BadMotion(ArelemCase):
         self.assertFault(self.fault("L1=LINE/0,0,1,0", "FROM/0,-3,0", "GO/TO,L1"), "E0502", "312")
         self.assertFault(self.fault("CUTTER/1", "L1=LINE/0,0,1,0", "FROM/0,-3,0", "OFFSET/TO,L1"), "E0519", "33")
         self.assertFault(self.fault(*self.LINES, "FROM/0,-3,0", "NOPS", "GO/TO,L1,TO,L2"), "E0518", "601", 2)
-        self.assertFault(self.fault(*self.LINES, "OUTTOL/0", "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TO,L2"), "E0516",
-                         None, 0)
+        none = self.fault(*self.LINES, "OUTTOL/0", "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TO,L2")
+        self.assertFault(none, "E0516", None, 0)
 
 
 if __name__ == "__main__":

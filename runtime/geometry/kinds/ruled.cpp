@@ -13,6 +13,8 @@ namespace arelem::surface {
 
 namespace {
 constexpr int newtonLimit = 50;
+/// A Newton step of f and g at most this long is the last.
+constexpr double smallStep = 1e-8;
 /// Rulings kept for each curve distance.
 constexpr int rulingsOfASpan = 64;
 /// How far beyond its end points a curve is followed, in chords.
@@ -231,17 +233,28 @@ Ruled::Ruled(const geometry::RuledSurface& surface)
     : sheet_(std::make_shared<const Sheet>(surface)) {}
 
 namespace {
+/// Solution of the symmetric system (a b; b c) x = r.
+Eigen::Vector2d solved(double a, double b, double c, const Eigen::Vector2d& r) {
+  return Eigen::Vector2d(c * r.x() - b * r.y(), a * r.y() - b * r.x()) / (a * c - b * b);
+}
+
+struct Descent {
+  Eigen::Vector2d step;
+  bool newton = true;
+};
+
 /// One Newton step on half the squared distance, turned to Gauss-Newton where it is not convex.
-Eigen::Vector2d descent(const SheetPlace& s, const Vec3& rest) {
-  const Eigen::Vector2d slope(-rest.dot(s.byF), -rest.dot(s.byG));
-  Eigen::Matrix2d h;
-  h << s.byF.squaredNorm() - rest.dot(s.byFF), s.byF.dot(s.byG) - rest.dot(s.byFG), 0.0,
-      s.byG.squaredNorm();
-  h(1, 0) = h(0, 1);
-  if (!(h.determinant() > 0.0) || !(h(0, 0) > 0.0)) {
-    h << s.byF.squaredNorm(), s.byF.dot(s.byG), s.byF.dot(s.byG), s.byG.squaredNorm();
+Descent descent(const SheetPlace& s, const Vec3& rest) {
+  const Eigen::Vector2d slope(rest.dot(s.byF), rest.dot(s.byG));
+  const double ff = s.byF.squaredNorm();
+  const double fg = s.byF.dot(s.byG);
+  const double gg = s.byG.squaredNorm();
+  const double a = ff - rest.dot(s.byFF);
+  const double b = fg - rest.dot(s.byFG);
+  if (a > 0.0 && a * gg - b * b > 0.0) {
+    return {solved(a, b, gg, slope), true};
   }
-  return -h.fullPivLu().solve(slope);
+  return {solved(ff, fg, gg, slope), false};
 }
 }  // namespace
 
@@ -249,7 +262,7 @@ Foot Ruled::foot(const Vec3& p, Hint& hint) const {
   Hint at = hint.valid ? hint : sheet_->seed(p);
   SheetPlace s = sheet_->at(at.f, at.g);
   for (int i = 0; i < newtonLimit; ++i) {
-    const Eigen::Vector2d step = descent(s, p - s.place);
+    const auto [step, newton] = descent(s, p - s.place);
     if (!step.allFinite()) {
       break;
     }
@@ -258,7 +271,9 @@ Foot Ruled::foot(const Vec3& p, Hint& hint) const {
     at.f += step.x() / stride;
     at.g += step.y() / stride;
     s = sheet_->at(at.f, at.g);
-    if (step.cwiseAbs().maxCoeff() <= 1e-15) {
+    // Newton squares the error: what it leaves after a small step is rounding.
+    const double size = step.cwiseAbs().maxCoeff();
+    if (size <= 1e-15 || (newton && size <= smallStep)) {
       break;
     }
   }
@@ -281,9 +296,10 @@ double Ruled::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
   first << s.byF.squaredNorm(), s.byF.dot(s.byG), s.byF.dot(s.byG), s.byG.squaredNorm();
   second << foot.normal.dot(s.byFF), foot.normal.dot(s.byFG), foot.normal.dot(s.byFG), 0.0;
   const Eigen::Vector2d products(s.byF.dot(t), s.byG.dot(t));
-  const Eigen::Vector2d components = first.fullPivLu().solve(products);
+  const Eigen::Vector2d components = solved(first(0, 0), first(0, 1), first(1, 1), products);
+  const Eigen::Matrix2d parallel = first - foot.distance * second;
   const Eigen::Vector2d carried =
-      (first - foot.distance * second).fullPivLu().solve(-second * components);
+      solved(parallel(0, 0), parallel(0, 1), parallel(1, 1), -second * components);
   return products.dot(carried);
 }
 
