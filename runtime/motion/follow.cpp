@@ -131,6 +131,9 @@ class Follower {
       }
       const PathPoint& a = last_;
       const auto b = stride_.next(a, cap);
+      if (!b && stride_.tryOtherEdges()) {
+        continue;
+      }
       if (!b) {
         const bool chatters = corner_ && (*corner_ - a.toolEnd).norm() <= cornersApart;
         const auto turned = chatters ? std::nullopt : course_.path.roundCorner(a);
@@ -139,9 +142,7 @@ class Follower {
         }
         corner_ = a.toolEnd;
         last_ = *turned;
-        for (Guide& g : course_.path.guides) {
-          g.bend = 0.0;
-        }
+        stride_.forget();
         continue;
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {

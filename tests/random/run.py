@@ -124,12 +124,13 @@ def compute(arelem, scene, move, folder, name):
     write(scene, move, path)
     done = execute(arelem, "compile", str(path), "--to", "json", "-o", "-", "--diagnostics", "json")
     codes = sorted({json.loads(l)["code"] for l in done.stderr.splitlines() if l.startswith("{") and '"error"' in l})
-    ends = []
-    for line in done.stdout.splitlines():
-        record = json.loads(line)
+    # Long motions fill several records: their statement's number holds them together.
+    statements = {}
+    for record in map(json.loads, done.stdout.splitlines()):
         if record["type"] == 5000:
-            before = record["points"][-2] if len(record["points"]) > 1 else ends[-1][0] if ends else record["points"][0]
-            ends.append((record["points"][-1][:3], before[:3]))
+            statements.setdefault(record["isn"], []).extend(point[:3] for point in record["points"])
+    paths = list(statements.values())
+    ends = [(path[-1], path[-2] if len(path) > 1 else before[-1]) for before, path in zip(paths[:1] + paths, paths)]
     return codes, ends, done
 
 
