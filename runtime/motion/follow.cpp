@@ -131,9 +131,6 @@ class Follower {
       }
       const PathPoint& a = last_;
       const auto b = stride_.next(a, cap);
-      if (!b && stride_.tryOtherEdges()) {
-        continue;
-      }
       if (!b) {
         const bool chatters = corner_ && (*corner_ - a.toolEnd).norm() <= cornersApart;
         const auto turned = chatters ? std::nullopt : course_.path.roundCorner(a);
@@ -142,7 +139,9 @@ class Follower {
         }
         corner_ = a.toolEnd;
         last_ = *turned;
-        stride_.forget();
+        for (Guide& g : course_.path.guides) {
+          g.bend = 0.0;
+        }
         continue;
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {

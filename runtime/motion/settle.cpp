@@ -9,9 +9,7 @@
 namespace arelem::motion {
 
 namespace {
-constexpr int iterationLimit = 100;
-/// Steps after this many are halved: where the gap has edges (meshes) whole ones may go to and fro.
-constexpr int wholeSteps = 25;
+constexpr int iterationLimit = 60;
 /// Residuals below this share of the coordinates' size are rounding.
 constexpr double relativeRest = 4e-16;
 constexpr double absoluteRest = 2e-15;
@@ -90,7 +88,7 @@ Settled settle(const Vec3& start,
     if (!step.allFinite()) {
       return out;
     }
-    out.toolEnd += out.iterations <= wholeSteps ? step : Vec3(0.5 * step);
+    out.toolEnd += step;
   }
   out.ok = out.worst <= 1e-9 * (1.0 + out.toolEnd.cwiseAbs().maxCoeff());
   return out;

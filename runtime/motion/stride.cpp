@@ -1,7 +1,6 @@
 #include "runtime/motion/stride.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ir/space/tolerance.h"
@@ -15,10 +14,6 @@ constexpr double aimShare = 1e-5;
 constexpr double goodFit = 1.01;
 constexpr double safety = 0.9995;
 constexpr int tryLimit = 60;
-/// The same along meshes, where each trial is proven.
-constexpr int facetedTryLimit = 30;
-/// Curvature assumed where the edge of the band is chosen for trial. Per part unit.
-constexpr double slightBend = 1e-3;
 /// A cut vector up to a corner of the path ends this near to it. Part unit.
 constexpr double nearCorner = 1e-8;
 constexpr int growLimit = 5;
@@ -79,9 +74,7 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   int grown = 0;
   bool looked = false;  // at the curvature of a trial
   bool corner = false;  // lengths fail because the path cannot be followed so far
-  const bool faceted = path_.guides[0].field->isFaceted() || path_.guides[1].field->isFaceted();
-  const int limit = faceted ? facetedTryLimit : tryLimit;
-  for (int i = 0; i < limit && length > tolerance::sameSide; ++i) {
+  for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
     auto b = path_.step(a, length, path_.vertexGaps(), accept);
     if (!b || b->tangent.dot(a.tangent) < turnCosine) {
       length = tried.shorter(length, 0.5, patience);
@@ -124,7 +117,6 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   if (bestLength <= 2.0 * nearCorner) {
     return std::nullopt;
   }
-  edges_ = 0;
   return best;
 }
 
@@ -134,24 +126,6 @@ bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
   const std::array before{guides[0].bend >= 0.0, guides[1].bend >= 0.0};
   learn(a, b);
   return (guides[0].bend >= 0.0) != before[0] || (guides[1].bend >= 0.0) != before[1];
-}
-
-bool Stride::tryOtherEdges() {
-  // First the part surface's other edge, then the drive surface's too, then that alone.
-  constexpr std::array<std::size_t, 3> turned{0, 1, 0};
-  if (edges_ == turned.size()) {
-    return false;
-  }
-  Guide& g = path_.guides[turned[edges_++]];
-  g.bend = g.bend > 0.0 ? std::min(-g.bend, -slightBend) : std::max(-g.bend, slightBend);
-  return true;
-}
-
-void Stride::forget() {
-  edges_ = 0;
-  for (Guide& g : path_.guides) {
-    g.bend = 0.0;
-  }
 }
 
 void Stride::learn(const PathPoint& a, const PathPoint& b) {

@@ -12,10 +12,6 @@ class Stride {
   /// The end of the next cut vector from `a`, not farther than `cap`. None where the path ends or
   /// has a corner; a cut vector towards a corner ends in it.
   [[nodiscard]] std::optional<PathPoint> next(const PathPoint& a, double cap);
-  /// Where `next` found none: aims at another pair of edges of the bands. False after all pairs.
-  bool tryOtherEdges();
-  /// Behind a corner nothing is known of the curvatures.
-  void forget();
   /// Takes the curvatures of a finished cut vector as those of the next.
   void learn(const PathPoint& a, const PathPoint& b);
 
@@ -25,7 +21,6 @@ class Stride {
 
   Path& path_;
   double longest_;
-  std::size_t edges_ = 0;  ///< pairs of edges tried without success
 };
 
 }  // namespace arelem::motion
