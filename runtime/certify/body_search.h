@@ -50,6 +50,7 @@ struct Box {
 
 struct BodyResult {
   bool proven = false;
+  int measured = 0;           ///< places
   double sample = unbounded;  ///< least gap measured
   double sampleAt = 0.0;      ///< its s
 };
@@ -82,7 +83,7 @@ class BodySearch {
         result.sample = gap;
         result.sampleAt = box.s;
       }
-      if (gap < aim || --budget < 0) {
+      if (gap < aim || ++result.measured > budget) {
         return result;
       }
       if (bound(box, gap) < aim) {

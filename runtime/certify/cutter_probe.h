@@ -23,7 +23,7 @@ template <surface::Surface S>
 /// A cutter against any kind of surface. It takes one of four ways:
 ///   wall     a wall along the axis meets the cutter as a ball of its largest radius
 ///   ball     a ball end is its ball; what is beside it is cleared by the plane that supports the
-///            contact, else searched
+///            contact, else searched; where that does not do, one of the next two ways (widen)
 ///   convex   outside a convex solid the gap of a convex cutter is a convex function of the tool
 ///   end:
 ///            chords bound it from above, supporting planes from below
@@ -58,6 +58,14 @@ class CutterProbe final : public Probe {
     } else {
       way_ = convex_ ? Way::convex : Way::general;
     }
+  }
+
+  bool widen() override {
+    if (way_ != Way::ball || pieces_.size() == 1) {
+      return false;
+    }
+    way_ = convex_ ? Way::convex : Way::general;
+    return true;
   }
 
   Node resume(const Node& previous) override {
@@ -104,6 +112,9 @@ class CutterProbe final : public Probe {
   enum class Way : std::uint8_t { none, wall, ball, convex, general };
   /// Places measured for one part of a chord.
   static constexpr int budget = 20000;
+  /// Places measured in vain for all cut vectors of a motion: what stays undecided must not take
+  /// hours.
+  static constexpr int patience = 1000000;
   /// Sine of the angle between generatrix and axis below which the surface is a wall.
   static constexpr double alongAxis = 1e-12;
   /// A contact this near to the cutter is on it. Part unit.
@@ -205,17 +216,18 @@ class CutterProbe final : public Probe {
   /// that was measured.
   double searched(
       double from, double to, double aim, std::span<const Piece> pieces, Stretch& result) {
-    bool proven = true;
+    bool proven = inVain_ < patience;
     for (const Piece& p : pieces) {
+      if (!proven) {
+        break;
+      }
       const BodyResult r = search_.run(chord_, p, from, to, aim, budget);
       if (r.sample < result.sample) {
         result.sample = r.sample;
         result.sampleAt = r.sampleAt;
       }
-      proven = proven && r.proven;
-      if (!proven) {
-        break;
-      }
+      proven = r.proven;
+      inVain_ += r.proven || r.sample < aim ? 0 : r.measured;
     }
     return proven ? aim : -unbounded;
   }
@@ -231,6 +243,7 @@ class CutterProbe final : public Probe {
   Chord chord_;
   Way way_ = Way::none, before_ = Way::none;
   bool convex_ = false;
+  int inVain_ = 0;
   double reach_ = 0.0;
 };
 

@@ -27,16 +27,19 @@ class GuideProof {
   }
 
   GuideResult run(const InterruptFlag* interrupted) {
+    begin();
     Node first;
     for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
       const Chord chord(path_[i].toolEnd, path_[i + 1].toolEnd, path_[i].axis, path_[i + 1].axis);
       probe_->take(chord);
       first = i == 0 ? probe_->at(0.0) : probe_->resume(first);
-      if (i == 0) {
-        result_.firstNormal = first.normal;
-        result_.startGap = first.high;
+      const Allowed allowed = allowedFor(i);
+      Verdict verdict = prove(*probe_, allowed, first);
+      if (!verdict.good() && probe_->widen()) {
+        first = probe_->at(0.0);
+        verdict = prove(*probe_, allowed, first);
       }
-      take(prove(*probe_, allowedFor(i, first.high), first), i, chord);
+      take(verdict, i, chord);
       if ((i & pollMask) == 0 && interrupted != nullptr &&
           interrupted->load(std::memory_order_relaxed)) {
         break;
@@ -46,9 +49,20 @@ class GuideProof {
   }
 
  private:
+  /// The contact of the whole cutter where the motion begins.
+  void begin() {
+    const Location& start = path_.front();
+    probe_->take(Chord(start.toolEnd, start.toolEnd, start.axis, start.axis));
+    probe_->widen();
+    const Node node = probe_->at(0.0);
+    result_.firstNormal = node.normal;
+    result_.startGap = node.high;
+  }
+
   /// A motion may begin a little outside of its band; its first cut vector leads back.
-  [[nodiscard]] Allowed allowedFor(std::size_t i, double gap) const {
+  [[nodiscard]] Allowed allowedFor(std::size_t i) const {
     Allowed a = task_.allowed;
+    const double gap = result_.startGap;
     if (i == 0 && excess(gap, a) <= task_.startSlack) {
       a.inner = std::max(a.inner, -gap);
       a.outer = std::max(a.outer, gap);
@@ -101,6 +115,7 @@ Touch touch(const surface::AnySurface& surface,
             const Allowed& allowed) {
   const auto probe = makeProbe(surface, relation);
   probe->take(Chord(at.toolEnd, at.toolEnd, at.axis, at.axis));
+  probe->widen();
   Node n = probe->at(0.0);
   if (n.low < -allowed.inner - allowed.slack && n.high >= -allowed.inner - allowed.slack) {
     probe->settle(n, -allowed.inner - allowed.slack);

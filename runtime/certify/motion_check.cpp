@@ -296,7 +296,12 @@ StatementResult MotionCheck::startup(const Modal& modal,
         after, allowed);
     const bool good = excess(t, allowed) == 0.0;
     result.stops.push_back({surface.name, std::string(spell(condition)), t.high, good});
-    if (!good) {
+    if (!good && t.high >= -allowed.inner - allowed.slack &&
+        t.high <= allowed.outer + allowed.slack) {
+      report(result, action,
+             fail(diag::StopUndecided, spell(condition), surface.name, t.low, t.high,
+                  -allowed.inner, allowed.outer));
+    } else if (!good) {
       report(result, action,
              fail(diag::StartupMissed, t.high, spell(condition), surface.name, -allowed.inner,
                   allowed.outer));

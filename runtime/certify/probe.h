@@ -40,6 +40,10 @@ class Probe {
   virtual ~Probe() = default;
   /// The cut vector that the other calls speak of.
   virtual void take(const Chord& chord) = 0;
+  /// Ball ends are measured by the ball, which is quick and tells nothing where the shank touches.
+  /// Goes over to the whole cutter until the next chord is taken; false where that is measured
+  /// already. Nodes from before count no more.
+  virtual bool widen() { return false; }
   /// The node at s = 0 of the chord taken, from the one at s = 1 of the chord before it.
   virtual Node resume(const Node& previous) = 0;
   /// `low` may be -unbounded where it is costly; `settle` then finds it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ir/space/tolerance.h"
 
@@ -15,6 +16,8 @@ constexpr double fineShare = 0.25;
 constexpr double tangentShare = 0.05;
 /// Cosine of the angle within which contact normals count as agreeing at a tangency.
 constexpr double agreeing = 0.5;
+/// Looking closely, no step is longer than this share of a cut vector.
+constexpr double closeShare = 0.0625;
 }  // namespace
 
 CheckWatch::CheckWatch(const NamedSurface& surface,
@@ -55,6 +58,9 @@ double CheckWatch::steepest(const Segment& s) const {
 CheckWatch::Measure CheckWatch::measure(const Segment& s, double along) {
   const Vec3 at = s.at(along);
   const Vec3 axis = s.axisAt(along);
+  if (close_) {
+    looks_.push_back(along);
+  }
   Measure m;
   m.field = plus_.get();
   tool::Contact c = plus_->at(at, axis);
@@ -88,11 +94,46 @@ void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
 
 std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& guide) {
   const double most = steepest(segment) * segment.length;
-  if (now_.free > most) {
+  if (close_) {
+    now_.free = 0.0;
+    looks_.clear();
+  } else if (now_.free > most) {
     now_.free -= most;
     return std::nullopt;
   }
-  return tangent_ ? scanTangent(segment, guide) : scanCrossing(segment);
+  auto hit = tangent_ ? scanTangent(segment, guide) : scanCrossing(segment);
+  if (close_ && !hit) {
+    findNearest(segment, guide);
+  }
+  return hit;
+}
+
+/// Golden sections between the neighbors of each look that is nearer than they are.
+void CheckWatch::findNearest(const Segment& s, Field& guide) {
+  constexpr double golden = 0.6180339887498949;
+  looks_.push_back(s.length);
+  const std::vector<double> looks = std::exchange(looks_, {});
+  const auto away = [&](double u) {
+    return tangent_ ? missOfTangency(s, u, guide) : std::abs(measure(s, u).value);
+  };
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    double low = looks[i > 0 ? i - 1 : 0];
+    double high = looks[std::min(i + 1, looks.size() - 1)];
+    const double here = away(looks[i]);
+    if (here > away(low) || here > away(high) || here > nearest_ + high - low) {
+      continue;
+    }
+    while (high - low > tolerance::sameSide) {
+      const double left = high - golden * (high - low);
+      const double right = low + golden * (high - low);
+      const bool before = away(left) <= away(right);
+      (before ? high : low) = before ? right : left;
+      if (left <= low && right >= high) {
+        break;
+      }
+    }
+  }
+  looks_.clear();
 }
 
 /// Number of the zero that is asked for. Order of the positions: TO, PAST, TO, PAST from a remote
@@ -170,12 +211,28 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       step = u < s.length ? std::min(step, s.length - u) : step;
     }
     before = u;
-    u += step;
+    u += close_ ? std::min(step, std::max(closeShare * s.length, finest)) : step;
     if (u > s.length || before == s.length) {
       now_.free = std::max(0.0, margin - m.rate * (s.length - before));
       return std::nullopt;
     }
   }
+}
+
+/// The smaller gap of those whose contact agrees with that of the guide.
+double CheckWatch::missOfTangency(const Segment& s, double u, Field& guide) {
+  const Vec3 at = s.at(u);
+  const Vec3 axis = s.axisAt(u);
+  const Vec3 guideNormal = guide.at(at, axis).normal;
+  double miss = tolerance::farAway;
+  for (Field* field : {plus_.get(), minus_.get()}) {
+    const tool::Contact c = field->at(at, axis);
+    if (c.normal.dot(guideNormal) > agreeing) {
+      miss = std::min(miss, std::abs(c.gap));
+    }
+  }
+  note(miss, at);
+  return miss;
 }
 
 std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& guide) {
@@ -187,6 +244,9 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
     const Vec3 a = s.axisAt(u);
     const Vec3 guideNormal = guide.at(at, a).normal;
     const Vec3 tangent = s.tangentAt(u);
+    if (close_) {
+      looks_.push_back(u);
+    }
     Field* inside = nullptr;
     double turn = 0.0;
     double away = tolerance::farAway;
@@ -221,7 +281,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
     }
     now_.bandField = inside;
     before = u;
-    const double open = rate > 0.0 ? away / rate : tolerance::farAway;
+    double open = rate > 0.0 ? away / rate : tolerance::farAway;
+    open = close_ ? std::min(open, closeShare * s.length) : open;
     u += inside != nullptr ? finest : std::max(open, finest);
     if (u >= s.length) {
       now_.free = inside != nullptr ? 0.0 : std::max(0.0, away - rate * (s.length - before));

@@ -37,6 +37,8 @@ class CheckWatch {
              double band,
              double pathBand);
 
+  /// From now on the nearest approach is found to rounding, for messages: scans take longer.
+  void lookClosely() { close_ = true; }
   /// Where the motion begins.
   void begin(const Vec3& toolEnd, const Vec3& axis);
   /// `guide` is the field that a tangent check surface touches: the drive (TANTO) or part surface
@@ -93,6 +95,8 @@ class CheckWatch {
   [[nodiscard]] int wanted() const;
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   void note(double distance, const Vec3& place);
+  void findNearest(const Segment& segment, Field& guide);
+  double missOfTangency(const Segment& segment, double along, Field& guide);
 
   NamedSurface surface_;
   ir::Condition condition_;
@@ -105,6 +109,8 @@ class CheckWatch {
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
   double ignoredUntil_ = -1.0;
+  bool close_ = false;
+  std::vector<double> looks_;  ///< lengths along the segment, where looked at closely
   double nearest_ = std::numeric_limits<double>::infinity();
   Vec3 nearestPlace_ = Vec3::Zero();
 };

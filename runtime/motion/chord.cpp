@@ -9,22 +9,38 @@ namespace arelem::motion {
 namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-struct Extremes {
-  double least, greatest;
-  double leastAt, greatestAt;  ///< share of the chord
+/// Cubics err: what a chord dips is taken for this share more.
+constexpr double cubicError = 1e-3;
+/// Crossings of tangents nearer than this share to an end tell nothing new.
+constexpr double nearEnd = 0.05;
+
+/// g(x) = gap + first x + second x^2 + third x^3 over x in [0, 1].
+struct Cubic {
+  double gap, first, second, third;
+
+  Cubic(const GapNode& a, const GapNode& b) : gap(a.gap) {
+    const double length = b.along - a.along;
+    const double end = b.slope * length;
+    const double change = b.gap - a.gap;
+    first = a.slope * length;
+    second = 3.0 * change - 2.0 * first - end;
+    third = first + end - 2.0 * change;
+  }
+  [[nodiscard]] double at(double x) const { return gap + x * (first + x * (second + x * third)); }
+  [[nodiscard]] double slopeAt(double x) const {
+    return first + x * (2.0 * second + 3.0 * x * third);
+  }
 };
 
-Extremes extremes(const ChordProfile& c) {
-  // g(x) = p0 + m0 x + b x^2 + a x^3 over x in [0, 1].
-  const double m0 = c.slopeFrom * c.length;
-  const double m1 = c.slopeTo * c.length;
-  const double d = c.gapTo - c.gapFrom;
-  const double a = m0 + m1 - 2.0 * d;
-  const double b = 3.0 * d - 2.0 * m0 - m1;
-  const auto value = [&](double x) { return c.gapFrom + x * (m0 + x * (b + x * a)); };
-  Extremes e{c.gapFrom, c.gapFrom, 0.0, 0.0};
+struct Extremes {
+  double least, greatest;
+  double leastAt, greatestAt;  ///< shares of the part
+};
+
+Extremes extremes(const Cubic& c) {
+  Extremes e{c.gap, c.gap, 0.0, 0.0};
   const auto consider = [&](double x) {
-    const double g = value(x);
+    const double g = c.at(x);
     if (g < e.least) {
       e.least = g;
       e.leastAt = x;
@@ -35,10 +51,11 @@ Extremes extremes(const ChordProfile& c) {
     }
   };
   consider(1.0);
-  const double disc = b * b - 3.0 * a * m0;
+  const double disc = c.second * c.second - 3.0 * c.third * c.first;
   if (disc >= 0.0) {
-    const double q = -(b + std::copysign(std::sqrt(disc), b));
-    for (const double x : {a != 0.0 ? q / (3.0 * a) : -1.0, q != 0.0 ? m0 / q : -1.0}) {
+    const double q = -(c.second + std::copysign(std::sqrt(disc), c.second));
+    for (const double x :
+         {c.third != 0.0 ? q / (3.0 * c.third) : -1.0, q != 0.0 ? c.first / q : -1.0}) {
       if (x > 0.0 && x < 1.0) {
         consider(x);
       }
@@ -59,29 +76,45 @@ double longestChord(double bend, double from, double to, double inner, double ou
          std::sqrt(2.0 / std::abs(bend));
 }
 
-double fittingFactor(const ChordProfile& first,
-                     const ChordProfile& second,
+bool foretold(const GapNode& a, const GapNode& b, const GapNode& between, double tolerance) {
+  const double length = b.along - a.along;
+  const Cubic c(a, b);
+  const double x = (between.along - a.along) / length;
+  return std::abs(c.at(x) - between.gap) <= tolerance &&
+         std::abs(c.slopeAt(x) - between.slope * length) <= 8.0 * tolerance;
+}
+
+double crossing(const GapNode& a, const GapNode& b) {
+  const double length = b.along - a.along;
+  const double bend = a.slope - b.slope;
+  const double at = bend > 0.0 ? (b.gap - a.gap - b.slope * length) / bend : -1.0;
+  const bool inside = at > nearEnd * length && at < (1.0 - nearEnd) * length;
+  return a.along + (inside ? at : 0.5 * length);
+}
+
+double fittingFactor(const GapNode& first,
+                     const GapNode& last,
+                     const GapNode& a,
+                     const GapNode& b,
                      double inner,
                      double outer) {
-  const double whole = first.length + second.length;
-  const auto line = [&](double s) {
-    return first.gapFrom + s / whole * (second.gapTo - first.gapFrom);
-  };
   // Ends lie on the line between them; rounding must not make a dip of that.
   const double rounding = 1e-9 * (inner + outer);
+  const double steepness = (last.gap - first.gap) / (last.along - first.along);
+  const Extremes e = extremes(Cubic(a, b));
+  const auto line = [&](double x) {
+    return first.gap + steepness * (a.along - first.along + x * (b.along - a.along));
+  };
   double factor = unlimited;
-  double start = 0.0;
-  for (const ChordProfile* half : {&first, &second}) {
-    const Extremes e = extremes(*half);
-    const double lowLine = line(start + e.leastAt * half->length);
-    const double highLine = line(start + e.greatestAt * half->length);
-    if (lowLine - e.least > rounding) {
-      factor = std::min(factor, std::max(0.0, lowLine + inner) / (lowLine - e.least));
-    }
-    if (e.greatest - highLine > rounding) {
-      factor = std::min(factor, std::max(0.0, outer - highLine) / (e.greatest - highLine));
-    }
-    start += half->length;
+  const double lowLine = line(e.leastAt);
+  const double dip = (1.0 + cubicError) * (lowLine - e.least);
+  if (dip > rounding) {
+    factor = std::max(0.0, lowLine + inner) / dip;
+  }
+  const double highLine = line(e.greatestAt);
+  const double rise = (1.0 + cubicError) * (e.greatest - highLine);
+  if (rise > rounding) {
+    factor = std::min(factor, std::max(0.0, outer - highLine) / rise);
   }
   return std::sqrt(factor);
 }

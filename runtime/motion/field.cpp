@@ -15,7 +15,7 @@ constexpr bool isFlat = std::is_same_v<S, surface::Plane>;
 /// The faces of a mesh change the gap between any few places that one looks at: its chords are
 /// proven.
 template <surface::Surface S>
-constexpr bool isFaceted = std::is_same_v<S, surface::Mesh>;
+constexpr bool hasFaces = std::is_same_v<S, surface::Mesh>;
 
 constexpr double shortest = 0.5;
 constexpr double longest = 0.95;
@@ -37,12 +37,12 @@ double judged(certify::Probe& probe, const certify::Chord& chord, double inner, 
 template <surface::Surface S>
 class OnField final : public Field {
  public:
-  OnField(S s, double side) : Field(isFlat<S>), surface_(std::move(s)), side_(side) {}
+  OnField(S s, double side) : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3&) override {
     return tool::pointContact(surface_, side_, toolEnd, hint_);
   }
   double judge(const certify::Chord& chord, double inner, double outer) override {
-    if constexpr (isFaceted<S>) {
+    if constexpr (hasFaces<S>) {
       if (!probe_) {
         probe_ = certify::makeProbe(surface_, {nullptr, side_, 0.0});
       }
@@ -62,14 +62,18 @@ template <surface::Surface S>
 class CutterField final : public Field {
  public:
   CutterField(S s, double side, const tool::Profile& cutter, double thick)
-      : Field(isFlat<S>), surface_(std::move(s)), side_(side), cutter_(cutter), thick_(thick) {}
+      : Field(isFlat<S>, hasFaces<S>),
+        surface_(std::move(s)),
+        side_(side),
+        cutter_(cutter),
+        thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3& axis) override {
     tool::Contact c = tool::contact(surface_, side_, cutter_, toolEnd, axis, search_);
     c.gap -= thick_;
     return c;
   }
   double judge(const certify::Chord& chord, double inner, double outer) override {
-    if constexpr (isFaceted<S>) {
+    if constexpr (hasFaces<S>) {
       if (!probe_) {
         probe_ = certify::makeProbe(surface_, {&cutter_, side_, thick_});
       }
@@ -108,6 +112,24 @@ surface::Foot footOn(const surface::AnySurface& any, const Vec3& point) {
       [&]<class S>(const S& s) {
         typename S::Hint hint{};
         return s.foot(point, hint);
+      },
+      any);
+}
+
+double hollowRadius(const surface::AnySurface& any, double side, const Vec3& point) {
+  return std::visit(
+      [&]<class S>(const S& s) {
+        typename S::Hint hint{};
+        const Vec3 n = s.foot(point, hint).normal;
+        const Vec3 at = point - s.foot(point, hint).distance * n;
+        const surface::Foot there = s.foot(at, hint);
+        const Vec3 e1 = n.unitOrthogonal();
+        const Vec3 e2 = n.cross(e1);
+        const double a = side * s.bend(at, there, e1, hint);
+        const double c = side * s.bend(at, there, e2, hint);
+        const double b = 0.5 * (side * s.bend(at, there, e1 + e2, hint) - a - c);
+        const double least = 0.5 * (a + c) - std::hypot(0.5 * (a - c), b);
+        return least < 0.0 ? -1.0 / least : tolerance::farAway;
       },
       any);
 }

@@ -22,12 +22,14 @@ class Field {
   [[nodiscard]] virtual double judge(const certify::Chord& chord, double inner, double outer);
   /// True where the gap is a linear function of the tool end (planes).
   [[nodiscard]] bool flat() const { return flat_; }
+  /// True for meshes: no few places tell about those between them; `judge` does.
+  [[nodiscard]] bool isFaceted() const { return faceted_; }
 
  protected:
-  explicit Field(bool flat) : flat_(flat) {}
+  Field(bool flat, bool faceted) : flat_(flat), faceted_(faceted) {}
 
  private:
-  bool flat_;
+  bool flat_, faceted_;
 };
 
 /// Which part of the tool meets the surface.
@@ -43,5 +45,11 @@ struct Tool {
 
 /// Signed distance of a point to a surface, by the surface's own normal.
 [[nodiscard]] surface::Foot footOn(const surface::AnySurface& surface, const Vec3& point);
+
+/// The least radius of curvature of the surface nearest to a point, where it is hollow seen from
+/// `side`; without end where it is not.
+[[nodiscard]] double hollowRadius(const surface::AnySurface& surface,
+                                  double side,
+                                  const Vec3& point);
 
 }  // namespace arelem::motion

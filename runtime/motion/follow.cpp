@@ -7,6 +7,7 @@
 #include "ir/diag/limits.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/certify/motion_check.h"
 #include "runtime/motion/arc_route.h"
 #include "runtime/motion/axis_turn.h"
 #include "runtime/motion/settle.h"
@@ -18,7 +19,14 @@ namespace arelem::motion {
 namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
-constexpr double fullTurn = 2.0 * std::numbers::pi;
+constexpr double halfTurn = std::numbers::pi;
+/// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
+/// unit.
+constexpr double cornersApart = 1e-4;
+/// A path that passes its start within this many bands is closed.
+constexpr double roundBands = 4.0;
+/// Motions of more cut vectors are not computed again for the sake of a message.
+constexpr std::uint64_t closelyLimit = 10000;
 
 class Follower {
  public:
@@ -48,6 +56,7 @@ class Follower {
     result_.axis = last_.axis;
     return std::move(result_);
   }
+  [[nodiscard]] std::uint64_t cutVectors() const { return result_.cutVectors; }
 
  private:
   /// The next cut vector: to the output and the statistics.
@@ -71,6 +80,12 @@ class Follower {
     if (auto bad = course_.path.axis.fault(p)) {
       return *std::move(bad);
     }
+    const Vec3& n = last_.contacts[0].normal;
+    const double sine = n.cross(last_.contacts[1].normal).norm();
+    if (sine <= tolerance::nullDirection) {
+      return fail(diag::SurfacesParallel, course_.drive.name, course_.part.name, p.x(), p.y(),
+                  p.z());
+    }
     return fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z());
   }
 
@@ -81,8 +96,8 @@ class Follower {
       const std::string& partner = w.usesPart() ? course_.part.name : course_.drive.name;
       return fail(diag::NoTangency, partner, w.surface().name, w.band(), w.nearest());
     }
-    return fail(diag::CheckNotReached, w.surface().name, "as asked", w.nearest(), p.x(), p.y(),
-                p.z());
+    return fail(diag::CheckNotReached, w.surface().name, certify::spell(w.condition()), w.nearest(),
+                p.x(), p.y(), p.z());
   }
 
   [[nodiscard]] std::optional<Failure> beyondLimits() const {
@@ -94,7 +109,10 @@ class Follower {
                             : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
     if (static_cast<double>(result_.cutVectors) >= most) {
       const Vec3& p = last_.toolEnd;
-      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z());
+      const CheckWatch& w = course_.watches.front();
+      const Vec3& q = w.nearestPlace();
+      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name, w.nearest(),
+                  q.x(), q.y(), q.z());
     }
     return std::nullopt;
   }
@@ -106,7 +124,6 @@ class Follower {
     if (course_.turnsFirst && !turnAxis()) {
       return lost();
     }
-    double turned = 0.0;
     double cap = tolerance::farAway;
     for (;;) {
       if (auto bad = beyondLimits()) {
@@ -115,7 +132,17 @@ class Follower {
       const PathPoint& a = last_;
       const auto b = stride_.next(a, cap);
       if (!b) {
-        return lost();
+        const bool chatters = corner_ && (*corner_ - a.toolEnd).norm() <= cornersApart;
+        const auto turned = chatters ? std::nullopt : course_.path.roundCorner(a);
+        if (!turned) {
+          return lost();
+        }
+        corner_ = a.toolEnd;
+        last_ = *turned;
+        for (Guide& g : course_.path.guides) {
+          g.bend = 0.0;
+        }
+        continue;
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {
         return bad;
@@ -137,8 +164,7 @@ class Follower {
         stops_.restore();
         continue;
       }
-      turned += std::acos(std::clamp(a.tangent.dot(b->tangent), -1.0, 1.0));
-      if (course_.path.flat() || turned > fullTurn * (turnsAllowed() + 1.5)) {
+      if (course_.path.flat() || isRoundAgain(a, *b)) {
         return notReached();
       }
       stride_.learn(a, *b);
@@ -167,7 +193,29 @@ class Follower {
     return cap <= tolerance::sameSide ? std::optional(end) : std::nullopt;
   }
 
-  /// A closed path that met nothing in this many turns never will.
+  /// True where the path has come back to its start as often as positions are counted, and a cut
+  /// vector more: it is closed and never meets what was not met by then.
+  bool isRoundAgain(const PathPoint& a, const PathPoint& b) {
+    if (rounds_ >= turnsAllowed()) {
+      return true;
+    }
+    turned_ += std::acos(std::clamp(a.tangent.dot(b.tangent), -1.0, 1.0));
+    const Vec3 chord = b.toolEnd - a.toolEnd;
+    const Vec3 back = course_.start.toolEnd - a.toolEnd;
+    const double share = std::clamp(back.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+    double near = tolerance::sameSide;
+    for (const Guide& g : course_.path.guides) {
+      near += roundBands * (g.inner + g.outer);
+    }
+    if (turned_ > halfTurn && (back - share * chord).norm() <= near &&
+        chord.dot(course_.start.tangent) > 0.0) {
+      turned_ = 0.0;
+      ++rounds_;
+    }
+    return false;
+  }
+
+  /// A circle that met nothing in this many turns never will.
   [[nodiscard]] double turnsAllowed() const {
     int most = 1;
     for (const CheckGoal& c : request_.checks) {
@@ -248,10 +296,25 @@ class Follower {
   Stride stride_;
   StopFinder stops_;
   PathPoint last_;
-  bool hasMoved_ = false;                ///< a cut vector along the path was put out
+  bool hasMoved_ = false;  ///< a cut vector along the path was put out
+  double turned_ = 0.0;    ///< by the path since it last passed its start. Radians
+  double rounds_ = 0.0;
+  std::optional<Vec3> corner_;           ///< where the path turned last
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };
+}  // namespace
+
+namespace {
+class NoSink final : public CutVectorSink {
+ public:
+  void put(const Vec3&, const Vec3&) override {}
+};
+
+bool tellsNearest(const Failure& failure) {
+  return failure.row == diag::CheckNotReached.row || failure.row == diag::NoTangency.row ||
+         failure.row == diag::CutVectorLimit.row;
+}
 }  // namespace
 
 Result<FollowResult> follow(const State& state,
@@ -266,7 +329,22 @@ Result<FollowResult> follow(const State& state,
   if (!course) {
     return course.takeFailure();
   }
-  return Follower(state, request, *course, sink, limits, interrupted).run();
+  Follower first(state, request, *course, sink, limits, interrupted);
+  auto result = first.run();
+  if (result || !tellsNearest(result.failure()) || first.cutVectors() > closelyLimit) {
+    return result;
+  }
+  // Once more, for the nearest approach that the message tells.
+  auto again = planCourse(state, request);
+  if (!again) {
+    return result;
+  }
+  for (CheckWatch& w : again->watches) {
+    w.lookClosely();
+  }
+  NoSink none;
+  auto closer = Follower(state, request, *again, none, limits, interrupted).run();
+  return closer ? std::move(result) : std::move(closer);
 }
 
 }  // namespace arelem::motion

@@ -12,6 +12,10 @@ namespace {
 /// A place that is farther from the prediction than this share of the step is on another branch of
 /// the path.
 constexpr double jumpShare = 2.0;
+/// How far ahead the contact behind a corner is looked for. Part unit.
+constexpr double aheadOfCorner = 1e-4;
+/// Contact normals whose cosine is above this are those of one smooth path.
+constexpr double sameContact = 0.999;
 }  // namespace
 
 bool Path::aim(PathPoint& point, const Vec3& towards) {
@@ -100,6 +104,95 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
   return p;
 }
 
+/// Where the new contact holds the tool back, the gap that held it before opens; where it lets the
+/// tool go (a rim that leaves an edge), that gap closes behind the corner.
+std::optional<PathPoint> Path::roundCorner(const PathPoint& at) {
+  const Vec3 ahead = at.toolEnd + aheadOfCorner * at.tangent;
+  const Vec3 axisAhead = axis.at(ahead);
+  PathPoint turned = at;
+  Vec3 towards = Vec3::Zero();
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    tool::Contact next = guides[i].field->at(ahead, axisAhead);
+    if (next.normal.dot(at.contacts[i].normal) > sameContact) {
+      continue;
+    }
+    towards += next.gap <= at.contacts[i].gap ? at.contacts[i].normal : -at.contacts[i].normal;
+    next.gap = at.contacts[i].gap;
+    next.point -= aheadOfCorner * at.tangent;
+    turned.contacts[i] = next;
+  }
+  if (towards.isZero(0.0) || !aim(turned, towards)) {
+    return std::nullopt;
+  }
+  return turned;
+}
+
+namespace {
+/// The gap of one guide along a chord, by cubics between nodes: the ends, the middle, and as many
+/// more as it takes where the contact jumps or runs about the cutter.
+class ChordFit {
+ public:
+  ChordFit(Field& field,
+           const PathPoint& a,
+           const PathPoint& b,
+           std::size_t guide,
+           double length,
+           const Vec3& turn)
+      : field_(field), a_(a), b_(b), length_(length), turn_(turn) {
+    direction_ = (b.toolEnd - a.toolEnd) / length;
+    first_ = node(0.0, a.contacts[guide], a.toolEnd);
+    last_ = node(length, b.contacts[guide], b.toolEnd);
+  }
+
+  double run(double inner, double outer) {
+    inner_ = inner;
+    outer_ = outer;
+    smooth_ = smoothShare * (inner + outer);
+    const GapNode middle = measure(0.5 * length_);
+    const int depth = field_.isFaceted() || foretold(first_, last_, middle, smooth_) ? 0 : deepest;
+    consider(first_, middle, depth);
+    consider(middle, last_, depth);
+    return factor_;
+  }
+
+ private:
+  /// Nodes that a cubic foretells but for this share of the band are smooth.
+  static constexpr double smoothShare = 2e-3;
+  static constexpr int deepest = 8;
+
+  [[nodiscard]] GapNode node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
+    return {along, c.gap, slopeAlong(c, toolEnd, direction_, turn_)};
+  }
+  GapNode measure(double along) {
+    const double share = along / length_;
+    const Vec3 place = a_.toolEnd + along * direction_;
+    const Vec3 axis =
+        turn_.isZero(0.0) ? a_.axis : Vec3((a_.axis + share * (b_.axis - a_.axis)).normalized());
+    return node(along, field_.at(place, axis), place);
+  }
+  void consider(const GapNode& a, const GapNode& b, int depth) {
+    const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
+    if (depth == 0 || kink <= smooth_) {
+      factor_ = std::min(factor_, fittingFactor(first_, last_, a, b, inner_, outer_));
+      return;
+    }
+    const GapNode between = measure(crossing(a, b));
+    const int deeper = foretold(a, b, between, smooth_) ? 0 : depth - 1;
+    consider(a, between, deeper);
+    consider(between, b, deeper);
+  }
+
+  Field& field_;
+  const PathPoint &a_, &b_;
+  double length_;
+  const Vec3& turn_;
+  Vec3 direction_;
+  GapNode first_, last_;
+  double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0;
+  double factor_ = tolerance::farAway;
+};
+}  // namespace
+
 double Path::fit(const PathPoint& a, const PathPoint& b) {
   const Vec3 chord = b.toolEnd - a.toolEnd;
   const double length = chord.norm();
@@ -109,61 +202,22 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   }
   // A cut vector that only turns the axis is measured by the angle.
   const double scale = length > 0.0 ? length : (b.axis - a.axis).norm();
-  const Vec3 direction = chord / scale;
   const Vec3 turn = turning ? spin(a.axis, b.axis, scale) : Vec3(Vec3::Zero());
-  const Vec3 middle = a.toolEnd + 0.5 * chord;
-  const Vec3 middleAxis = turning ? Vec3((a.axis + b.axis).normalized()) : a.axis;
   double factor = tolerance::farAway;
   for (std::size_t i = 0; i < guides.size(); ++i) {
     if (guides[i].field->flat() && !turning) {
       continue;
     }
-    const tool::Contact& from = a.contacts[i];
-    const tool::Contact& to = b.contacts[i];
-    const tool::Contact between = guides[i].field->at(middle, middleAxis);
-    const double slope = slopeAlong(between, middle, direction, turn);
-    const ChordProfile first{from.gap, slopeAlong(from, a.toolEnd, direction, turn), between.gap,
-                             slope, 0.5 * scale};
-    const ChordProfile second{between.gap, slope, to.gap,
-                              slopeAlong(to, b.toolEnd, direction, turn), 0.5 * scale};
     // A start outside its band by the slack allowed there must not stop the motion.
-    const double inner = std::max({guides[i].inner, -from.gap, -to.gap});
-    const double outer = std::max({guides[i].outer, from.gap, to.gap});
-    factor = std::min({factor, fittingFactor(first, second, inner, outer),
-                       ridge(*guides[i].field, {a.toolEnd, middle, a.axis, middleAxis, from,
-                                                between, first, inner, outer}),
-                       ridge(*guides[i].field, {middle, b.toolEnd, middleAxis, b.axis, between, to,
-                                                second, inner, outer})});
+    const double inner = std::max({guides[i].inner, -a.contacts[i].gap, -b.contacts[i].gap});
+    const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
+    factor = std::min(factor, ChordFit(*guides[i].field, a, b, i, scale, turn).run(inner, outer));
     if (factor >= 1.0 - tolerance::coincidence) {
       const certify::Chord straight(a.toolEnd, b.toolEnd, a.axis, b.axis);
       factor = std::min(factor, guides[i].field->judge(straight, inner, outer));
     }
   }
   return factor;
-}
-
-/// Where the contact jumps from one place of the cutter to another the gap has a ridge that no
-/// cubic shows: measured where the tangents from both ends cross.
-double Path::ridge(Field& field, const Half& half) const {
-  const Vec3 jump = (half.to.point - half.end) - (half.from.point - half.start);
-  const ChordProfile& c = half.profile;
-  const double bend = c.slopeFrom - c.slopeTo;
-  if (jump.norm() <= c.length || bend <= 0.0) {
-    return tolerance::farAway;
-  }
-  const double at = (c.gapTo - c.gapFrom - c.slopeTo * c.length) / bend;
-  const double crossing = c.gapFrom + c.slopeFrom * at;
-  if (at <= 0.0 || at >= c.length || crossing <= half.outer) {
-    return tolerance::farAway;
-  }
-  const double share = at / c.length;
-  const Vec3 place = half.start + share * (half.end - half.start);
-  const Vec3 toolAxis = (half.axisStart + share * (half.axisEnd - half.axisStart)).normalized();
-  const double gap = field.at(place, toolAxis).gap;
-  const double line = c.gapFrom + share * (c.gapTo - c.gapFrom);
-  return gap <= half.outer || gap <= line
-             ? tolerance::farAway
-             : std::sqrt(std::max(0.0, half.outer - line) / (gap - line));
 }
 
 double Path::fitWithTurn(const PathPoint& a, const PathPoint& b) {

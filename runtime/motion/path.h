@@ -56,6 +56,9 @@ class Path {
                                               double along,
                                               const std::array<double, 2>& gaps,
                                               double accept);
+  /// The same place seen round a corner of the path: behind it another place of the cutter touches
+  /// one of the surfaces. None where the path goes straight on, or nowhere.
+  [[nodiscard]] std::optional<PathPoint> roundCorner(const PathPoint& at);
   [[nodiscard]] std::array<double, 2> vertexGaps() const {
     return {guides[0].vertexGap(), guides[1].vertexGap()};
   }
@@ -67,14 +70,6 @@ class Path {
   [[nodiscard]] double fitWithTurn(const PathPoint& a, const PathPoint& b);
 
  private:
-  /// Half of a chord with the gap of one guide, and what it may be.
-  struct Half {
-    const Vec3 &start, &end, &axisStart, &axisEnd;
-    const tool::Contact &from, &to;
-    const ChordProfile& profile;
-    double inner, outer;
-  };
-  [[nodiscard]] double ridge(Field& field, const Half& half) const;
   [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards);
 };
 

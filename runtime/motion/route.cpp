@@ -50,9 +50,14 @@ double probe(double band) {
   return 0.01 * std::sqrt(band);
 }
 
+/// Where the surface does not curve (a leaning cylinder met by the shank) rounding must not choose
+/// the edge: contact normals that turn by less than this over the probe do not turn.
+constexpr double levelTurn = 1e-9;
+
 double restOf(double curvature, double inner, double outer) {
   const double band = inner + outer;
-  return curvature >= 0.0 ? outer - edgeShare * band : edgeShare * band - inner;
+  return curvature >= -levelTurn / probe(band) ? outer - edgeShare * band
+                                               : edgeShare * band - inner;
 }
 }  // namespace
 
@@ -60,6 +65,9 @@ double restGap(
     Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact) {
   if (exact || field.flat()) {
     return 0.0;
+  }
+  if (field.isFaceted()) {
+    return restOf(0.0, inner, outer);
   }
   const double step = probe(inner + outer);
   const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
@@ -79,6 +87,9 @@ double restGapAfter(Field& field,
                     bool exact) {
   if (exact || field.flat()) {
     return 0.0;
+  }
+  if (field.isFaceted()) {
+    return restOf(0.0, inner, outer);
   }
   const Vec3 across = field.at(toolEnd, axis.at(toolEnd)).normal.cross(along).normalized();
   return restOf(bend + curvatureAlong(field, toolEnd, axis, across, probe(inner + outer)), inner,
@@ -101,7 +112,7 @@ std::unique_ptr<Field> onField(const surface::AnySurface& surface,
   const auto within = [&](double gap) {
     return gap >= -inner - tolerance::sameSide && gap <= outer + tolerance::sameSide;
   };
-  const bool bulges = bend >= 0.0;
+  const bool bulges = bend >= -levelTurn / step;
   const bool takePlus = within(c.gap) == within(-c.gap) ? bulges : within(c.gap);
   return takePlus ? std::move(plus) : std::move(minus);
 }

@@ -13,7 +13,8 @@ namespace arelem::motion {
                                 const NamedSurface* check);
 
 /// The gap at which a stop is placed in the band [-inner, outer]: 0 where exact or flat, a tenth of
-/// the band inside its outer edge on convex surfaces, inside its inner edge on concave ones.
+/// the band inside its outer edge on convex surfaces and meshes, inside its inner edge on concave
+/// ones.
 [[nodiscard]] double restGap(
     Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact);
 

@@ -229,18 +229,28 @@ class Starter {
     return Standing{found.toolEnd, found.axis};
   }
 
-  /// Why no position was found: a cutter inside a hollow that is too narrow for it, or nothing
-  /// better to say.
+  /// Why no position was found: surfaces that are parallel, a hollow that is too narrow for the
+  /// cutter, or nothing better to say.
   [[nodiscard]] Failure explain(const Settled& found) const {
+    const Vec3& p = found.toolEnd;
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+      for (std::size_t k = i + 1; k < goals_.size(); ++k) {
+        const Vec3& n = found.contacts[i].normal;
+        if (n.cross(found.contacts[k].normal).norm() <= tolerance::nullDirection) {
+          return fail(diag::SurfacesParallel, goals_[i].surface.name, goals_[k].surface.name, p.x(),
+                      p.y(), p.z());
+        }
+      }
+    }
     for (const Goal& goal : goals_) {
-      const auto* cylinder = std::get_if<surface::Cylinder>(&goal.surface.surface);
-      const auto* sphere = std::get_if<surface::Sphere>(&goal.surface.surface);
-      const double hollow = cylinder != nullptr ? cylinder->radius
-                            : sphere != nullptr ? sphere->radius
-                                                : 0.0;
-      const bool inside = goal.side < 0.0 && goal.condition != ir::Condition::on && hollow > 0.0;
-      if (inside && state_.cutter->maxRadius() > hollow) {
-        return fail(diag::CutterDoesNotFit, state_.cutter->maxRadius(), goal.surface.name, hollow);
+      if (goal.condition == ir::Condition::on) {
+        continue;
+      }
+      const double hollow = hollowRadius(goal.surface.surface, goal.side, p);
+      const double over = state_.cutter->maxRadius() - hollow;
+      if (over > 0.0) {
+        return fail(diag::CutterDoesNotFit, state_.cutter->maxRadius(), goal.surface.name, hollow,
+                    over, p.x(), p.y(), p.z());
       }
     }
     return fail(diag::StartupDiverges, found.worst, goals_[found.worstAt].surface.name,

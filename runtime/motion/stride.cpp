@@ -13,8 +13,12 @@ constexpr double aimShare = 1e-5;
 /// A chord is taken when it could grow by less than this factor.
 constexpr double goodFit = 1.01;
 constexpr double safety = 0.9995;
-constexpr int tryLimit = 40;
-constexpr int growLimit = 4;
+constexpr int tryLimit = 60;
+/// A cut vector up to a corner of the path ends this near to it. Part unit.
+constexpr double nearCorner = 1e-8;
+constexpr int growLimit = 5;
+/// Trials after which lengths that do not fit are halved.
+constexpr int patience = 5;
 /// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
 /// turns.
 constexpr double levelChange = 1e-11;
@@ -34,6 +38,30 @@ double Stride::planned(const PathPoint& a) const {
   return length;
 }
 
+namespace {
+/// The longest length that fitted and the shortest that did not.
+struct Tried {
+  double fits = 0.0;
+  double fails = tolerance::farAway;
+
+  /// The length to try after one that was `factor` too long. Where that converges slowly (the gap
+  /// does not bend evenly) lengths are halved until one fits.
+  [[nodiscard]] double shorter(double length, double factor, int times) {
+    fails = std::min(fails, length);
+    if (fits > 0.0) {
+      return 0.5 * (fits + fails);
+    }
+    return length * (times < patience ? std::max(factor * safety, 0.3) : 0.5);
+  }
+  /// The length to try after one that could grow by `factor`.
+  [[nodiscard]] double longer(double length, double factor) {
+    fits = std::max(fits, length);
+    const double next = length * std::min(factor * safety, 2.0);
+    return next < fails ? next : 0.5 * (fits + fails);
+  }
+};
+}  // namespace
+
 std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   double length = std::min(planned(a), cap);
   double accept = tolerance::farAway;
@@ -42,23 +70,38 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   }
   std::optional<PathPoint> best;
   double bestLength = 0.0;
+  Tried tried;
+  int grown = 0;
+  bool looked = false;  // at the curvature of a trial
+  bool corner = false;  // lengths fail because the path cannot be followed so far
   for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
     auto b = path_.step(a, length, path_.vertexGaps(), accept);
     if (!b || b->tangent.dot(a.tangent) < turnCosine) {
-      length *= 0.5;
+      length = tried.shorter(length, 0.5, patience);
+      corner = true;
+      if (best && tried.fails - tried.fits <= nearCorner) {
+        break;
+      }
       continue;
     }
     const double factor = path_.fitWithTurn(a, *b);
     if (factor < 1.0 - tolerance::coincidence) {
       // Past an inflection the surface bends the other way than it did: aim at the other edge of
       // the band before shortening the chord.
-      if (i == 0 && learnTurn(a, *b)) {
+      if (!looked && learnTurn(a, *b)) {
         length = std::min({planned(a), cap, length});
+        tried = {};
       } else {
-        length *= std::max(factor * safety, 0.3);
+        length = tried.shorter(length, factor, i);
+      }
+      looked = true;
+      corner = false;
+      if (best && ++grown > growLimit) {
+        break;
       }
       continue;
     }
+    looked = true;
     const double reached = (b->toolEnd - a.toolEnd).norm();
     const bool better = !best || reached > bestLength;
     if (better) {
@@ -66,10 +109,13 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
       bestLength = reached;
     }
     if (!better || factor < goodFit || length >= cap * safety || length >= longest_ ||
-        i > growLimit) {
+        (++grown > growLimit && !corner)) {
       break;
     }
-    length = std::min({length * std::min(factor * safety, 2.0), cap, longest_});
+    length = std::min({tried.longer(length, factor), cap, longest_});
+  }
+  if (bestLength <= 2.0 * nearCorner) {
+    return std::nullopt;
   }
   return best;
 }

@@ -9,8 +9,8 @@ class Stride {
   /// `longest` is MAXDP; it does not bind where both surfaces are planes.
   Stride(Path& path, double longest) : path_(path), longest_(longest) {}
 
-  /// The end of the next cut vector from `a`, not farther than `cap`. None where the path cannot be
-  /// followed.
+  /// The end of the next cut vector from `a`, not farther than `cap`. None where the path ends or
+  /// has a corner; a cut vector towards a corner ends in it.
   [[nodiscard]] std::optional<PathPoint> next(const PathPoint& a, double cap);
   /// Takes the curvatures of a finished cut vector as those of the next.
   void learn(const PathPoint& a, const PathPoint& b);

@@ -64,11 +64,50 @@ def define(surface, to):
     if kind == "TORUS":
         radii = number(to.length(v[2])) + "," + number(to.length(v[3]))
         return f"TORUS/{numbers(to.point(v[0]))},{numbers(to.direction(v[1]))},{radii}"
+    if kind == "TABCYL":
+        return f"TABCYL/XYZ,SPLINE,(VECTOR/{numbers(to.direction(v[0]))})," + ",".join(
+            numbers(to.point(p)) for p in v[1])
+    if kind == "RLDSRF":
+        return "RLDSRF/" + ",".join(
+            f"({define(carrier, to)})," + ",".join(f"(POINT/{numbers(to.point(p))})" for p in points)
+            for carrier, points in v)
+    if kind == "MESH":
+        return "MESH/STL,'mesh.stl'"
     a, b, c, f, g, h, p, q, r, d = v[0]
     m = to.form([[a, h / 2, g / 2, p / 2], [h / 2, b, f / 2, q / 2], [g / 2, f / 2, c, r / 2],
                  [p / 2, q / 2, r / 2, d]])
     return "QADRIC/" + numbers([m[0][0], m[1][1], m[2][2], 2 * m[1][2], 2 * m[0][2], 2 * m[0][1],
                                 2 * m[0][3], 2 * m[1][3], 2 * m[2][3], m[3][3]])
+
+
+def stl(triangles, to):
+    """The text of an STL file of triangles moved; mirrors keep the outside outside."""
+    lines = ["solid mesh"]
+    for triangle in triangles:
+        corners = [to.point(p) for p in triangle]
+        if to.mirrors():
+            corners.reverse()
+        lines += ["facet normal 0 0 0", "outer loop"]
+        lines += ["vertex " + " ".join(map(repr, p)) for p in corners] + ["endloop", "endfacet"]
+    return "\n".join(lines + ["endsolid mesh", ""])
+
+
+def wave(u, along, across, height):
+    """A curve of seven points over [-10, 10], as an extruded surface along `across`."""
+    x = [-10, -6, -3, 0, 3, 6, 10]
+    points = [[0.0, 0.0, 0.0] for _ in x]
+    for p, value in zip(points, x):
+        p[along] = value
+        p[3 - along - "xyz".index(across)] = u(-height, height)
+    direction = tuple(1 if name == across else 0 for name in "xyz")
+    return ("TABCYL", direction, [tuple(p) for p in points])
+
+
+def hills(u):
+    """A mesh of 9 x 7 places over [-10, 10] x [-6, 6]."""
+    at = [[(x * 2.5 - 10, y * 2 - 6, u(-0.4, 0.4)) for y in range(7)] for x in range(9)]
+    return [t for x in range(8) for y in range(6)
+            for t in ((at[x][y], at[x + 1][y], at[x + 1][y + 1]), (at[x][y], at[x + 1][y + 1], at[x][y + 1]))]
 
 
 def part(kind, u):
@@ -93,6 +132,17 @@ def part(kind, u):
         return ("QADRIC", (u(0.01, 0.03), u(0.03, 0.1), u(0.1, 0.4), 0, 0, 0, 0, 0, 0, -1))
     if kind == "saddle":
         return ("QADRIC", (u(0.01, 0.04), u(-0.04, -0.01), 0, 0, 0, 0, 0, 0, 1, z))
+    if kind == "bowl":
+        return ("QADRIC", (u(0.01, 0.05), u(0.01, 0.05), 0, 0, 0, u(-0.01, 0.01), u(-0.1, 0.1), 0, -1, z))
+    if kind == "tabcyl":
+        return wave(u, 0, "y", 0.5)
+    if kind == "ruled":
+        near, far = u(5, 8), u(5, 8)
+        return ("RLDSRF",
+                (("CYLNDR", (0, -4, z - near), (0, 1, 0), near), ((-4.5, -4, z - 2), (4.5, -4, z - 2), (0, -4, z + 2))),
+                (("CYLNDR", (0, 4, z - far), (0, 1, 0), far), ((-4.5, 4, z - 2), (4.5, 4, z - 2), (0, 4, z + 2))))
+    if kind == "mesh":
+        return ("MESH", hills(u))
     raise KeyError(kind)
 
 
@@ -115,6 +165,12 @@ def drive(kind, u):
     if kind == "hollow":
         radius = u(10, 20)
         return ("CYLNDR", (u(-1, 1), y + radius, 0), (u(-0.1, 0.1), u(-0.1, 0.1), 1), radius)
+    if kind == "cone":
+        return ("CONE", (u(-1, 1), y - 14, 40), (0, 0, -1), u(15, 20))
+    if kind == "torus":
+        return ("TORUS", (u(-1, 1), y - 12, u(-1, 1)), (u(-0.1, 0.1), u(-0.1, 0.1), 1), u(9, 10), 2.5)
+    if kind == "tabcyl":
+        return wave(u, 0, "z", 0.5)
     if kind == "quadric":
         return ("QADRIC", (u(0.005, 0.01), 1, u(0.001, 0.01), 0, 0, 0, 0, u(3, 6), 0, u(-1, 1)))
     raise KeyError(kind)
@@ -129,5 +185,6 @@ def check(u, choice):
     return ("CYLNDR", (u(5, 7), u(-0.5, 0.5), 0), (u(-0.2, 0.2), u(-0.2, 0.2), 1), u(1.5, 2.5))
 
 
-PARTS = ["plane", "sphere", "hollow", "cylinder", "cone", "torus", "ellipsoid", "saddle"]
-DRIVES = ["plane", "wall", "circle", "cylinder", "sphere", "hollow", "quadric"]
+PARTS = ["plane", "sphere", "hollow", "cylinder", "cone", "torus", "ellipsoid", "saddle", "bowl",
+         "tabcyl", "ruled", "mesh"]
+DRIVES = ["plane", "wall", "circle", "cylinder", "sphere", "hollow", "quadric", "cone", "torus", "tabcyl"]

@@ -1,0 +1,123 @@
+"""What may be wrong with a motion: each fault has its own diagnostic, with the number of the old system, the measured
+values and the statement."""
+import json
+import math
+import re
+import unittest
+
+from arelem_run import ArelemCase
+
+
+class BadMotion(ArelemCase):
+    def fault(self, *lines, exit_code=4):
+        """The one error of a program, at its last statement."""
+        self.write("bad.apt", "\n".join(["PARTNO BAD", *lines, "FINI", ""]))
+        self.assertExit(exit_code, "compile", "bad.apt", "--to", "json", "-o", "-", "--diagnostics", "json")
+        errors = [json.loads(l) for l in self.err.splitlines() if l.startswith("{") and '"error"' in l]
+        self.assertEqual(len(errors), 1, self.err)
+        self.assertEqual(errors[0]["range"]["start"]["line"], len(lines) + 1)
+        self.assertEqual(self.out, "")
+        return errors[0]
+
+    def assertFault(self, fault, code, legacy, *values):
+        """Its number, the old one, and the numbers of its message, each expected to 1e-4."""
+        self.assertEqual((fault["code"], fault["legacy"]), (code, legacy))
+        numbers = [float(x) for x in re.findall(r"(?<![\w`])-?\d+(?:\.\d+)?(?:e-?\d+)?", fault["message"])]
+        for value in values:
+            self.assertTrue(any(abs(n - value) <= 1e-4 for n in numbers), f"{value} is not in {fault['message']}")
+
+    LINES = ("CUTTER/1", "L1=LINE/0,0,1,0", "L2=LINE/5,0,5,1")
+
+    def test_check_surface_never_met(self):
+        # A sphere of radius 2 at y = 4 passed by a cutter whose far side is at y = 0: 2 away, at x = 5.
+        start = ("CUTTER/1", "L1=LINE/0,0,1,0", "S1=SPHERE/5,4,0,2", "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TO,S1")
+        for mode in ((), ("3DCALC",)):
+            self.assertFault(self.fault(*mode, *start), "E0508", "724", 2, 5, -0.5)
+
+    def test_check_surface_beside_a_closed_path(self):
+        # Once round a circle of radius 3 with a cutter of radius 0.5: the line x = 9 stays 5 away, but for the band.
+        fault = self.fault("3DCALC", "CUTTER/1", "C1=CYLNDR/0,0,0,0,0,1,3", "L1=LINE/9,0,9,1", "PS1=PLANE/0,0,1,0",
+                           "FROM/0,-9,0", "INDIRV/0,1,0", "GO/TO,C1,TO,PS1", "TLLFT,GORGT/C1,TO,L1")
+        self.assertEqual((fault["code"], fault["legacy"]), ("E0508", "724"))
+        self.assertAlmostEqual(float(re.search(r"approach ([\d.]+)", fault["message"])[1]), 5, delta=0.0006)
+
+    def test_cut_vectors_run_out(self):
+        fault = self.fault("3DCALC", "CUTTER/1", "NUMPTS/20", "C1=CYLNDR/0,0,0,0,0,1,3", "L1=LINE/9,0,9,1",
+                           "PS1=PLANE/0,0,1,0", "FROM/0,-9,0", "INDIRV/0,1,0", "GO/TO,C1,TO,PS1", "TLLFT,GORGT/C1,TO,L1",
+                           exit_code=7)
+        self.assertFault(fault, "E0513", "803", 20)
+        self.assertIn("nearest to `L1`", fault["message"])
+
+    def test_cutter_larger_than_a_hollow(self):
+        # A hole of radius 0.9, as cylinder and as quadric, and a cutter of radius 1: it would gouge by 0.1.
+        for hole in ("CYLNDR/0,0,0,0,0,1,.9", "QADRIC/1,1,0,0,0,0,0,0,0,-.81"):
+            fault = self.fault("3DCALC", "CUTTER/2", f"DS1={hole}", "PS1=PLANE/0,0,1,0", "Y0=PLANE/0,1,0,0",
+                               "FROM/.01,0,0", "INDIRV/1,0,0", "GO/TO,DS1,TO,PS1,ON,Y0")
+            self.assertFault(fault, "E0521", "705", 1, 0.9, 0.1)
+
+    def test_parallel_surfaces(self):
+        planes = ("CUTTER/1", "PL1=PLANE/0,0,1,2", "PL2=PLANE/0,0,1,0")
+        self.assertFault(self.fault(*planes, "FROM/0,0,9", "GO/TO,PL1,TO,PL2"), "E0544", "902")
+        self.assertFault(self.fault(*planes, "X9=PLANE/1,0,0,9", "PSIS/PL2", "FROM/0,0,0", "INDIRV/1,0,0",
+                                    "TLON,GOFWD/(PLANE/0,0,1,0),ON,X9"), "E0544", "902")
+
+    def test_contact_lost_beyond_the_edge_of_a_mesh(self):
+        # A mesh of one triangle ends at x = 1; the ball runs off it and reaches no check surface.
+        self.write("m.stl", "solid m\nfacet normal 0 0 1\nouter loop\nvertex -9 -9 0\nvertex 1 0 0\nvertex -9 9 0\n"
+                            "endloop\nendfacet\nendsolid m\n")
+        fault = self.fault("CUTTER/1,.5", "OUTTOL/.001", "M1=MESH/STL,'m.stl'", "DS1=PLANE/0,1,0,0",
+                           "XM=PLANE/1,0,0,-5", "X9=PLANE/1,0,0,9", "FROM/-5,0,4", "GO/ON,DS1,TO,M1,ON,XM", "INDIRV/1,0,0",
+                           "TLON,GOFWD/DS1,ON,X9")
+        self.assertIn((fault["code"], fault["legacy"]), (("E0512", "902"), ("E0508", "724")))
+
+    def test_direction_word_square_to_the_path(self):
+        fault = self.fault(*self.LINES, "FROM/0,-3,0", "INDIRV/0,1,0", "GO/TO,L1", "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(fault, "E0507", "505", 90)
+
+    def test_no_direction_known(self):
+        fault = self.fault(*self.LINES, "FROM/0,-.5,0", "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(fault, "E0506", "504")
+
+    def test_tool_on_the_other_side_is_a_warning(self):
+        self.write("side.apt", "\n".join(["PARTNO SIDE", *self.LINES, "FROM/0,-3,0", "GO/TO,L1", "TLLFT,GORGT/L1,TO,L2",
+                                          "FINI", ""]))
+        self.assertExit(0, "compile", "side.apt", "--to", "json", "-o", "-", "--diagnostics", "json")
+        warning = json.loads(next(l for l in self.err.splitlines() if "W0501" in l))
+        self.assertEqual(warning["legacy"], "-1601")
+
+    def test_start_outside_of_the_tolerance(self):
+        off = self.fault(*self.LINES, "FROM/0,-3,0", "INDIRV/1,0,0", "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(off, "E0505", "503", 2.5, 0.0005)
+        low = self.fault(*self.LINES, "PS1=PLANE/0,0,1,-3", "FROM/0,-.5,0", "PSIS/PS1", "INDIRV/1,0,0",
+                         "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(low, "E0504", "502", 3, 0.0005)
+
+    def test_lines_are_never_tangent(self):
+        fault = self.fault(*self.LINES, "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TANTO,L2")
+        self.assertFault(fault, "E0522", "720")
+
+    def test_surfaces_that_do_not_touch(self):
+        # The tool of radius 0.5 at y = -0.5 passes the circle, which begins at y = 1.
+        fault = self.fault("CUTTER/1", "L1=LINE/0,0,1,0", "C1=CIRCLE/9,4,3", "FROM/0,-3,0", "GO/TO,L1",
+                           "TLRGT,GORGT/L1,TANTO,C1")
+        self.assertFault(fault, "E0509", "721", 1, 0.0005)
+
+    def test_tool_on_the_surface_to_which_it_goes(self):
+        fault = self.fault("CUTTER/1", "L1=LINE/0,0,1,0", "FROM/0,0,0", "GO/TO,L1")
+        self.assertFault(fault, "E0511", "40", 0)
+
+    def test_directed_startup_beside_its_surface(self):
+        # Along +x from (0, 9): the circle of radius 2 is passed at a distance of 9 - 2 - 0.5 and never met.
+        fault = self.fault("CUTTER/1", "C1=CIRCLE/5,0,2", "FROM/0,9,0", "NOPS", "INDIRV/1,0,0", "GO/TO,C1")
+        self.assertEqual((fault["code"], fault["legacy"]), ("E0510", "602"))
+
+    def test_statements_without_what_they_need(self):
+        self.assertFault(self.fault("L1=LINE/0,0,1,0", "FROM/0,-3,0", "GO/TO,L1"), "E0502", "312")
+        self.assertFault(self.fault("CUTTER/1", "L1=LINE/0,0,1,0", "FROM/0,-3,0", "OFFSET/TO,L1"), "E0519", "33")
+        self.assertFault(self.fault(*self.LINES, "FROM/0,-3,0", "NOPS", "GO/TO,L1,TO,L2"), "E0518", "601", 2)
+        none = self.fault(*self.LINES, "OUTTOL/0", "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TO,L2")
+        self.assertFault(none, "E0516", None, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
