@@ -72,9 +72,8 @@ class Reader {
   }
 
  private:
-  static Failure wrong(std::string what, std::string rule) {
-    return fail(diag::EngravForm, std::move(what), std::move(rule))
-        .withHelp("the form is " + std::string(form));
+  static Failure wrong(const std::string& what, const std::string& rule) {
+    return fail(diag::EngravForm, what, rule).withHelp("the form is " + std::string(form));
   }
 
   std::optional<Failure> value(Word word) {

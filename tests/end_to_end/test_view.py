@@ -220,6 +220,16 @@ class Page(ArelemCase):
         self.assertIn("next statement", told[9])
         self.assertEqual(told[10:], [False, "dark", ""])
 
+    def test_every_line_of_a_long_source_can_be_reached(self):
+        # More lines than a page may be high: rows share the height.
+        marked = "document.querySelector('.row.marked')?.textContent"
+        told = self.steps("FROM/0,0,0\n" + "\n" * 460_000 + "GOTO/1,0,0\n" + "\n" * 9 + "FINI\n", {"key": "ArrowRight", "get": marked},
+                          {"key": "ArrowRight", "get": marked}, {"key": "ArrowLeft", "get": marked},
+                          {"get": "document.getElementById('source').scrollTop = 1e9"}, {"get": "new Promise(requestAnimationFrame)"},
+                          {"get": "[...document.querySelectorAll('.row')].pop().textContent"})
+        self.assertEqual(told[:3], ["1FROM/0,0,0", "460002GOTO/1,0,0", "1FROM/0,0,0"])
+        self.assertEqual(told[5], "460013")  # behind the last line end
+
     def test_play_follows_the_time_law(self):
         self.assertExit(0, "time", EXAMPLES / "profile.apt")
         seconds = float(re.search(r"total ([0-9.]+) s", self.out).group(1))

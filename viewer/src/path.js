@@ -143,11 +143,10 @@ export class Path {
     this.levels.forEach((level, k) => { level.mesh.visible = k === this.shown; });
   }
 
-  // The coarsest level whose errors stay below half a pixel; one coarser while the view moves and the job is large.
-  adapt(unitsPerPixel, moving) {
+  // The coarsest level whose errors stay below half a pixel, or a coarser one with no more than `most` places.
+  adapt(unitsPerPixel, most) {
     let choice = 0;
     for (let k = 0; k < this.levels.length; ++k) if (this.levels[k].tolerance < 0.5 * unitsPerPixel) choice = k;
-    const most = moving ? 60000 : 1500000;
     while (choice + 1 < this.levels.length && this.levels[choice].kept.length > most) ++choice;
     if (choice !== this.shown) this.show(choice);
   }

@@ -44,7 +44,7 @@ export class Stage {
     this.marks = new THREE.Group();
     this.world.add(this.marks);
     this.plane = new THREE.Plane(new THREE.Vector3(0, 0, -1), 0);
-    this.measured = [];
+    this.most = 12000; // see budget()
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement);
     this.dark(false);
     this.resize();
@@ -156,8 +156,19 @@ export class Stage {
     requestAnimationFrame(() => { this.asked = false; this.render(); });
   }
 
+  // How many places of the path a frame may have: grows while frames come fast, shrinks while they are late. A view at rest may
+  // have five times as many.
+  budget() {
+    const now = performance.now(), busy = Boolean(this.moving || this.playing), span = now - (this.last || now);
+    if (busy && this.busy && span > 90) this.most = Math.max(4000, this.most / 2);
+    else if (busy && this.busy && span < 28) this.most = Math.min(300000, this.most * 1.3);
+    this.last = now;
+    this.busy = busy;
+    return busy ? this.most : 5 * this.most;
+  }
+
   render() {
-    this.path.adapt(this.unitsPerPixel(), this.moving || this.playing);
+    this.path.adapt(this.unitsPerPixel(), this.budget());
     this.renderer.render(this.world, this.camera);
     const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
     for (const l of this.labels) {
