@@ -55,7 +55,7 @@ void addOptions(CLI::App& app, CompileOptions& options) {
       ->type_name("FILE");
   addMachineOptions(app, options.machine);
   app.add_option("--decimals", options.decimals,
-                 "decimals of lengths in text formats; default: exact")
+                 "decimals of lengths in CL text; default: exact")
       ->check(CLI::Range(1, 15))
       ->type_name("N");
   app.add_flag("--keep-going", options.keepGoing,

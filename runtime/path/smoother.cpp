@@ -19,6 +19,8 @@ namespace arelem::path {
 namespace {
 
 constexpr int samplesOfASpan = 5;
+/// Locations of a path that can be smoothed.
+constexpr std::size_t fewest = 3;
 
 std::string_view nameOf(const cl::Post& post) {
   return post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign);
@@ -69,12 +71,26 @@ class Stage : public Smoother {
     if (order_) {
       sink_.accept(diagnose(commandOrigin_, diag::SmoothOpen));
     }
+    endOrder();
   }
   [[nodiscard]] const std::vector<SmoothFact>& facts() const override { return facts_; }
 
  private:
-  void command(const cl::Record& record, const cl::Post& post) {
+  /// What came of the statement that ends.
+  void endOrder() {
+    if (order_ && twins_ > 0) {
+      sink_.accept(diagnose(commandOrigin_, diag::SmoothTwins, twins_));
+    }
+    if (order_ && longest_ > 0 && longest_ < fewest) {
+      sink_.accept(at(commandOrigin_, fail(diag::SmoothNothing, longest_)));
+    }
     order_.reset();
+    twins_ = 0;
+    longest_ = 0;
+  }
+
+  void command(const cl::Record& record, const cl::Post& post) {
+    endOrder();
     if (endsSmoothing(post)) {
       return;
     }
@@ -136,13 +152,16 @@ class Stage : public Smoother {
         const Vec3 p(&motion.coordinates[i]);
         if ((p - points.back()).norm() > tolerance::coincidence) {
           points.push_back(p);
+        } else {
+          ++twins_;
         }
         if (motion.withAxis && !sameAxis(record, axis, Vec3(&motion.coordinates[i + 3]))) {
           return false;
         }
       }
     }
-    if (points.size() < 3) {
+    longest_ = std::max(longest_, points.size());
+    if (points.size() < fewest) {
       return false;
     }
     return replace(points, axis);
@@ -231,6 +250,8 @@ class Stage : public Smoother {
   std::optional<Vec3> at_;  // the location before what is held
   std::vector<cl::Record> held_;
   std::optional<cl::Record> surface_;
+  std::size_t twins_ = 0;    ///< locations of the order in force that repeat the one before
+  std::size_t longest_ = 0;  ///< locations of its longest sequence
   std::vector<SmoothFact> facts_;
 };
 

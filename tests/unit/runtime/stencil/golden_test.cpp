@@ -118,7 +118,7 @@ TEST(StencilGolden, Quadrilaterals) {
 }
 
 TEST(StencilGolden, TiltFollowsTheDivision) {
-  for (const std::string& id :
+  for (const std::string id :
        {"BLANK-beta-0.5", "BLANK-beta-0.6", "BLANK-beta-0.4", "BLANK-beta-0.5827"}) {
     const json c = caseOf(id);
     const double xi = c["inputs"]["xi"];
@@ -269,7 +269,7 @@ TEST(StencilGolden, LetterB) {
 }
 
 TEST(StencilGolden, LettersOnTheGrid) {
-  for (const std::string& name : {"S", "B"}) {
+  for (const std::string name : {"S", "B"}) {
     const json points = caseOf("BLANK-" + name + "-grid")["expected"]["points"];
     const std::vector<Pose> poses = letter(name, 25.0, Vec2::Zero(), {});
     ASSERT_EQ(poses.size(), points.size());
@@ -357,8 +357,8 @@ TEST(StencilGolden, EveryRowHasATest) {
       return name.back() == '*' ? id.starts_with(name.substr(0, name.size() - 1)) : id == name;
     });
   };
-  for (const std::string& name : {"S", "B"}) {  // put together by the tests
-    for (const std::string& what : {"-grid", "-vplus"}) {
+  for (const std::string name : {"S", "B"}) {  // put together by the tests
+    for (const std::string what : {"-grid", "-vplus"}) {
       named.push_back("BLANK-" + name + what);
     }
   }
