@@ -1,5 +1,6 @@
 #include "app/time.h"
 
+#include <cmath>
 #include <iostream>
 
 #include "app/cl_input.h"
@@ -34,11 +35,17 @@ void addOptions(CLI::App& app, TimeOptions& options) {
                          const CLI::Validator& check) {
     app.add_option(name, value, help)->check(check)->type_name("NUMBER");
   };
-  limit("--velocity", options.velocity, "largest speed, also of rapid moves, mm/s (400)",
-        CLI::PositiveNumber);
-  limit("--acceleration", options.acceleration, "largest acceleration, mm/s2 (4000)",
-        CLI::PositiveNumber);
-  limit("--jerk", options.jerk, "largest jerk, mm/s3 (20000)", CLI::PositiveNumber);
+  const CLI::Validator positive(
+      [](const std::string& word) {
+        double value = 0.0;
+        return CLI::detail::lexical_cast(word, value) && std::isfinite(value) && value > 0.0
+                   ? std::string()
+                   : "`" + word + "` is no positive number";
+      },
+      "POSITIVE");
+  limit("--velocity", options.velocity, "largest speed, also of rapid moves, mm/s (400)", positive);
+  limit("--acceleration", options.acceleration, "largest acceleration, mm/s2 (4000)", positive);
+  limit("--jerk", options.jerk, "largest jerk, mm/s3 (20000)", positive);
   limit("--deviation", options.deviation,
         "mm by which corners may be rounded; 0: the tool stops in each (0.01)",
         CLI::NonNegativeNumber);

@@ -111,11 +111,11 @@ std::optional<std::size_t> verifyG97(std::string_view text,
     }
     i += differs ? 0 : 1;
     const bool stays = k + 1 < found.size() && found[k + 1].surplus;
-    const std::set<int> on = mapped(wanted.locations[i - 1].on, machine);
+    const std::set<int> on = i > 0 ? mapped(wanted.locations[i - 1].on, machine) : std::set<int>{};
     const bool offAtEnd = k + 1 == found.size() && found[k].location.on.empty();
     if (!stays && !offAtEnd && found[k].location.on != on) {
-      log.accept(diagnose(wanted.locations[i - 1].origin, diag::SwitchDiffers, i, name,
-                          listed(found[k].location.on), listed(on)));
+      log.accept(diagnose(i > 0 ? wanted.locations[i - 1].origin : nowhere, diag::SwitchDiffers, i,
+                          name, listed(found[k].location.on), listed(on)));
       return std::nullopt;
     }
   }

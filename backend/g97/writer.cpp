@@ -201,7 +201,7 @@ class G97Writer : public Writer {
     step.block.pose = *written;
     step.block.speed = speedOf(traverse ? machine_.rapid : speed_, place);
     step.spraying = spraying();
-    if (!traverse) {
+    if (!traverse && !steps_.empty()) {
       checkSwing(steps_.back().block.pose.angles, written->angles, place);
     }
     rapid_ = false;

@@ -186,6 +186,12 @@ void Moves::putFeed(double length) {
   }
   block_.modal('f', feedMode_ == FeedMode::perTurn ? "G95" : "G94");
   const double scale = control_.inches ? 1.0 / millimetersOfAnInch : 1.0;
+  if (*feed_ * scale < 0.5 * std::pow(10.0, -feedDecimals)) {
+    report(fail(
+        diag::NgcValue,
+        fmt::format("a feed of {:.3g} a minute or turn is 0 with the {} decimals of the output",
+                    *feed_ * scale, feedDecimals)));
+  }
   block_.modal('F', fmt::format("F{:.{}f}", *feed_ * scale, feedDecimals));
 }
 

@@ -248,6 +248,8 @@ class NgcWriter : public Writer {
       case Word::TRACUT:
       case Word::COPY:
       case Word::INDEX:
+      case Word::VTLAXS:
+      case Word::WCORN:
       case Word::MACHIN:
         return;  // done before, or for others
       default:
@@ -317,6 +319,12 @@ class NgcWriter : public Writer {
     const double value = firstNumber(post).value_or(0.0);
     const double speed = moves_.spindle();
     const bool turns = has(post, "REV") && speed > 0.0;
+    if (value < 0.0) {
+      sink_.accept(
+          at(record_->origin,
+             fail(diag::NgcValue, fmt::format("DELAY/{:.9g}: a control waits 0 or more", value))));
+      return;
+    }
     block_.code("G4");
     block_.number('P', turns ? value * secondsOfAMinute / speed : value, secondsDecimals);
     block_.end();

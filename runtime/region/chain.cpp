@@ -109,7 +109,9 @@ Result<std::vector<spray::Loop>> chained(std::vector<Curve> curves,
         return fail(diag::DrawingOpen, name, at.x(), at.y(), other.x(), other.y(),
                     (other - at).norm(), joint);
       }
-      if (next.size() > 1) {
+      // Nearness is not transitive: an end may lead back into a curve that is in the loop.
+      const bool again = used[next[0].curve] && (next[0].curve != i || next[0].last);
+      if (next.size() > 1 || again) {
         return fail(diag::DrawingBranches, name, at.x(), at.y(), next.size() + 1);
       }
       if (next[0].curve == i && !next[0].last) {

@@ -24,6 +24,28 @@ double millimetersOf(long code) {
       return 10.0;
     case 6:
       return 1000.0;
+    case 3:
+      return 1'609'344.0;
+    case 7:
+      return 1e6;
+    case 8:
+      return 25.4e-6;
+    case 9:
+      return 25.4e-3;
+    case 10:
+      return 914.4;
+    case 11:
+      return 1e-7;
+    case 12:
+      return 1e-6;
+    case 13:
+      return 1e-3;
+    case 14:
+      return 100.0;
+    case 15:
+      return 1e4;
+    case 16:
+      return 1e5;
     default:
       return 0.0;
   }
@@ -91,6 +113,10 @@ class Reader {
     const std::string layer(entity.text(8, "0"));
     layers_.insert(layer);
     if (!rules_.layer.empty() && layer != rules_.layer) {
+      return std::nullopt;
+    }
+    if (entity.text(67, "0") == "1") {
+      ++drawing_.unusable[std::string(entity.name) + " in paper space"];
       return std::nullopt;
     }
     if (!CurveReader::knows(entity.name)) {

@@ -286,6 +286,9 @@ Result<Curve> CurveReader::lightPolyline(const DrawingObject& entity) const {
   if (static_cast<double>(vertices.size()) != *count) {
     return wrong(entity, fmt::format("says {} vertices and has {}", *count, vertices.size()));
   }
+  if (vertices.empty()) {
+    return wrong(entity, "has no vertices");
+  }
   return bulged(vertices, (static_cast<long>(*flags) & 1) != 0);
 }
 
@@ -307,7 +310,17 @@ Result<Curve> CurveReader::polyline(const DrawingObject& entity,
     if (!x || !y || !bulge) {
       return !x ? x.takeFailure() : !y ? y.takeFailure() : bulge.takeFailure();
     }
-    list.push_back({{*x, *y}, *bulge});
+    Result<double> kind = number(vertex, 70, 0.0);
+    if (!kind) {
+      return kind.takeFailure();
+    }
+    constexpr long frame = 16;  // a control point of the curve that the other vertices stand for
+    if ((static_cast<long>(*kind) & frame) == 0) {
+      list.push_back({{*x, *y}, *bulge});
+    }
+  }
+  if (list.empty()) {
+    return wrong(entity, "has no vertices");
   }
   return bulged(list, (bits & 1) != 0);
 }

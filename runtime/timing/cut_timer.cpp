@@ -122,6 +122,10 @@ class CutTimer::Path {
   }
 
   void dwell(double seconds) {
+    if (seconds < 0.0) {
+      sink_.accept(at(record_->origin, fail(diag::NegativeDwell, seconds)));
+      return;
+    }
     table_.dwell += seconds;
     table_.statements[record_->isn] += seconds;
   }

@@ -70,6 +70,28 @@ TEST(Drawing, HeightsAreKept) {
       errorOf(file("0\nELLIPSE\n10\n0\n20\n0\n11\n9\n21\n0\n31\n4\n40\n.5\n")).find("not parallel"),
       std::string::npos);
 }
+TEST(Chained, AnEndThatLeadsBackIntoTheLoopIsRefused) {
+  std::vector<Curve> curves(3);
+  curves[0].points = {{-5, 0}, {0, 0}};
+  curves[1].points = {{0.0009, 0}, {5, 5}};
+  curves[2].points = {{5, 5},
+                      {0.0018, 0}};  // near the start of the second, not the end of the first
+  const auto loops = chained(std::move(curves), "a.dxf", 1e-3);
+  ASSERT_FALSE(loops);
+  EXPECT_EQ(loops.failure().row->code, "E0371");
+}
+TEST(Drawing, PolylinesWithoutVerticesAreRefused) {
+  EXPECT_NE(errorOf(file("0\nLWPOLYLINE\n90\n0\n")).find("has no vertices"), std::string::npos);
+  EXPECT_NE(errorOf(file("0\nPOLYLINE\n66\n1\n0\nSEQEND\n")).find("has no vertices"),
+            std::string::npos);
+}
+TEST(Drawing, PaperSpaceIsNotTheWork) {
+  const Result<Drawing> drawing =
+      readDrawing(file("0\nCIRCLE\n67\n1\n10\n5\n20\n6\n40\n10\n"), "a.dxf", rules());
+  ASSERT_TRUE(drawing);
+  EXPECT_TRUE(drawing->curves.empty());
+  EXPECT_EQ(drawing->unusable.at("CIRCLE in paper space"), 1);
+}
 TEST(Drawing, OldPolylinesWithVertices) {
   EXPECT_NEAR(
       areaOfOne(
