@@ -1,5 +1,6 @@
 // Commands that write, read and take back: :save, :load, :undo, :redo, :plot, :view.
 #include <charconv>
+#include <filesystem>
 #include <iostream>
 
 #include "app/messages.h"
@@ -25,6 +26,17 @@ std::string wordsOf(const Failure& failure) {
 
 std::string entries(std::size_t n) {
   return n == 1 ? "1 entry" : fmt::format("{} entries", n);
+}
+
+/// Whether a name without a suffix or with the right one was given; else what to say.
+std::string wrongSuffix(const std::string& path, std::string_view wanted) {
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  return suffix.empty() || suffix == wanted
+             ? ""
+             : fmt::format(
+                   "it writes {} only, not `{}`; `arelem view FILE -o OUT` writes .svg, "
+                   ".png and .html",
+                   wanted, suffix);
 }
 
 std::string picture(Console& console, const std::string& path, std::string_view name) {
@@ -138,11 +150,15 @@ std::string redo(Console& console, const std::string& rest) {
 }
 
 std::string plot(Console& console, const std::string& rest) {
-  return picture(console, rest.empty() ? "session.svg" : rest, "svg");
+  const std::string wrong = wrongSuffix(rest, ".svg");
+  return !wrong.empty() ? wrong : picture(console, rest.empty() ? "session.svg" : rest, "svg");
 }
 
 std::string view(Console& console, const std::string& rest) {
   const std::string path = rest.empty() ? "session.html" : rest;
+  if (std::string wrong = wrongSuffix(path, ".html"); !wrong.empty()) {
+    return wrong;
+  }
   const InterruptFlag& interrupted = console.interrupt.flag();
   Compilation job(console.settings);
   if (!load(job, "session", console.session.text(), interrupted)) {

@@ -17,6 +17,12 @@
 namespace arelem::app {
 
 namespace {
+/// A terminal that knows no colors and no cursor.
+bool isDumbTerminal() {
+  const char* const terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe)
+  return terminal == nullptr || std::string_view(terminal) == "dumb";
+}
+
 using namespace repl;
 
 constexpr int narrow = 24;  // columns below which the prompt is one character
@@ -249,8 +255,7 @@ ExitCode converse(Console& console, const std::string& file, bool quiet) {
     }
     return console.style.color ? highlighted(line, names) : std::string();
   };
-  const char* const terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe)
-  const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  const bool dumb = isDumbTerminal();
   const auto lines = openLines(history, complete, dumb ? Highlighter() : Highlighter(color));
   greet(*lines, history, quiet);
   console.interrupt.converse([&](int signal) { lines->wake(signal); });
@@ -289,8 +294,8 @@ int runRepl(const Invocation& invocation) {
   Session session(settings);
   Console console{settings, session, invocation.interrupt, std::cout, {}, {}};
   console.style.color = settings.color == ColorChoice::always ||
-                        (settings.color == ColorChoice::automatic && useColor(settings.color) &&
-                         ::isatty(STDOUT_FILENO) == 1);
+                        (settings.color == ColorChoice::automatic && !isDumbTerminal() &&
+                         useColor(settings.color) && ::isatty(STDOUT_FILENO) == 1);
   return static_cast<int>(converse(console, file, settings.quiet));
 }
 

@@ -208,7 +208,11 @@ class Terminal(ArelemCase):
         self.start(env={"TERM": "dumb"})
         self.expect(r"> ")
         self.send("A=41+1\r")
-        self.expect(r"A = 42")
+        seen = self.expect(r"A = 42")
+        self.assertNotIn("\x1b[", seen)
+        self.expect(r"> ")
+        self.send(":plot a.png\r")
+        self.expect(r"writes .svg only")
 
     def test_termination(self):
         self.start()
