@@ -300,6 +300,22 @@ TEST(JointTable, TheFastestMoveIsNamed) {
               HasSubstr("location 3 has 3000 mm/s; the robot's largest speed is 1200, 0.4 times"));
 }
 
+/// At full stretch an elbow has no bounded speed; nothing is written as "nan".
+TEST(JointTable, FullStretchIsRefused) {
+  robot::Machine machine;
+  machine.elbow.emplace();  // two links of 2794
+  CollectingSink sink;
+  table({go({5588, 0, 0}), word(Word::FEDRAT, {10.0, Word::MMPS}), go({5000, 0, 0})}, machine,
+        sink);
+  EXPECT_THAT(codes(sink), testing::Contains("E0689"));
+}
+
+TEST(JointTable, ACutWithoutAFeedIsRefused) {
+  CollectingSink sink;
+  EXPECT_EQ(table({go({1000, 0, 0}), go({1500, 0, 0})}, pantograph(), sink), "");
+  EXPECT_THAT(codes(sink), ElementsAre("E0671"));
+}
+
 TEST(JointTable, TooManyRowsAreRefused) {
   CollectingSink sink;
   table({go({1000, 0, 0}), word(Word::FEDRAT, {0.001, Word::MMPS}), go({7000, 0, 0})}, pantograph(),
