@@ -120,6 +120,9 @@ class VplusWriter : public Writer {
       case Word::MACHIN:
       case Word::END:
         return;  // done already, or said by the program itself
+      case Word::CYCLE:
+        cycle_ = !hasWord(post, Word::OFF);
+        return without("CYCLE");
       default:
         without(spell(post.word));
     }
@@ -219,7 +222,8 @@ class VplusWriter : public Writer {
     check(inRobot, place, isFrom);
     const bool over = rapid_ && !isFrom && machine_.vplus.approach > 0.0;
     const bool joint = isFrom || location_ == 1;  // nothing is known of where the robot stands
-    if (!joint && !rapid_ && speed_ <= 0.0) {
+    if (!joint && !rapid_ && !cycle_ && speed_ <= 0.0 && !feedMissed_) {
+      feedMissed_ = true;
       report(fail(diag::NgcFeedMissing, pose.point.x() / millimeters_,
                   pose.point.y() / millimeters_, pose.point.z() / millimeters_));
     }
@@ -323,7 +327,7 @@ class VplusWriter : public Writer {
   }
 
   void setSpeed(const std::string& place) {
-    const double speed = rapid_ ? machine_.rapid : speed_;
+    const double speed = rapid_ || (cycle_ && speed_ <= 0.0) ? machine_.rapid : speed_;
     rapid_ = false;
     if (speed > std::max(fastest_.speed, machine_.speed)) {
       fastest_ = {speed, place, record_->origin};
@@ -354,6 +358,8 @@ class VplusWriter : public Writer {
   double millimeters_ = 1.0;
   double speed_ = 0.0;
   bool rapid_ = false;
+  bool cycle_ = false;       // between its holes the tool goes as at RAPID
+  bool feedMissed_ = false;  // told once
   Fastest fastest_;
   double joint4_ = 0.0;
   int tiltWord_ = 0;    // in force

@@ -55,7 +55,7 @@ class Robots(ArelemCase):
                                ("  RETURN", "  APPROS f:TRANS(900, 900), 5\n  RETURN", "E0634")):
             self.assertIn(old, text)
             self.write("m.v2", text.replace(old, new, 1))
-            self.assertExit(5, "verify", "m.v2", "--with", "m.apt")
+            self.assertExit(6, "verify", "m.v2", "--with", "m.apt")
             self.assertIn(code, self.err)
 
     def test_out_of_reach_writes_nothing(self):

@@ -235,6 +235,7 @@ TEST(JointTable, RowsStandAtAnEvenInterval) {
 }
 
 TEST(JointTable, TellsWhatCannotBeReached) {
+  const cl::Record slow = word(Word::FEDRAT, {100.0, Word::MMPS});
   const auto codeOf = [](const std::vector<cl::Record>& records, const robot::Machine& machine) {
     CollectingSink sink;
     EXPECT_EQ(table(records, machine, sink), "");
@@ -242,11 +243,11 @@ TEST(JointTable, TellsWhatCannotBeReached) {
   };
   // The actuator reaches 1000 mm: 8333 mm.
   EXPECT_THAT(codeOf({go({9000, 0, 0})}, pantograph()), ElementsAre("E0681"));
-  EXPECT_THAT(codeOf({go({1000, -1000, 0}), go({-1000, 1000, 0})}, pantograph()),
+  EXPECT_THAT(codeOf({slow, go({1000, -1000, 0}), go({-1000, 1000, 0})}, pantograph()),
               ElementsAre("E0682"));
   robot::Machine narrow = pantograph();
   narrow.pantograph->turn = {-30.0, 30.0};
-  EXPECT_THAT(codeOf({go({1000, 0, 0}), go({0, 1000, 0})}, narrow), ElementsAre("E0683"));
+  EXPECT_THAT(codeOf({slow, go({1000, 0, 0}), go({0, 1000, 0})}, narrow), ElementsAre("E0683"));
   EXPECT_THAT(codeOf({go({1000, 0, 0})}, robot::Machine{}), ElementsAre("E0680"));
   robot::Machine both = pantograph();
   both.elbow.emplace();

@@ -8,7 +8,6 @@
 namespace arelem::test {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(VplusReader, KeepsFrameAndStrayMoves) {
@@ -31,6 +30,7 @@ TEST(VplusReader, KeepsFrameAndStrayMoves) {
   EXPECT_EQ(read("DEPARTS -50\n").strays.size(), 1U);
 }
 
+/// A file may hold several programs: names are each one's own, moves those of the first.
 TEST(VplusReader, ReadsSeveralPrograms) {
   auto read = vplus::readProgram(
       ".PROGRAM a()\nx = 1\nMOVE TRANS(1,2,3,0,180,0)\n.END\n\n.PROGRAM b()\n"

@@ -269,11 +269,11 @@ TEST(Vplus, LimitsOfTheRobotAreKept) {
   machine.scara.emplace();
   machine.speed = 200.0;
   std::vector<std::string> codes;
-  program({record(1, pose({2000, 0, 100})), record(2, pose({600, 0, 900})),
-           record(3, pose({600, 0, 100, 0.6, 0, 0.8})),
+  program({record(1, post(Word::FEDRAT, {100.0, Word::MMPS})), record(1, pose({2000, 0, 100})),
+           record(2, pose({600, 0, 900})), record(3, pose({600, 0, 100, 0.6, 0, 0.8})),
            record(4, post(Word::FEDRAT, {250.0, Word::MMPS})), record(5, pose({600, 0, 100}))},
           &machine, &codes);
-  // Too far, too high, leaning, too fast; the first three have no speed yet.
+  // Too far, too high, leaning, too fast.
   EXPECT_THAT(codes, ElementsAre("E0660", "E0661", "E0664", "E0666"));
 }
 
@@ -360,7 +360,6 @@ TEST(VplusReader, RefusesTheRest) {
   EXPECT_FALSE(vplus::readProgram(".PROGRAM a()\n.END\nBREAK\n", "x", nullptr).ok());
 }
 
-/// A file may hold several programs: names are each one's own, moves those of the first.
 /// Damaged programs are read or refused.
 TEST(VplusReader, SurvivesRandomDamage) {
   const std::string good = program(stroke());
