@@ -1,6 +1,7 @@
 #include "ir/diag/verify.h"
 
 #include <iostream>
+#include <numbers>
 #include <sstream>
 
 #include "app/certify.h"
@@ -68,6 +69,25 @@ bool pathOfOutput(const std::string& file,
   return good;
 }
 
+/// Whether the program's coordinates lie where the machine file has them; without one, at the base.
+bool hasFrameOf(const std::optional<robot::Machine>& machine,
+                const vplus::ProgramText& program,
+                const std::string& name,
+                DiagnosticLog& log) {
+  const robot::Frame frame = machine ? machine->frame : robot::Frame{};
+  const robot::Matrix3 turn = robot::matrixOf({frame.angles[0], frame.angles[1], frame.angles[2]});
+  const double far = (program.frameShift - frame.shift).norm();
+  const double degrees =
+      Eigen::AngleAxisd(turn.transpose() * program.frameTurn).angle() * 180.0 / std::numbers::pi;
+  constexpr double digit = 2.0e-3;  // mm and degrees: three numbers of three decimals
+  if (far <= digit && degrees <= digit) {
+    return true;
+  }
+  const Vec3& at = program.frameShift;
+  log.accept(fail(diag::VplusFrame, name, far, degrees, at.x(), at.y(), at.z()));
+  return false;
+}
+
 /// The moves of a V+ program, in the part unit. Its coordinates are mm with three decimals.
 bool pathOfVplus(const std::string& file,
                  const std::string& text,
@@ -86,6 +106,12 @@ bool pathOfVplus(const std::string& file,
   }
   if (!program->straightLine) {
     log.accept(fail(diag::VplusBranches, displayName(file)));
+    return false;
+  }
+  for (const vplus::Stray& stray : program->strays) {
+    log.accept(fail(diag::VplusStray, displayName(file), stray.line, stray.what));
+  }
+  if (!program->strays.empty() || !hasFrameOf(machine, *program, displayName(file), log)) {
     return false;
   }
   for (const vplus::Move& move : program->moves) {

@@ -7,6 +7,7 @@
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
+#include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
 #include "ir/words/units.h"
 
@@ -60,6 +61,11 @@ void KnotReader::location(const robot::Pose& pose, const Span& origin) {
       failed_ = true;
       return;
     }
+  }
+  if (!rapid_ && speed_ <= 0.0 && !knots_.empty() && !failed_) {
+    sink_.accept(
+        diagnose(origin, diag::NgcFeedMissing, pose.point.x(), pose.point.y(), pose.point.z()));
+    failed_ = true;
   }
   Knot knot;
   knot.point = pose.point;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "ir/diag/robot.h"
 
@@ -111,8 +112,14 @@ bool withinSpeed(double most, const std::vector<Knot>& knots, DiagnosticSink& si
 /// Largest speeds and accelerations of the joints.
 class Peaks {
  public:
-  void add(double time, const JointState& joints) {
+  void add(double time, const JointState& joints, const Arm& arm) {
     for (std::size_t j = 0; j < 2; ++j) {
+      const robot::Range range = arm.range(j);
+      const double beyond = std::max(joints.place[j] - range.high, range.low - joints.place[j]);
+      keep(beyond_[j], beyond, time);
+      if (!std::isfinite(joints.speed[j]) || !std::isfinite(joints.acceleration[j])) {
+        unbounded_ = unbounded_ ? unbounded_ : time;
+      }
       keep(speed_[j], std::abs(joints.speed[j]), time);
       keep(acceleration_[j], std::abs(joints.acceleration[j]), time);
     }
@@ -121,7 +128,22 @@ class Peaks {
               const Trajectory& path,
               const std::vector<Knot>& knots,
               DiagnosticSink& sink) const {
+    if (unbounded_) {
+      const Knot& knot = knots[path.knotAt(*unbounded_)];
+      sink.accept(diagnose(knot.origin, diag::JointsRow, knot.location, *unbounded_,
+                           std::string("the arm fully stretched, where no speed of its joints has "
+                                       "a bound")));
+    }
     for (std::size_t j = 0; j < 2; ++j) {
+      constexpr double small = 1e-6;  // mm, degrees: rounding of the mean over the path
+      if (const Peak& peak = beyond_[j]; peak.value > small) {
+        const Knot& knot = knots[path.knotAt(peak.time)];
+        const robot::Range range = arm.range(j);
+        sink.accept(diagnose(
+            knot.origin, diag::JointsRow, knot.location, peak.time,
+            fmt::format("joint {} {:.4g} {} beyond its range, {:.6g} to {:.6g}", arm.jointName(j),
+                        peak.value, arm.unit(j), range.low, range.high)));
+      }
       const auto told = [&](const auto& row, const Peak& peak, double limit, double factor) {
         const Knot& knot = knots[path.knotAt(peak.time)];
         sink.accept(diagnose(knot.origin, row, arm.jointName(j), peak.value, arm.unit(j),
@@ -150,7 +172,8 @@ class Peaks {
       peak = {value, time};
     }
   }
-  std::array<Peak, 2> speed_, acceleration_;
+  std::array<Peak, 2> speed_, acceleration_, beyond_;
+  std::optional<double> unbounded_;  // when first
 };
 }  // namespace
 
@@ -185,7 +208,7 @@ Table tableOf(const Arm& arm,
       const State tool = path.at(std::min(look, path.duration()));
       const JointState joints = arm.jointsOf(tool, turn);
       turn = joints.place[1];
-      peaks.add(std::min(look, path.duration()), joints);
+      peaks.add(std::min(look, path.duration()), joints, arm);
       if (k == 0) {
         table.rows.push_back({time, tool, joints});
         table.paintingTime += tool.gun ? machine.interval : 0.0;

@@ -80,6 +80,12 @@ class Reader {
     TiltAxis& axis = machine_.tilt.emplace();
     t.number("most", axis.most, 0.1, 90.0);
     t.number("step", axis.step, 1e-3, 10.0);
+    // Seven bits of the word hold the number of steps.
+    constexpr double mostSteps = 127.0;
+    if (!failure_ && std::round(axis.most / axis.step) > mostSteps) {
+      t.wrong("most", fmt::format("at most {:g} times `step`, {:g}: more does not fit in the word",
+                                  mostSteps, mostSteps * axis.step));
+    }
     t.whole("first_output", axis.firstOutput, 1, 505);
     std::size_t coding = 0;
     t.choice("coding", coding, {"sign-magnitude", "twos-complement"});

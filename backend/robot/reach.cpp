@@ -48,8 +48,13 @@ std::optional<Failure> objectionOnTheWay(const Scara& s,
   constexpr double mostSteps = 1000.0;
   const int steps = static_cast<int>(std::min(mostSteps, std::ceil((to - from).norm() / step)));
   const std::string way = "the straight move to " + std::string(place);
-  for (int i = 1; i < steps; ++i) {
-    const ScaraJoints joints = armAt(s, from + (to - from) * i / steps);
+  double before = armAt(s, from).joint1;
+  for (int i = 1; i <= steps; ++i) {
+    ScaraJoints joints = armAt(s, from + (to - from) * i / steps);
+    // The joint goes on from where it is: behind +-180 degrees it does not begin anew.
+    constexpr double turn = 360.0;
+    joints.joint1 += turn * std::round((before - joints.joint1) / turn);
+    before = joints.joint1;
     if (auto failure = outside(s.joint1, joints.joint1, 1, way)) {
       return failure;
     }

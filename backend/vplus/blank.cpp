@@ -3,8 +3,12 @@
 #include <cmath>
 #include <numbers>
 #include <ostream>
+#include <set>
 
+#include "backend/robot/feed.h"
+#include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/words/units.h"
 
 namespace arelem::backend {
 
@@ -25,14 +29,13 @@ class BlankWriter : public Writer {
       }
       for (std::size_t i = 0; i + 9 <= motion->coordinates.size(); i += 9) {
         speed();
+        origin_ = record.origin;
         move(motion->coordinates.data() + i);
       }
+    } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
+      millimeters_ = millimetersOf(units->unit);
     } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
-      const double* value =
-          post->word == Word::FEDRAT && post->foreign.empty() && !post->arguments.empty()
-              ? std::get_if<double>(&post->arguments[0])
-              : nullptr;
-      speed_ = value != nullptr ? *value : speed_;
+      word(*post, record.origin);
     }
   }
   void finish() override {
@@ -44,16 +47,53 @@ class BlankWriter : public Writer {
  private:
   static double plain(double value) { return std::abs(value) < 0.05 ? 0.0 : value; }
 
+  void word(const cl::Post& post, const Span& origin) {
+    switch (post.foreign.empty() ? post.word : Word::INSERT) {
+      case Word::FEDRAT:
+        if (const auto speed = robot::speedOf(post, millimeters_)) {
+          speed_ = *speed;
+        } else {
+          const double* value = robot::numberAt(post, 0);
+          sink_.accept(diagnose(origin, diag::VplusFeed, value == nullptr ? 0.0 : *value));
+        }
+        return;
+      case Word::RAPID:
+      case Word::SPRAY:  // these lines have moves and speeds only, the gun is the robot's own
+      case Word::TRACUT:
+      case Word::COPY:
+      case Word::INDEX:
+      case Word::MACHIN:
+      case Word::END:
+        return;
+      default:
+        without(post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign), origin);
+    }
+  }
+  void without(std::string_view what, const Span& origin) {
+    if (told_.insert(std::string(what)).second) {
+      sink_.accept(diagnose(origin, diag::VplusWithout, what));
+    }
+  }
+
   void move(const double* c) {
     const double angle = plain(std::atan2(c[7], c[6]) * 180.0 / std::numbers::pi);
-    text_ += fmt::format("move trans({:5.1f},{:5.1f},({:5.1f}+offset),", plain(c[0]), plain(c[1]),
-                         plain(c[2]));
+    constexpr double upright = 1e-6;
+    if (std::hypot(c[3], c[4]) > upright) {
+      without("the tilt of the tool", origin_);
+    }
+    text_ += fmt::format("move trans({:5.1f},{:5.1f},({:5.1f}+offset),", plain(millimeters_ * c[0]),
+                         plain(millimeters_ * c[1]), plain(millimeters_ * c[2]));
+    place_ = {c[0], c[1], c[2]};
     text_ += format_ == robot::VplusStyle::Format::pathS ? fmt::format("0,180,{:5.1f})\n", angle)
                                                          : fmt::format("{:5.1f},180,0)\n", angle);
     moved_ = true;
   }
   void speed() {
     if (moved_) {
+      if (speed_ <= 0.0 && !slow_) {
+        sink_.accept(diagnose(origin_, diag::NgcFeedMissing, place_.x(), place_.y(), place_.z()));
+        slow_ = true;
+      }
       text_ += fmt::format("speed ({:5.1f}*scale), rotate MMPS \n", speed_);
     }
   }
@@ -63,6 +103,11 @@ class BlankWriter : public Writer {
   DiagnosticSink& sink_;
   std::string text_;
   double speed_ = 0.0;
+  double millimeters_ = 1.0;
+  Vec3 place_ = Vec3::Zero();
+  Span origin_;
+  std::set<std::string> told_;
+  bool slow_ = false;  // a missing feed is told once
   bool moved_ = false;
   bool refused_ = false;
 };

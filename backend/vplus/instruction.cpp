@@ -11,7 +11,19 @@ namespace arelem::vplus {
 
 namespace {
 constexpr std::size_t deepestBlock = 64;
+
+/// Whether both are one place, but for the rounding of sums.
+bool isSame(const Place& a, const Place& b) {
+  constexpr double rounding = 1e-6;  // mm, and of a direction
+  return a.known && b.known && (a.shift - b.shift).norm() < rounding &&
+         (a.turn - b.turn).norm() < rounding;
+}
 }  // namespace
+
+bool isOutput(double number) {
+  return (number >= 1.0 && number <= 512.0) || (number >= 2001.0 && number <= 2512.0) ||
+         (number >= 3001.0 && number <= 4999.0);
+}
 
 void Instructions::one(std::size_t line) {
   line_ = line;
@@ -26,46 +38,94 @@ void Instructions::one(std::size_t line) {
   assignment(word);
 }
 
+void Instructions::stray(std::string what) {
+  program_.strays.push_back({line_, std::move(what)});
+}
+
 void Instructions::move(bool straight) {
   const Place place = scope_.location();
-  if (place.known && !scope_.error()) {
-    Move made;
-    made.pose = robot::poseOf(place.shift, place.turn);
-    lean(made.pose);
-    made.line = line_;
-    made.straight = straight;
-    made.speed = speed_;
-    program_.moves.push_back(made);
+  underWay_.reset();
+  if (scope_.error()) {
+    return;
+  }
+  if (!place.known || (frame_ && !frame_->known)) {
+    over_.reset();
+    return stray("the text does not tell where this move goes");
+  }
+  if (over_ && !isSame(*over_, place)) {
+    stray(fmt::format("the approach of line {} is to another place than this move", overLine_));
+  }
+  over_.reset();
+  const Place base = frame_.value_or(Place{});
+  const robot::Matrix3 back = base.turn.transpose();
+  Move made;
+  underWay_ = robot::poseOf(back * (place.shift - base.shift), back * place.turn);
+  made.pose = leaning(*underWay_);
+  made.line = line_;
+  made.straight = straight;
+  made.speed = speed_;
+  program_.moves.push_back(made);
+}
+
+/// Over a place: the move to it is to follow.
+void Instructions::approach() {
+  finish();
+  underWay_.reset();
+  over_ = scope_.location();
+  overLine_ = line_;
+  scope_.sign(",");
+  const std::optional<double> away = scope_.expression();
+  if (!over_->known || !away || *away < 0.0) {
+    stray("the text does not tell where this approach goes, or it goes beyond its place");
   }
 }
 
+void Instructions::depart() {
+  finish();
+  underWay_.reset();
+  const std::optional<double> away = scope_.expression();
+  if (!away || *away < 0.0) {
+    stray("the text does not tell how far this departs, or it departs to the work");
+  }
+}
+
+void Instructions::finish() {
+  if (over_) {
+    program_.strays.push_back({overLine_, "no move follows this approach"});
+  }
+  over_.reset();
+}
+
 /// The tilt axis leans the tool along its side.
-void Instructions::lean(robot::Pose& pose) const {
+robot::Pose Instructions::leaning(robot::Pose pose) const {
   if (tilt_ == nullptr || tiltDegrees_ == 0.0) {
-    return;
+    return pose;
   }
   const Vec3 across = pose.axis.cross(*pose.side);
   const Eigen::AngleAxisd turn(tiltDegrees_ * std::numbers::pi / 180.0, across);
   pose.axis = turn * pose.axis;
   pose.side = turn * *pose.side;
+  return pose;
 }
 
 bool Instructions::motionWord(const std::string& word) {
   if (word == "APPRO" || word == "APPROS") {
     scope_.next();
-    scope_.location();
-    scope_.sign(",");
-    scope_.expression();
+    approach();
   } else if (word == "DEPART" || word == "DEPARTS") {
     scope_.next();
-    scope_.expression();
+    depart();
   } else if (word == "DELAY") {
     scope_.next();
     time();
+    underWay_.reset();
   } else if (word == "BREAK" || word == "RETURN" || word == "PAUSE" || word == "STOP" ||
              word == "LEFTY" || word == "RIGHTY" || word == "ABOVE" || word == "BELOW" ||
              word == "FLIP" || word == "NOFLIP") {
     scope_.next();
+    if (word == "BREAK") {
+      underWay_.reset();
+    }
   } else {
     return false;
   }
@@ -173,9 +233,7 @@ void Instructions::signal() {
     return;
   }
   const auto output = static_cast<int>(std::lround(std::abs(*value)));
-  const bool exists = (output >= 1 && output <= 512) || (output >= 2001 && output <= 2512) ||
-                      (output >= 3001 && output <= 4999);
-  if (!exists) {
+  if (!isOutput(output)) {
     return scope_.wrongAt(column,
                           fmt::format("there is no output {}; there are 1 to 512, 2001 to 2512 "
                                       "and 3001 to 4999",
@@ -195,6 +253,10 @@ void Instructions::bits() {
   constexpr double bitsOfTilt = 8.0;
   if (tilt_ != nullptr && first && value && *first == tilt_->firstOutput && count == bitsOfTilt) {
     tiltDegrees_ = robot::tiltAngle(*tilt_, static_cast<int>(std::lround(*value)));
+    // A move that has begun ends with it: the next one waits for that, BITS do not.
+    if (underWay_ && !program_.moves.empty()) {
+      program_.moves.back().pose = leaning(*underWay_);
+    }
   }
 }
 
@@ -259,10 +321,12 @@ void Instructions::assignment(const std::string& word) {
     const std::string name = scope_.name("the name of a location");
     scope_.sign("=");
     const Place place = scope_.location();
-    // The frame that the program sets first carries its coordinates: poses are seen from it.
-    const bool first = frames_++ == 0;
-    return scope_.setLocation(
-        name, first ? Place{Vec3::Zero(), robot::Matrix3::Identity(), true} : place);
+    if (!frame_) {
+      frame_ = place;
+      program_.frameShift = place.shift;
+      program_.frameTurn = place.turn;
+    }
+    return scope_.setLocation(name, place);
   }
   if (word.empty() || isKeyword(word)) {
     return scope_.wrong("an instruction");

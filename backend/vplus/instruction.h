@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ class Instructions {
 
   /// The instruction at the next token of the scope, on this line of the file.
   void one(std::size_t line);
+  /// At the end of the program: an approach without its move.
+  void finish();
   /// IF, FOR and WHILE that no END has closed.
   [[nodiscard]] const std::vector<std::string>& openBlocks() const { return blocks_; }
 
@@ -25,7 +28,10 @@ class Instructions {
   bool outputWord(const std::string& word);
   bool blockWord(const std::string& word);
   void move(bool straight);
-  void lean(robot::Pose& pose) const;
+  void approach();
+  void depart();
+  void stray(std::string what);
+  [[nodiscard]] robot::Pose leaning(robot::Pose pose) const;
   void setSpeed();
   void time();
   void signal();
@@ -38,7 +44,10 @@ class Instructions {
   const robot::TiltAxis* tilt_;
   std::vector<std::string> blocks_;
   std::size_t line_ = 0;
-  int frames_ = 0;
+  std::optional<Place> frame_;  // the location that is set first
+  std::optional<Place> over_;   // what an APPRO goes to, until the move to it
+  std::size_t overLine_ = 0;
+  std::optional<robot::Pose> underWay_;  // upright pose of a move that has begun
   double speed_ = 0.0;
   double tiltDegrees_ = 0.0;
 };

@@ -145,6 +145,7 @@ class Reader {
 
   void end() {
     scope_.end();
+    instructions_->finish();
     if (!instructions_->openBlocks().empty()) {
       wrongAt(1, instructions_->openBlocks().back() + " is not closed by END");
     }

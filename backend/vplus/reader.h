@@ -23,13 +23,26 @@ struct Switched {
   bool on = false;
 };
 
+/// What keeps the moves from being known, or takes the tool where no move of the path goes.
+struct Stray {
+  std::size_t line = 0;
+  std::string what;
+};
+
 struct ProgramText {
   std::string name;
+  /// The location that the program sets first: its coordinates are seen from there.
+  Vec3 frameShift = Vec3::Zero();
+  robot::Matrix3 frameTurn = robot::Matrix3::Identity();
+  std::vector<Stray> strays;
   std::vector<Move> moves;
   std::vector<Switched> signals;
   std::vector<Failure> warnings;  ///< W0631 long lines, W0632 names that are read but never set
   bool straightLine = true;       ///< no IF, FOR, WHILE or CALL: the moves are those of a run
 };
+
+/// Whether V+ has this output: 1 to 512, 2001 to 2512 (software), 3001 to 4999.
+[[nodiscard]] bool isOutput(double number);
 
 /// Reads a file of V+ programs strictly; moves and signals are those of the first. What the grammar
 /// of docs/manual/vplus.md does not have is an error (E0630 with line and column). `tilt` tells how

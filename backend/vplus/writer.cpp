@@ -12,6 +12,8 @@
 #include "backend/text/clean.h"
 #include "backend/vplus/blank.h"
 #include "backend/vplus/name.h"
+#include "backend/vplus/reader.h"
+#include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
 #include "ir/words/units.h"
 
@@ -21,6 +23,7 @@ namespace {
 using namespace robot;
 
 constexpr int bitsOfTilt = 8;
+constexpr std::size_t indent = 2;
 
 /// Numbers as V+ takes them, three decimals, never "-0.000".
 std::string number(double value) {
@@ -104,13 +107,11 @@ class VplusWriter : public Writer {
       case Word::SPRAY:
         return spray(post);
       case Word::DELAY:
-        if (const double* seconds = numberAt(post, 0)) {
-          line(fmt::format("DELAY {}", number(*seconds)));
-        }
-        return;
+        return delay(post);
       case Word::STOP:
       case Word::OPSTOP:
         line("BREAK");
+        switchOutputs();
         line("PAUSE");
         return;
       case Word::TRACUT:
@@ -119,6 +120,9 @@ class VplusWriter : public Writer {
       case Word::MACHIN:
       case Word::END:
         return;  // done already, or said by the program itself
+      case Word::CYCLE:
+        cycle_ = !hasWord(post, Word::OFF);
+        return without("CYCLE");
       default:
         without(spell(post.word));
     }
@@ -131,8 +135,7 @@ class VplusWriter : public Writer {
       return without("INSERT");
     }
     std::string clean = printableAscii(trimmed(text.text));
-    clean.resize(std::min(clean.size(), static_cast<std::size_t>(machine_.vplus.columns) - 4));
-    line("; " + clean);
+    comment(std::move(clean));
   }
   void operator()(const cl::Units& units) { millimeters_ = millimetersOf(units.unit); }
   template <class Other>
@@ -140,7 +143,19 @@ class VplusWriter : public Writer {
   }  // what tells of surfaces, tolerances and the cutter moves nothing
 
  private:
-  void line(std::string text) { lines_.push_back(std::move(text)); }
+  /// An instruction. V+ has no way to go on with one on a further line.
+  void line(std::string text) {
+    const std::size_t columns = indent + text.size();
+    if (columns > vplus::longestLine) {
+      return report(fail(diag::VplusLineLength, columns, vplus::longestLine));
+    }
+    lines_.push_back(std::move(text));
+  }
+  void comment(std::string text) {
+    text.resize(
+        std::min(text.size(), static_cast<std::size_t>(machine_.vplus.columns) - indent - 2));
+    lines_.push_back("; " + std::move(text));
+  }
   void report(Failure failure) {
     if (reported_++ < mostReports) {
       sink_.accept(at(record_->origin, std::move(failure)));
@@ -151,7 +166,7 @@ class VplusWriter : public Writer {
     if (told_.insert(std::string(word)).second) {
       sink_.accept(diagnose(record_->origin, diag::VplusWithout, word));
     }
-    line(fmt::format("; {} is left out", printableAscii(word)));
+    comment(fmt::format("{} is left out", printableAscii(word)));
   }
 
   void feed(const cl::Post& post) {
@@ -164,11 +179,29 @@ class VplusWriter : public Writer {
     rapid_ = false;
   }
 
+  void delay(const cl::Post& post) {
+    const double* seconds = numberAt(post, 0);
+    if (seconds == nullptr || *seconds < 0.0 || hasWord(post, Word::REV)) {
+      return report(fail(diag::VplusDelay, seconds == nullptr ? 0.0 : *seconds,
+                         hasWord(post, Word::REV) ? " turns" : " s"));
+    }
+    // The robot stands while it waits: what is to change at this place does so before.
+    if (!signalsAfterMove_.empty()) {
+      line("BREAK");
+      switchOutputs();
+    }
+    line(fmt::format("DELAY {}", number(*seconds)));
+  }
+
   /// SPRAY/ON, n and SPRAY/OFF, n: at the location before, or on the way from it.
   void spray(const cl::Post& post) {
     const double* output = numberAt(post, 1);
     const bool on = hasWord(post, Word::ON);
-    const int n = output == nullptr ? 1 : static_cast<int>(*output);
+    const double number = output == nullptr ? 1.0 : *output;
+    if (number != std::round(number) || !vplus::isOutput(number)) {
+      return report(fail(diag::VplusOutput, number));
+    }
+    const int n = static_cast<int>(number);
     const std::string signal = fmt::format("SIGNAL {}", on ? n : -n);
     if (machine_.vplus.onTheFly) {
       signalsAfterMove_.push_back(signal);
@@ -188,21 +221,30 @@ class VplusWriter : public Writer {
     }
     check(inRobot, place, isFrom);
     const bool over = rapid_ && !isFrom && machine_.vplus.approach > 0.0;
+    const bool joint = isFrom || location_ == 1;  // nothing is known of where the robot stands
+    if (!joint && !rapid_ && !cycle_ && speed_ <= 0.0 && !feedMissed_) {
+      feedMissed_ = true;
+      report(fail(diag::NgcFeedMissing, pose.point.x() / millimeters_,
+                  pose.point.y() / millimeters_, pose.point.z() / millimeters_));
+    }
     setSpeed(place);
     const Euler e = eulerOf(toolFrame(written));
     const std::string there =
         "f:" + trans({pose.point.x(), pose.point.y(), pose.point.z(), e.yaw, e.pitch, e.roll});
-    const bool joint = isFrom || location_ == 1;  // nothing is known of where the robot stands
     if (over) {
       approach(inRobot, there, place, joint);
     }
     motion((joint && !over ? "MOVE " : "MOVES ") + there);
+    turnTiltAxis();
     before_ = inRobot;
   }
 
   /// A motion instruction; outputs that change on the fly do so as it begins.
   void motion(std::string text) {
     line(std::move(text));
+    switchOutputs();
+  }
+  void switchOutputs() {
     for (std::string& signal : signalsAfterMove_) {
       line(std::move(signal));
     }
@@ -216,6 +258,7 @@ class VplusWriter : public Writer {
       motion("DEPARTS " + number(away));
     }
     motion(fmt::format("{} {}, {}", joint ? "APPRO" : "APPROS", there, number(away)));
+    turnTiltAxis();
     Pose raised = pose;
     raised.point += away * pose.axis.normalized();
     check(raised, "the approach to " + place, true);
@@ -237,11 +280,7 @@ class VplusWriter : public Writer {
         report(fail(diag::TiltRange, place, upright->tilt, machine_.tilt->most));
         return false;
       }
-      const int word = tiltWord(*machine_.tilt, upright->tilt);
-      if (word != tiltWord_) {
-        line(fmt::format("BITS {}, {} = {}", machine_.tilt->firstOutput, bitsOfTilt, word));
-        tiltWord_ = word;
-      }
+      wantedTilt_ = tiltWord(*machine_.tilt, upright->tilt);
     }
     if (written.side) {
       const Vec3 third = written.axis.cross(*written.side);
@@ -252,6 +291,15 @@ class VplusWriter : public Writer {
       written.side = third.cross(written.axis);
     }
     return true;
+  }
+
+  /// Behind the instruction of the move: that starts it and the program goes on, so that the axis
+  /// turns during this move. Before it, it would turn during the move that is still under way.
+  void turnTiltAxis() {
+    if (wantedTilt_ != tiltWord_) {
+      line(fmt::format("BITS {}, {} = {}", machine_.tilt->firstOutput, bitsOfTilt, wantedTilt_));
+      tiltWord_ = wantedTilt_;
+    }
   }
 
   void check(const Pose& pose, const std::string& place, bool isFrom) {
@@ -279,7 +327,7 @@ class VplusWriter : public Writer {
   }
 
   void setSpeed(const std::string& place) {
-    const double speed = rapid_ ? machine_.rapid : speed_;
+    const double speed = rapid_ || (cycle_ && speed_ <= 0.0) ? machine_.rapid : speed_;
     rapid_ = false;
     if (speed > std::max(fastest_.speed, machine_.speed)) {
       fastest_ = {speed, place, record_->origin};
@@ -310,9 +358,12 @@ class VplusWriter : public Writer {
   double millimeters_ = 1.0;
   double speed_ = 0.0;
   bool rapid_ = false;
+  bool cycle_ = false;       // between its holes the tool goes as at RAPID
+  bool feedMissed_ = false;  // told once
   Fastest fastest_;
   double joint4_ = 0.0;
-  int tiltWord_ = 0;
+  int tiltWord_ = 0;    // in force
+  int wantedTilt_ = 0;  // of the location under way
   std::size_t location_ = 0;
   std::size_t reported_ = 0;
   std::optional<Pose> before_;

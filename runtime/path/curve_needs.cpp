@@ -36,7 +36,7 @@ bool needsChords(const std::vector<runtime::Action>& actions) {
     if (post == nullptr) {
       continue;
     }
-    if (post->foreign == "SMOOTH") {
+    if (post->foreign == "SMOOTH" || (post->foreign.empty() && post->word == Word::SMOOTH)) {
       return true;
     }
     const bool moves =

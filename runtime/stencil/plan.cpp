@@ -183,6 +183,14 @@ Result<Track> planRun(const Run& run, const Job& job) {
     return *std::move(objection);
   }
   addSwitchOff(track, job.gun);
+  if (track.off <= track.on) {
+    double whole = 0.0;
+    for (std::size_t i = 0; i + 1 < track.poses.size(); ++i) {
+      whole +=
+          (nozzleOf(track.poses[i + 1]) - nozzleOf(track.poses[i])).norm() / track.poses[i].speed;
+    }
+    return fail(diag::StencilLead, track.stroke, track.symbol, whole, job.gun.leadOff);
+  }
   addRunUp(track, job.gun);
   return track;
 }

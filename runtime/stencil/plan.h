@@ -81,8 +81,8 @@ struct Track {
                                                const TiltLimits& limits,
                                                const std::vector<double>& seconds);
 
-/// Plans one run. Error E0562: a move needs more than the gun's largest speed; it names the factor
-/// that would do.
+/// Plans one run. Errors: E0562, a move needs more than the gun's largest speed; it names the
+/// factor that would do. E0742, the gun would be switched off before it is switched on.
 [[nodiscard]] Result<Track> planRun(const Run& run, const Job& job);
 
 /// Film of tracks: mean film of each cell over the mean of all, strips within the cell, and how

@@ -46,6 +46,18 @@ class Robots(ArelemCase):
         self.assertIn("MOVES f:TRANS(10.000, 20.000, 5.000, 0.000, 180.000, 0.000)", text)
         self.assertExit(0, "verify", "m.v2", "--with", "m.apt")
 
+    def test_another_frame_and_stray_moves_are_seen(self):
+        self.write("m.apt", "UNITS/MM\nFROM/0,0,50\nFEDRAT/600\nGOTO/10,20,5\nFINI\n")
+        self.assertExit(0, "m.apt", "-o", "m.v2")
+        text = (self.folder / "m.v2").read_text()
+        for old, new, code in (("f = TRANS(0.000", "f = TRANS(900.000", "E0635"),
+                               ("  RETURN", "  MOVES HERE\n  RETURN", "E0634"),
+                               ("  RETURN", "  APPROS f:TRANS(900, 900), 5\n  RETURN", "E0634")):
+            self.assertIn(old, text)
+            self.write("m.v2", text.replace(old, new, 1))
+            self.assertExit(6, "verify", "m.v2", "--with", "m.apt")
+            self.assertIn(code, self.err)
+
     def test_out_of_reach_writes_nothing(self):
         self.write("stop.apt", STOP.replace("500", "2440"))
         self.assertExit(6, "stop.apt", "-o", "far.v2", "--machine", "adept_three.machine.toml")

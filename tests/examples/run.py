@@ -32,10 +32,13 @@ def check(arelem, program, targets):
         targets = [t for t in targets if t != "g97"]  # a painting robot does not mill
     refusal = REFUSED.get(program.name)
     if refusal:
-        targets = [t for t in targets if t != "ngc"]
-        code, told, sizes, text = compile_to(arelem, program, ["ngc"])
-        if code != 6 or sizes or refusal[0] not in told:
-            return f"{program.name}: RS-274 is to be refused with {refusal[0]}; exit {code}, outputs {sizes}\n{text}"
+        # A robot cannot do without a feed either.
+        refused = ["ngc", "vplus"] if refusal[0] == "E0671" else ["ngc"]
+        targets = [t for t in targets if t not in refused]
+        for target in refused:
+            code, told, sizes, text = compile_to(arelem, program, [target])
+            if code != 6 or sizes or refusal[0] not in told:
+                return f"{program.name}: {target} is to be refused with {refusal[0]}; exit {code}, outputs {sizes}\n{text}"
     code, told, sizes, text = compile_to(arelem, program, targets)
     empty = [s for s, n in sizes.items() if n == 0 and s != ".deck"]
     if code or told - EXPECTED or len(sizes) != len(targets) or empty:

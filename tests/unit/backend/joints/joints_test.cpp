@@ -235,6 +235,7 @@ TEST(JointTable, RowsStandAtAnEvenInterval) {
 }
 
 TEST(JointTable, TellsWhatCannotBeReached) {
+  const cl::Record slow = word(Word::FEDRAT, {100.0, Word::MMPS});
   const auto codeOf = [](const std::vector<cl::Record>& records, const robot::Machine& machine) {
     CollectingSink sink;
     EXPECT_EQ(table(records, machine, sink), "");
@@ -242,11 +243,11 @@ TEST(JointTable, TellsWhatCannotBeReached) {
   };
   // The actuator reaches 1000 mm: 8333 mm.
   EXPECT_THAT(codeOf({go({9000, 0, 0})}, pantograph()), ElementsAre("E0681"));
-  EXPECT_THAT(codeOf({go({1000, -1000, 0}), go({-1000, 1000, 0})}, pantograph()),
+  EXPECT_THAT(codeOf({slow, go({1000, -1000, 0}), go({-1000, 1000, 0})}, pantograph()),
               ElementsAre("E0682"));
   robot::Machine narrow = pantograph();
   narrow.pantograph->turn = {-30.0, 30.0};
-  EXPECT_THAT(codeOf({go({1000, 0, 0}), go({0, 1000, 0})}, narrow), ElementsAre("E0683"));
+  EXPECT_THAT(codeOf({slow, go({1000, 0, 0}), go({0, 1000, 0})}, narrow), ElementsAre("E0683"));
   EXPECT_THAT(codeOf({go({1000, 0, 0})}, robot::Machine{}), ElementsAre("E0680"));
   robot::Machine both = pantograph();
   both.elbow.emplace();
@@ -298,6 +299,22 @@ TEST(JointTable, TheFastestMoveIsNamed) {
   ASSERT_THAT(codes(sink), ElementsAre("E0666"));
   EXPECT_THAT(sink.all()[0].message,
               HasSubstr("location 3 has 3000 mm/s; the robot's largest speed is 1200, 0.4 times"));
+}
+
+/// At full stretch an elbow has no bounded speed; nothing is written as "nan".
+TEST(JointTable, FullStretchIsRefused) {
+  robot::Machine machine;
+  machine.elbow.emplace();  // two links of 2794
+  CollectingSink sink;
+  table({go({5588, 0, 0}), word(Word::FEDRAT, {10.0, Word::MMPS}), go({5000, 0, 0})}, machine,
+        sink);
+  EXPECT_THAT(codes(sink), testing::Contains("E0689"));
+}
+
+TEST(JointTable, ACutWithoutAFeedIsRefused) {
+  CollectingSink sink;
+  EXPECT_EQ(table({go({1000, 0, 0}), go({1500, 0, 0})}, pantograph(), sink), "");
+  EXPECT_THAT(codes(sink), ElementsAre("E0671"));
 }
 
 TEST(JointTable, TooManyRowsAreRefused) {

@@ -186,5 +186,32 @@ TEST(Scara, StraightMovesMayNotPassALimit) {
   EXPECT_THAT(line->message, HasSubstr("the straight move to location 8 needs joint 1"));
 }
 
+/// A joint of -180 to 180 degrees cannot go on behind its end, though -170 is within its range.
+TEST(Scara, StraightMovesMayNotPassHalfATurn) {
+  Scara arm;
+  arm.joint1 = {-180.0, 180.0};
+  const auto along = [&](double low, double high) {
+    const auto at = [](double degrees) {
+      const double a = degrees * 3.14159265358979 / 180.0;
+      return Vec3(800.0 * std::cos(a), 800.0 * std::sin(a), 100.0);
+    };
+    return objectionToLine(arm, at(low), at(high), "location 2");
+  };
+  int refused = 0;  // joint 1 passes half a turn on one of 36 steps all around
+  for (int i = 0; i < 36; ++i) {
+    const auto objection = along(10.0 * i, 10.0 * i + 10.0);
+    refused += objection ? 1 : 0;
+    EXPECT_TRUE(!objection || objection->row->code == "E0662");
+  }
+  EXPECT_EQ(refused, 1);
+}
+
+/// Seven bits hold 127 steps.
+TEST(Machine, TheTiltFitsInItsWord) {
+  EXPECT_FALSE(readMachine("[tilt]\nmost = 60\nstep = 0.2\n", "m").ok());
+  EXPECT_FALSE(readMachine("[tilt]\nstep = 0.1\n", "m").ok());
+  EXPECT_TRUE(readMachine("[tilt]\nmost = 60\nstep = 0.5\n", "m").ok());
+}
+
 }  // namespace
 }  // namespace arelem::robot

@@ -176,16 +176,104 @@ TEST(Vplus, TiltGoesToItsOwnAxis) {
   EXPECT_THAT(codes, ElementsAre("E0665"));
 }
 
+cl::Record tilted(double x, double degrees) {
+  const double b = degrees * 3.14159265358979 / 180.0;
+  return record(1, pose({x, 0, 300, std::sin(b), 0, std::cos(b), std::cos(b), 0, -std::sin(b)}));
+}
+
+/// BITS run as the move before them begins: behind MOVES they turn the axis during that move.
+TEST(Vplus, TiltTurnsDuringTheMoveToItsLocation) {
+  robot::Machine machine;
+  machine.tilt.emplace();
+  machine.vplus.crlf = false;
+  const std::string text =
+      program({record(1, post(Word::FEDRAT, {100.0, Word::MMPS})), tilted(0, 0), tilted(100, 10),
+               tilted(200, 10), tilted(300, -4)},
+              &machine);
+  const std::string second = "  MOVES f:TRANS(100.000, 0.000, 300.000, 0.000, 180.000, 180.000)\n";
+  const std::string third = "  MOVES f:TRANS(200.000, 0.000, 300.000, 0.000, 180.000, 180.000)\n";
+  EXPECT_THAT(text, HasSubstr(second + "  BITS 33, 8 = 50\n" + third + "  MOVES"));
+  const auto leanOf = [&](const std::string& from, std::size_t move) {
+    auto read = vplus::readProgram(from, "x", &*machine.tilt);
+    EXPECT_TRUE(read.ok());
+    return read->moves.at(move).pose.axis.x();
+  };
+  EXPECT_NEAR(leanOf(text, 0), 0.0, 1e-9);
+  EXPECT_NEAR(leanOf(text, 1), 0.17365, 1e-5);  // sin 10
+  EXPECT_NEAR(leanOf(text, 3), -0.06976, 1e-5);
+  // One move early: the reader sees the move before lean.
+  std::string early = text;
+  early.erase(early.find("  BITS 33, 8 = 50\n"), 18);
+  early.insert(early.find(second), "  BITS 33, 8 = 50\n");
+  EXPECT_NEAR(leanOf(early, 0), 0.17365, 1e-5);
+  // Behind BREAK the robot stands already: the tilt is that of the moves to come.
+  early.insert(early.find("  BITS 33, 8 = 50\n"), "  BREAK\n");
+  EXPECT_NEAR(leanOf(early, 0), 0.0, 1e-9);
+}
+
+/// The robot stands at DELAY and PAUSE: the gun is not to spray there.
+TEST(Vplus, TheGunIsClosedBeforeTheRobotWaits) {
+  robot::Machine machine;
+  machine.vplus.onTheFly = true;
+  machine.vplus.crlf = false;
+  for (const auto& [word, wanted] :
+       {std::pair{post(Word::DELAY, {2.0}), "  BREAK\n  SIGNAL -3\n  DELAY 2.000\n"},
+        std::pair{post(Word::STOP), "  BREAK\n  SIGNAL -3\n  PAUSE\n"}}) {
+    std::vector<cl::Record> records = stroke();
+    records.insert(records.end() - 1, record(3, word));
+    EXPECT_THAT(program(records, &machine), HasSubstr(wanted));
+  }
+}
+
+TEST(Vplus, WhatItsReaderRefusesIsNotWritten) {
+  const auto codes = [](std::vector<cl::Record> records) {
+    records.insert(records.begin(), record(1, post(Word::FEDRAT, {100.0, Word::MMPS})));
+    std::vector<std::string> found;
+    program(records, nullptr, &found);
+    return found;
+  };
+  EXPECT_THAT(codes({record(2, post(Word::SPRAY, {Word::ON, 600.0}))}), ElementsAre("E0624"));
+  EXPECT_THAT(codes({record(2, post(Word::SPRAY, {Word::ON, 1.5}))}), ElementsAre("E0624"));
+  EXPECT_THAT(codes({record(2, post(Word::SPRAY, {Word::ON, 2001.0}))}), ElementsAre());
+  EXPECT_THAT(codes({record(2, post(Word::DELAY, {-2.0}))}), ElementsAre("E0625"));
+  EXPECT_THAT(codes({record(2, post(Word::DELAY, {2.0, Word::REV}))}), ElementsAre("E0625"));
+  EXPECT_THAT(codes({record(2, pose({1e50, 1e50, 1e50}))}), ElementsAre("E0623"));
+}
+
+TEST(Vplus, ACutWithoutAFeedIsRefused) {
+  std::vector<std::string> codes;
+  program({record(1, pose({0, 0, 0})), record(2, post(Word::RAPID)), record(2, pose({5, 0, 0}))});
+  program({record(1, pose({0, 0, 0})), record(2, pose({5, 0, 0}))}, nullptr, &codes);
+  EXPECT_THAT(codes, ElementsAre("E0671"));
+}
+
+/// The lines of pathS.c: inches are mm, and what they cannot say is told.
+TEST(Vplus, LinesOfTheSourceKeepUnitsAndTellWhatTheyLack) {
+  robot::Machine machine;
+  machine.vplus.format = robot::VplusStyle::Format::pathS;
+  std::vector<std::string> codes;
+  const std::string text = program(
+      {record(1, cl::Units{Word::INCHES}), record(1, post(Word::FEDRAT, {60.0})),
+       record(2, pose({1, 2, 3, 0, 0, 1, 1, 0, 0})), record(3, post(Word::STOP)), tilted(10, 5)},
+      &machine, &codes);
+  EXPECT_THAT(text, HasSubstr("move trans( 25.4, 50.8,( 76.2+offset),0,180,  0.0)\n"
+                              "speed ( 25.4*scale), rotate MMPS \n"));
+  EXPECT_THAT(codes, ElementsAre("W0620", "W0620"));
+  codes.clear();
+  program({record(2, pose({1, 2, 3, 0, 0, 1, 1, 0, 0}))}, &machine, &codes);
+  EXPECT_THAT(codes, ElementsAre("E0671"));
+}
+
 TEST(Vplus, LimitsOfTheRobotAreKept) {
   robot::Machine machine;
   machine.scara.emplace();
   machine.speed = 200.0;
   std::vector<std::string> codes;
-  program({record(1, pose({2000, 0, 100})), record(2, pose({600, 0, 900})),
-           record(3, pose({600, 0, 100, 0.6, 0, 0.8})),
+  program({record(1, post(Word::FEDRAT, {100.0, Word::MMPS})), record(1, pose({2000, 0, 100})),
+           record(2, pose({600, 0, 900})), record(3, pose({600, 0, 100, 0.6, 0, 0.8})),
            record(4, post(Word::FEDRAT, {250.0, Word::MMPS})), record(5, pose({600, 0, 100}))},
           &machine, &codes);
-  // Too far, too high, leaning, too fast; the first three have no speed yet.
+  // Too far, too high, leaning, too fast.
   EXPECT_THAT(codes, ElementsAre("E0660", "E0661", "E0664", "E0666"));
 }
 
@@ -270,32 +358,6 @@ TEST(VplusReader, RefusesTheRest) {
   EXPECT_FALSE(vplus::readProgram("", "x", nullptr).ok());
   EXPECT_FALSE(vplus::readProgram(".PROGRAM a()\n", "x", nullptr).ok());
   EXPECT_FALSE(vplus::readProgram(".PROGRAM a()\n.END\nBREAK\n", "x", nullptr).ok());
-}
-
-/// A file may hold several programs: names are each one's own, moves those of the first.
-TEST(VplusReader, ReadsSeveralPrograms) {
-  auto read = vplus::readProgram(
-      ".PROGRAM a()\nx = 1\nMOVE TRANS(1,2,3,0,180,0)\n.END\n\n.PROGRAM b()\n"
-      "SET x = NULL\nMOVE x\nMOVE y\n.END\n",
-      "x", nullptr);
-  ASSERT_TRUE(read.ok()) << read.failure().message;
-  EXPECT_EQ(read->name, "A");
-  EXPECT_EQ(read->moves.size(), 1U);
-  ASSERT_EQ(read->warnings.size(), 1U);
-  EXPECT_THAT(read->warnings[0].message, HasSubstr("`Y`"));
-  auto cut = vplus::readProgram(".PROGRAM a()\n.END\n.PROGRAM b()\n", "x", nullptr);
-  ASSERT_FALSE(cut.ok());
-  EXPECT_THAT(cut.failure().message, HasSubstr("no .END"));
-}
-
-TEST(VplusReader, TellsWhatTheOperatorMustSet) {
-  auto read = vplus::readProgram(
-      ".PROGRAM a()\nGLOBAL offset\nspeed (5*scale) MMPS\nmove trans(1,2,offset)\n.END\n", "x",
-      nullptr);
-  ASSERT_TRUE(read.ok());
-  ASSERT_EQ(read->warnings.size(), 1U);
-  EXPECT_THAT(read->warnings[0].message, HasSubstr("`SCALE`"));
-  EXPECT_TRUE(read->moves.empty());
 }
 
 /// Damaged programs are read or refused.

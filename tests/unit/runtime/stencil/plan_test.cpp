@@ -101,6 +101,23 @@ TEST(Plan, GunIsSwitchedEarlierByItsLeadTimes) {
   EXPECT_NEAR(track->poses[3].place.y(), 2500.0, 1e-9);
 }
 
+/// An I of 2500 at 600 mm/s takes 4.17 s: the gun would be switched off before it is on.
+TEST(Plan, ALeadLongerThanTheStrokeIsRefused) {
+  for (const double on : {0.0, 0.1}) {
+    Job leading = job();
+    leading.gun.leadOn = on;
+    leading.gun.leadOff = 5.0;
+    auto track = planRun(runs("I")[0], leading);
+    ASSERT_FALSE(track.ok());
+    EXPECT_EQ(track.failure().row->code, "E0742");
+    EXPECT_THAT(track.failure().message, HasSubstr("takes 4.167 s, and LEAD"));
+    leading.gun.leadOff = 4.1;
+    auto shorter = planRun(runs("I")[0], leading);
+    ASSERT_TRUE(shorter.ok());
+    EXPECT_LT(shorter->on, shorter->off);
+  }
+}
+
 TEST(Plan, TiltKeepsItsLimits) {
   for (const TiltRule rule : {TiltRule::trapezoid, TiltRule::quadrilateral, TiltRule::best}) {
     Job tilted = job(rule);
