@@ -161,7 +161,9 @@ class G97Writer : public Writer {
       return;
     }
     if (steps_.empty()) {
-      report(fail(diag::G97Output, "no location before it: a block belongs to a location"));
+      if (location_ == 0) {  // else it was refused, and said so
+        report(fail(diag::G97Output, "no location before it: a block belongs to a location"));
+      }
       return;
     }
     code(fmt::format("{},{}", on ? "RON" : "ROF", output));
@@ -201,7 +203,7 @@ class G97Writer : public Writer {
     step.block.pose = *written;
     step.block.speed = speedOf(traverse ? machine_.rapid : speed_, place);
     step.spraying = spraying();
-    if (!traverse) {
+    if (!traverse && !steps_.empty()) {
       checkSwing(steps_.back().block.pose.angles, written->angles, place);
     }
     rapid_ = false;
