@@ -86,7 +86,6 @@ class G97(ArelemCase):
         for program in programs:
             self.assertEqual(program.count("RON,1"), program.count("ROF,1"))
             self.assertTrue(program.endswith("ROF,1 PE\r\n"))
-        self.assertExit(0, "verify", "a.lng", "--with", "a.apt")
 
     def test_more_blocks_than_a_program_takes(self):
         # 5 by 9000 mm with passes of 1.65 mm: 5455 passes of two blocks.

@@ -92,12 +92,12 @@ class Spray(ArelemCase):
         self.write("part.apt", ball + ",LIMITS,0,360,-20,20\nFINI\n")
         self.assertExit(0, "spray", "part.apt")
         self.assertNotIn("W0352", self.err)
-        self.assertNotIn("-0", self.out.split("paint ")[1].splitlines()[0])
+        self.assertNotIn(" -", self.out.split("paint ")[1].splitlines()[0])
 
     def test_steps_cells_and_guns_that_cannot_be(self):
         ball = "UNITS/MM\nG1=GUN/CONE,30,STNDOF,100,SPEED,200\nS1=SPHERE/0,0,0,200\nSPRAY/S1,GUN,G1,FILM,.02,ULINES"
         self.write("part.apt", ball + ",STEP,0\nFINI\n")
-        self.assertExit(1, "compile", "part.apt")
+        self.assertExit(4, "compile", "part.apt")
         self.assertIn("STEP of SPRAY is 0; it must be above 0", self.err)
         self.write("part.apt", ball + "\nFINI\n")
         self.assertExit(2, "spray", "part.apt", "--cell", "0")
@@ -105,7 +105,7 @@ class Spray(ArelemCase):
         self.assertExit(0, "spray", "part.apt", "--cell", ".0001")
         self.assertIn("arelem: cells of 0.0001 mm are too many; the film of statement 1 has cells of", self.err)
         self.write("part.apt", "UNITS/MM\nG1=GUN/CALIB,'nogun',PRESS,300,VALVE,30\nFINI\n")
-        self.assertExit(1, "compile", "part.apt")
+        self.assertExit(3, "compile", "part.apt")
         self.assertIn("stdlib/guns", self.err)
         self.assertIn("'binks'", self.err)
 
