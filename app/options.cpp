@@ -123,6 +123,15 @@ void addSourceOptions(CLI::App& app, Settings& settings) {
   addLimitOptions(app, settings.limits);
 }
 
+CLI::Validator aboveZero() {
+  return {[](std::string& text) {
+            double value = 0.0;
+            const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0;
+            return good ? std::string() : "`" + text + "` is not a number above 0";
+          },
+          "above 0"};
+}
+
 std::optional<int> parse(CLI::App& app, std::vector<std::string> words) {
   const std::string command = app.get_name();
   app.allow_extras();

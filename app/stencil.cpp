@@ -114,7 +114,7 @@ int runStencil(const Invocation& invocation) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--cell", options.cell, "cells of the .png, mm; default: 1500 in the longer way")
-      ->check(CLI::PositiveNumber)
+      ->check(aboveZero())
       ->type_name("MM");
   addSourceOptions(app, options.settings);
   addMessageOptions(app, options.settings);

@@ -161,7 +161,9 @@ class G97Writer : public Writer {
       return;
     }
     if (steps_.empty()) {
-      report(fail(diag::G97Output, "no location before it: a block belongs to a location"));
+      if (location_ == 0) {  // else it was refused, and said so
+        report(fail(diag::G97Output, "no location before it: a block belongs to a location"));
+      }
       return;
     }
     code(fmt::format("{},{}", on ? "RON" : "ROF", output));

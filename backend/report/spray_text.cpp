@@ -9,6 +9,7 @@ namespace arelem::backend {
 
 namespace {
 constexpr double micrometers = 1e3;
+constexpr double shareOfRounding = 1e-3;  // of the paint: lengths of lines on curved work
 
 std::string head(const ReportedSpray& s) {
   const std::string what =
@@ -64,8 +65,11 @@ void writeSprayText(std::ostream& out, const ReportedSpray& s) {
                       ? fmt::format("; painting takes {:.4g} s at least", s.shortestTime)
                       : ""));
   row(out, "paint",
-      fmt::format("{:.4g} l used: {:.4g} on the work, {:.4g} overspray, {:.4g} beside the work",
-                  s.used, s.deposited, s.overspray, s.sprayBy));
+      fmt::format("{:.4g} l used: {:.4g} on the work, {:.4g} overspray, {:.4g} beside the work{}",
+                  s.used, s.deposited, s.overspray, std::max(s.sprayBy, 0.0),
+                  s.sprayBy < -shareOfRounding * s.used
+                      ? fmt::format("; {:.4g} less than the film on all the work takes", -s.sprayBy)
+                      : ""));
   row(out, "uniformity",
       fmt::format(
           "between passes R1 {:.5f}, R2 {:.5f}, R3 {:.5f}{}", s.uniformity[0], s.uniformity[1],

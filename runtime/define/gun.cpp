@@ -201,7 +201,11 @@ Result<Resolved> gunOfCalibration(const Arguments& given) {
   const bool isFile = name.ends_with(".toml");
   Result<std::string> text = given.fileText(isFile ? name : "guns/" + name + ".toml");
   if (!text) {
-    return text.takeFailure();
+    return isFile ? text.takeFailure()
+                  : text.takeFailure().withHelp(
+                        "'" + name +
+                        "' is looked up among the guns of the library, stdlib/guns: 'binks' is "
+                        "one; the name of a file of your own ends in .toml");
   }
   Result<spray::Calibration> calibration = spray::readCalibration(*text, name);
   if (!calibration) {

@@ -144,6 +144,7 @@ void measure(Map& map, double wanted) {
   s.wanted = wanted;
   s.smallest = HUGE_VAL;
   double near = 0.0;
+  double far = 0.0;
   for (std::size_t i = 0; i < map.film.size(); ++i) {
     const double film = map.film[i];
     const double area = map.areas.empty() ? map.cell * map.cell : map.areas[i];
@@ -159,6 +160,7 @@ void measure(Map& map, double wanted) {
     s.spread.rms += off * off * area;
     s.spread.largest = std::max(s.spread.largest, off);
     near += off <= 0.1 ? area : 0.0;
+    far += film < 0.5 * wanted || film > 2.0 * wanted ? area : 0.0;
     s.area += area;
   }
   if (s.area == 0.0) {
@@ -169,6 +171,7 @@ void measure(Map& map, double wanted) {
   s.spread.average /= s.area;
   s.spread.rms = std::sqrt(s.spread.rms / s.area);
   s.within10 = near / s.area;
+  s.astray = far / s.area;
 }
 
 double filmAt(const Sprayed& sprayed, const Vec2& place) {

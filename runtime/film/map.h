@@ -13,6 +13,7 @@ struct Statistics {
   double mean = 0.0, smallest = 0.0, largest = 0.0;  ///< mm
   spray::Uniformity spread;
   double within10 = 0.0;   ///< share of the area within 10 % of the wanted film
+  double astray = 0.0;     ///< share with less than half or more than twice the wanted film
   double area = 0.0;       ///< mm2, of the cells that count
   double deposited = 0.0;  ///< on the work, mm3
   double outside = 0.0;    ///< beside it, mm3

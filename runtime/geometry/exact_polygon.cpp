@@ -46,8 +46,20 @@ bool turnsBack(const Segment& first, const Segment& second) {
          CGAL::angle(first.source(), first.target(), second.target()) == CGAL::ACUTE;
 }
 
+/// The corner of one edge that lies within `near` of the other.
+std::optional<Corner> touching(const Segment& first, const Segment& second, double near) {
+  for (const auto& [edge, other] : {std::pair(&first, &second), std::pair(&second, &first)}) {
+    for (const Corner& corner : {edge->source(), edge->target()}) {
+      if (CGAL::squared_distance(corner, *other) <= near * near) {
+        return corner;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 /// Where two edges meet that must not.
-std::optional<Corner> meetingOf(const Edge& e, const Edge& f) {
+std::optional<Corner> meetingOf(const Edge& e, const Edge& f, double near) {
   if (e.polygon == f.polygon && e.count > 2) {
     if ((e.index + 1) % e.count == f.index) {
       return turnsBack(e.segment, f.segment) ? std::optional(e.segment.target()) : std::nullopt;
@@ -57,7 +69,8 @@ std::optional<Corner> meetingOf(const Edge& e, const Edge& f) {
     }
   }
   if (!CGAL::do_intersect(e.segment, f.segment)) {
-    return std::nullopt;
+    return near > 0.0 && e.polygon != f.polygon ? touching(e.segment, f.segment, near)
+                                                : std::nullopt;
   }
   const auto common = CGAL::intersection(e.segment, f.segment);
   if (!common) {
@@ -94,11 +107,14 @@ bool isInside(const Vec2& place, const Polygon& polygon) {
          CGAL::ON_BOUNDED_SIDE;
 }
 
-std::optional<Meeting> firstMeeting(std::span<const Polygon> polygons) {
+std::optional<Meeting> firstMeeting(std::span<const Polygon> polygons, double near) {
   const std::vector<Edge> edges = edgesOf(polygons);
   std::vector<Box> boxes;
   for (const Edge& edge : edges) {
-    boxes.emplace_back(edge.segment.bbox(), &edge);
+    const CGAL::Bbox_2 box = edge.segment.bbox();
+    boxes.emplace_back(
+        CGAL::Bbox_2(box.xmin() - near, box.ymin() - near, box.xmax() + near, box.ymax() + near),
+        &edge);
   }
   using Pair = std::pair<const Edge*, const Edge*>;
   std::optional<Pair> first;
@@ -109,7 +125,7 @@ std::optional<Meeting> firstMeeting(std::span<const Polygon> polygons) {
     if (first && *first <= pair) {
       return;
     }
-    if (const std::optional<Corner> found = meetingOf(*pair.first, *pair.second)) {
+    if (const std::optional<Corner> found = meetingOf(*pair.first, *pair.second, near)) {
       first = pair;
       place = found;
     }

@@ -23,7 +23,9 @@ struct Meeting {
   std::size_t edge = 0, otherEdge = 0;  ///< from 0; an edge begins at the corner of its number
 };
 /// The first edges, in the order of the corners, that cross, touch or lie on each other, other than
-/// neighbors at their common corner.
-[[nodiscard]] std::optional<Meeting> firstMeeting(std::span<const Polygon> polygons);
+/// neighbors at their common corner. Edges of two polygons also meet where a corner of one lies
+/// within `near` of the other: 0 decides without rounding.
+[[nodiscard]] std::optional<Meeting> firstMeeting(std::span<const Polygon> polygons,
+                                                  double near = 0.0);
 
 }  // namespace arelem::geometry

@@ -135,7 +135,7 @@ class Reader {
       case Word::LIMITS:
         return limits();
       case Word::STEP:
-        return numbers(word, {&words_.step});
+        return step();
       case Word::CHORD:
         return numbers(word, {&words_.chord});
       case Word::MINRAD:
@@ -150,6 +150,14 @@ class Reader {
       return *std::move(common);
     }
     return wrong(fmt::format("the word {}", spell(word)), "it has no meaning there");
+  }
+
+  std::optional<Failure> step() {
+    auto failure = numbers(Word::STEP, {&words_.step});
+    if (!failure && !(words_.step > 0.0)) {
+      return fail(diag::SprayValue, "STEP", words_.step, "above 0");
+    }
+    return failure;
   }
 
   std::optional<Failure> lines(SprayWords::Lines kind) {

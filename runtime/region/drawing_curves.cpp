@@ -352,6 +352,11 @@ Result<Curve> CurveReader::spline(const DrawingObject& entity) const {
                                        code == 72 ? "knots" : "control points", found));
     }
   }
+  if (const auto fits = numbers(entity, 11); x.empty() && fits && !fits->empty()) {
+    return wrong(entity, fmt::format("has {} fit points and no control points: fit points are not "
+                                     "read, save it with control points or as a polyline",
+                                     fits->size()));
+  }
   const bool sizes = x.size() == y.size() && (weights.empty() || weights.size() == x.size()) &&
                      degreeNumber >= 1 && degreeNumber <= 10 &&
                      x.size() > static_cast<std::size_t>(degreeNumber) &&

@@ -6,6 +6,7 @@
 #include "ir/diag/spray.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/exact_polygon.h"
+#include "runtime/spray/outline.h"
 
 namespace arelem::region {
 
@@ -194,7 +195,9 @@ Result<Region> regionOf(std::vector<Boundary> boundaries) {
     region.loops.push_back(b.corners);
   }
   const Flat flat = flattened(region, 1.0);
-  if (const auto meeting = geometry::firstMeeting(flat.outline.loops)) {
+  const spray::Extent extent = spray::extentOf(flat.outline);
+  const double touch = tolerance::similarity * (extent.high - extent.low).norm();
+  if (const auto meeting = geometry::firstMeeting(flat.outline.loops, touch)) {
     return crossing(region, flat.frame, *meeting);
   }
   for (std::size_t i = 0; i < boundaries.size(); ++i) {

@@ -69,10 +69,23 @@ class G97(ArelemCase):
 
     def test_a_pass_too_long_writes_nothing(self):
         self.write("m.toml", "[g97]\nblocks = 2\n")
-        self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nFEDRAT/50,MMPS\nGOTO/1,0,0\nGOTO/2,0,0\nGOTO/3,0,0\nFINI\n")
+        self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nFEDRAT/50,MMPS\nSPRAY/ON\nGOTO/1,0,0\nGOTO/2,0,0\nGOTO/3,0,0\nSPRAY/OFF\nFINI\n")
         self.assertEqual(self.run_arelem("a.apt", "-o", "a.lng", "--machine", "m.toml"), 6)
         self.assertIn("E0643", self.err)
         self.assertFalse((self.folder / "a.lng").exists())
+
+    def test_passes_without_rapid_are_divided(self):
+        passes = "".join(f"GOTO/0,{i},0\nSPRAY/ON\n" + "".join(f"GOTO/{j},{i},0\n" for j in range(1, 700)) +
+                         "SPRAY/OFF\n" for i in range(1, 31))
+        self.write("a.apt", f"UNITS/MM\nFROM/0,0,0\nFEDRAT/50,MMPS\n{passes}FINI\n")
+        self.assertExit(0, "a.apt", "-o", "a.lng")
+        text = (self.folder / "a.lng").read_bytes().decode()
+        self.assertIn("W0640", self.err)
+        programs = re.split(r"^(?=O\d{4}\r)", text, flags=re.M)[1:]
+        self.assertEqual(len(programs), 3)  # 14 passes of 700 blocks each fit into one
+        for program in programs:
+            self.assertEqual(program.count("RON,1"), program.count("ROF,1"))
+            self.assertTrue(program.endswith("ROF,1 PE\r\n"))
 
     def test_more_blocks_than_a_program_takes(self):
         # 5 by 9000 mm with passes of 1.65 mm: 5455 passes of two blocks.
@@ -104,8 +117,12 @@ class G97(ArelemCase):
         self.assertFalse((self.folder / "a.lng").exists())
 
     def test_the_example_machine_file(self):
-        self.assertExit(0, PROJECT / "examples" / "sen_plane.apt", "-o", "a.lng", "--machine", MACHINE)
-        self.assertExit(0, "verify", "a.lng", "--with", PROJECT / "examples" / "sen_plane.apt", "--machine", MACHINE)
+        sprayed = [p for p in sorted((PROJECT / "examples").glob("*.apt")) if "\nSPRAY/" in p.read_text()]
+        self.assertGreaterEqual(len(sprayed), 5)
+        for program in sprayed:
+            with self.subTest(program.name):
+                self.assertExit(0, program, "-o", "a.lng", "--machine", MACHINE)
+                self.assertExit(0, "verify", "a.lng", "--with", program, "--machine", MACHINE)
 
 
 if __name__ == "__main__":

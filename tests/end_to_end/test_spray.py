@@ -83,6 +83,32 @@ class Spray(ArelemCase):
         mean = sum(float(r["film_mm"]) for r in rows) / len(rows)
         self.assertAlmostEqual(mean, .051, delta=.003)
 
+    def test_a_film_far_from_the_one_asked_for_is_told(self):
+        # Meridians of a sphere lie cos(latitude) closer: beyond 60 degrees the film doubles, on 13 % of the area.
+        ball = "UNITS/MM\nG1=GUN/CONE,30,STNDOF,100,SPEED,200\nS1=SPHERE/0,0,0,200\nSPRAY/S1,GUN,G1,FILM,.02,VLINES"
+        self.write("part.apt", ball + "\nFINI\n")
+        self.assertExit(0, "spray", "part.apt")
+        self.assertIn("W0352", self.err)
+        self.write("part.apt", ball + ",LIMITS,0,360,-20,20\nFINI\n")
+        self.assertExit(0, "spray", "part.apt")
+        self.assertNotIn("W0352", self.err)
+        self.assertNotIn(" -", self.out.split("paint ")[1].splitlines()[0])
+
+    def test_steps_cells_and_guns_that_cannot_be(self):
+        ball = "UNITS/MM\nG1=GUN/CONE,30,STNDOF,100,SPEED,200\nS1=SPHERE/0,0,0,200\nSPRAY/S1,GUN,G1,FILM,.02,ULINES"
+        self.write("part.apt", ball + ",STEP,0\nFINI\n")
+        self.assertExit(4, "compile", "part.apt")
+        self.assertIn("STEP of SPRAY is 0; it must be above 0", self.err)
+        self.write("part.apt", ball + "\nFINI\n")
+        self.assertExit(2, "spray", "part.apt", "--cell", "0")
+        self.assertIn("`0` is not a number above 0", self.err)
+        self.assertExit(0, "spray", "part.apt", "--cell", ".0001")
+        self.assertIn("arelem: cells of 0.0001 mm are too many; the film of statement 1 has cells of", self.err)
+        self.write("part.apt", "UNITS/MM\nG1=GUN/CALIB,'nogun',PRESS,300,VALVE,30\nFINI\n")
+        self.assertExit(3, "compile", "part.apt")
+        self.assertIn("stdlib/guns", self.err)
+        self.assertIn("'binks'", self.err)
+
     def test_nothing_is_written_after_an_error(self):
         self.write("part.apt", GUN + "R1=REGION/(0,0),(9,9),(9,0),(0,9)\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
         self.assertExit(4, "compile", "part.apt", "-o", "part.cls")

@@ -83,15 +83,16 @@ def read_tables(arelem):
     return json.loads(subprocess.run([arelem, "language", "--json"], capture_output=True, text=True, check=True).stdout)
 
 
-def example_path(identifier):
+def example_path(identifier, defines=False):
+    """The program of an id; where one is refused and one runs, `defines` picks the one that runs."""
     name = public(identifier).lower().replace("-", "_") + ".apt"
-    fails = EXAMPLES / ("fail_" + name)
-    return fails if fails.exists() else EXAMPLES / name
+    fails, runs = EXAMPLES / ("fail_" + name), EXAMPLES / name
+    return fails if fails.exists() and not (defines and runs.exists()) else runs
 
 
-def example(arelem, identifier):
+def example(arelem, identifier, defines=False):
     """The fenced program of a form and the table of what it defines."""
-    path = example_path(identifier)
+    path = example_path(identifier, defines)
     if not path.exists():
         sys.exit(f"{public(identifier)}: there is no example {path.relative_to(PROJECT)}")
     lines = []
@@ -123,7 +124,7 @@ def noun_page(arelem, noun, rows):
     for row in rows:
         text += [f"## {row['id'].replace('_', '-')}", "", f"`{noun}/ {row['pattern']}`", "", row["meaning"] + ".", ""]
         if public(row["id"]) not in done:
-            text += [*example(arelem, row["id"]), ""]
+            text += [*example(arelem, row["id"], defines=True), ""]
         done.add(public(row["id"]))
     return "\n".join(text)
 

@@ -129,6 +129,9 @@ TEST(G97Writer, RefusesWhatHasNoForm) {
   machine.envelope->reach = {0, 1000};
   machine.envelope->lean = 30;
   EXPECT_THAT(codesOf({at({400, 400, 0, 1, 0, 1})}, machine), ElementsAre("E0667"));
+  // One error is enough: SPRAY has a location before it, and so has the straight move.
+  EXPECT_THAT(codesOf({at({400, 400, 0, 1, 0, 1}), on(), feed(9), at({9, 0, 0}), off()}, machine),
+              ElementsAre("E0667"));
 }
 
 TEST(G97Writer, LiteralsOfTheMachineFile) {
@@ -170,6 +173,42 @@ TEST(G97Writer, DividesBetweenPasses) {
   codes.clear();
   program(records, machine, codes);
   EXPECT_THAT(codes, ElementsAre("E0643"));
+}
+
+TEST(G97Writer, DividesStraightMovesWhereTheGunIsOff) {
+  robot::Machine machine = painter();
+  machine.g97.blocks = 7;
+  std::vector<cl::Record> records = {at({0, 0, 0}), feed(100)};
+  for (int i = 1; i <= 3; ++i) {  // straight to each pass of three blocks
+    const double y = 10.0 * i;
+    records.insert(records.end(), {at({0, y, 0}), on(), at({5, y, 0}), at({9, y, 0}), off()});
+  }
+  std::vector<std::string> codes;
+  const auto programs = g97::readPrograms(program(records, machine, codes), machine.g97, "a");
+  EXPECT_THAT(codes, ElementsAre("W0640"));
+  ASSERT_TRUE(programs.ok()) << programs.failure().message;
+  ASSERT_EQ(programs->size(), 2U);  // 1 + 3 + 3 blocks, then a lead and 3
+  EXPECT_EQ((*programs)[0].blocks.size(), 7U);
+  const std::vector<g97::Block>& second = (*programs)[1].blocks;
+  ASSERT_EQ(second.size(), 4U);
+  EXPECT_FALSE(second[0].straight);  // to (9, 20), where the first ended
+  EXPECT_EQ(second[0].pose.point.y(), 20.0);
+  EXPECT_EQ(second[0].code, "");
+  EXPECT_TRUE(second[1].straight);
+  EXPECT_EQ(second[1].code, "RON,1");
+}
+
+TEST(G97Writer, DividesAPathWithoutSpray) {
+  std::vector<cl::Record> records = {feed(100)};
+  for (int i = 0; i < 21001; ++i) {
+    records.push_back(at({0.1 * i, 0, 0}));
+  }
+  std::vector<std::string> codes;
+  const auto programs = g97::readPrograms(program(records, painter(), codes), {}, "a");
+  EXPECT_THAT(codes, ElementsAre("W0640"));
+  ASSERT_TRUE(programs.ok()) << programs.failure().message;
+  ASSERT_EQ(programs->size(), 3U);
+  EXPECT_EQ((*programs)[2].blocks.size(), 21001U - 9999U - 9998U + 1U);
 }
 
 TEST(G97Writer, TellsOfAWristThatMayTurnRound) {

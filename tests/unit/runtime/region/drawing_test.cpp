@@ -168,6 +168,9 @@ TEST(Drawing, HostileFilesAreRefusedWithTheLine) {
             std::string::npos);
   EXPECT_NE(errorOf(file("0\nSPLINE\n71\n3\n72\n4\n40\n0\n")).find("says 4 knots"),
             std::string::npos);
+  EXPECT_NE(errorOf(file("0\nSPLINE\n71\n3\n72\n0\n73\n0\n74\n2\n11\n0\n21\n0\n11\n9\n21\n5\n"))
+                .find("2 fit points and no control points"),
+            std::string::npos);
   EXPECT_NE(errorOf(file("0\nSPLINE\n71\n900\n40\n0\n10\n0\n20\n0\n")).find("degree"),
             std::string::npos);
   EXPECT_NE(errorOf(file("0\nELLIPSE\n10\n0\n20\n0\n11\n0\n21\n0\n40\n1\n")).find("no length"),

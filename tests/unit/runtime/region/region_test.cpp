@@ -69,6 +69,20 @@ TEST(Region, RefusesWhatIsNone) {
             "E0362");
 }
 
+/// Circles of radius 50 about (0, 0) and (100, 0): cos and sin miss the common place by 1e-14.
+TEST(Region, CirclesThatTouchAreRefused) {
+  const auto circle = [](double x) {
+    Corners corners;
+    for (int i = 0; i < 40; ++i) {
+      const double angle = 2.0 * M_PI * i / 40;
+      corners.emplace_back(x + 50.0 * std::cos(angle), 50.0 * std::sin(angle), 0.0);
+    }
+    return corners;
+  };
+  EXPECT_EQ(codeOf({{Role::outline, circle(0.0)}, {Role::island, circle(100.0)}}), "E0362");
+  EXPECT_EQ(codeOf({{Role::outline, circle(0.0)}, {Role::island, circle(100.001)}}), "");
+}
+
 TEST(Region, IslandsLieInHolesOrOutside) {
   EXPECT_EQ(codeOf({{Role::outline, rectangle(0, 0, 90, 90)},
                     {Role::hole, rectangle(10, 10, 60, 60)},
