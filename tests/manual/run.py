@@ -53,6 +53,7 @@ REASONS = {
     "what Section 1 refuses before the motion or Section 3 sees it": "E0482 E0483 E0485 E0514 E0515 E0523 E0524",
     "a search that fails for rare data only": "E0340 E0512 E0541",
     "a command of the REPL; tests/end_to_end/test_repl.py shows it": "E0341",
+    "told by `arelem spray`; tests/end_to_end/test_spray.py shows it": "W0352",
     "what is not computed yet: the message names it": "E0473",
 }
 EXEMPT = {code: reason for reason, codes in REASONS.items() for code in codes.split()}
