@@ -1,6 +1,9 @@
 // Formats of polygons, read by CGAL.
+#include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <sstream>
+#include <string>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -14,9 +17,38 @@ namespace arelem::geometry {
 namespace {
 using SoupPoint = CGAL::Simple_cartesian<double>::Point_3;
 using SoupPolygon = std::vector<std::size_t>;
+
+/// Whether a header counts more than the file has bytes: CGAL's readers make room for the count
+/// before they look for the rest.
+bool countsTooMuch(std::string_view bytes, MeshFormat format) {
+  std::istringstream in{std::string(bytes)};
+  std::vector<double> counts;
+  std::string word;
+  if (format == MeshFormat::off) {
+    while (counts.size() < 2 && in >> word) {
+      if (word[0] == '#') {
+        std::getline(in, word);
+      } else if (word.find("OFF") == std::string::npos) {
+        counts.push_back(std::strtod(word.c_str(), nullptr));
+      }
+    }
+  } else if (format == MeshFormat::ply) {
+    while (in >> word && word != "end_header") {
+      std::string name, count;
+      if (word == "element" && in >> name >> count) {
+        counts.push_back(std::strtod(count.c_str(), nullptr));
+      }
+    }
+  }
+  return std::any_of(counts.begin(), counts.end(),
+                     [&](double count) { return !(count <= static_cast<double>(bytes.size())); });
+}
 }  // namespace
 
 std::optional<TriangleMesh> readPolygons(std::string_view bytes, MeshFormat format) {
+  if (countsTooMuch(bytes, format)) {
+    return std::nullopt;
+  }
   std::vector<SoupPoint> points;
   std::vector<SoupPolygon> polygons;
   try {
