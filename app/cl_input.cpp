@@ -35,12 +35,8 @@ bool readRecords(Compilation& job,
     whole = backend::readJsonRecords(bytes, displayName(path), records, job.log);
   } else {
     std::istringstream in(std::move(bytes));
-    Result<backend::tape::Codes> codes = codesOf(job.settings);
-    if (!codes) {
-      job.log.accept(codes.takeFailure());
-      return false;
-    }
-    whole = backend::readTape(in, records, job.log, job.settings.limits, *codes).complete;
+    whole = readCodes(job) &&
+            backend::readTape(in, records, job.log, job.settings.limits, job.codes).complete;
   }
   return whole && job.log.errors() == 0 && !interrupted;
 }

@@ -1,5 +1,6 @@
 #include "app/cl_moves.h"
 
+#include "ir/cl/post_word.h"
 #include "ir/words/units.h"
 
 namespace arelem::app {
@@ -13,9 +14,9 @@ void ClMoves::accept(const cl::Record& record) {
                   ? std::optional(Vec3(surface->surface.canon.data()))
                   : std::nullopt;
   } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
-    if (post->foreign.empty() && post->word == Word::RAPID) {
+    if (cl::is(*post, Word::RAPID)) {
       rapid_ = true;
-    } else if (post->foreign.empty() && post->word == Word::FEDRAT) {
+    } else if (cl::is(*post, Word::FEDRAT)) {
       for (const cl::Value& value : post->arguments) {
         if (const double* number = std::get_if<double>(&value)) {
           feed_ = *number;

@@ -6,6 +6,7 @@
 
 namespace arelem::app {
 
+namespace {
 Result<backend::tape::Codes> codesOf(const Settings& settings) {
   if (settings.codes.empty()) {
     return backend::tape::Codes();
@@ -19,6 +20,17 @@ Result<backend::tape::Codes> codesOf(const Settings& settings) {
     return file.takeFailure();
   }
   return backend::tape::Codes::read(file->text, file->name);
+}
+}  // namespace
+
+bool readCodes(Compilation& job) {
+  Result<backend::tape::Codes> codes = codesOf(job.settings);
+  if (!codes) {
+    job.log.accept(codes.takeFailure());
+    return false;
+  }
+  job.codes = *std::move(codes);
+  return true;
 }
 
 }  // namespace arelem::app

@@ -54,8 +54,7 @@ void addOptions(CLI::App& app, CompileOptions& options) {
   app.add_option("--report", options.outputs.report, "what each statement did, as JSON")
       ->type_name("FILE");
   addMachineOptions(app, options.machine);
-  app.add_option("--decimals", options.decimals,
-                 "decimals of lengths in CL text; default: exact")
+  app.add_option("--decimals", options.decimals, "decimals of lengths in CL text; default: exact")
       ->check(CLI::Range(1, 15))
       ->type_name("N");
   app.add_flag("--keep-going", options.keepGoing,
@@ -159,6 +158,24 @@ class Timed : public cl::RecordSink {
   bool runs_;
 };
 
+/// The way of records to the outputs: arcs are fitted, and the summary takes their times.
+class Delivery {
+ public:
+  Delivery(OutputSet& outputs, const robot::Machine* machine, const CompileOptions& options)
+      : timed_(outputs, timingMachine(machine), options.settings.verbose),
+        fitter_(path::makeArcFitter(timed_, options.fitShare)) {}
+  [[nodiscard]] cl::RecordSink& first() { return *fitter_; }
+  /// After the last record.
+  void finish(Compilation& job) {
+    fitter_->finish();
+    job.time = timed_.finish();
+  }
+
+ private:
+  Timed timed_;
+  std::unique_ptr<path::ArcFitter> fitter_;
+};
+
 /// From evaluated program to files. Nothing gets a final name unless all went well.
 void produce(Compilation& job,
              OutputSet& outputs,
@@ -176,11 +193,9 @@ void produce(Compilation& job,
   if (!outputs.open(plan.outputs, context)) {
     return;
   }
-  Timed timed(outputs, timingMachine(context.machine), options.settings.verbose);
-  const auto fitter = path::makeArcFitter(timed, options.fitShare);
-  const bool whole = !needsMotion(plan) || execute(job, *fitter, interrupted);
-  fitter->finish();
-  job.time = timed.finish();
+  Delivery delivery(outputs, context.machine, options);
+  const bool whole = !needsMotion(plan) || execute(job, delivery.first(), interrupted);
+  delivery.finish(job);
   if (whole || (options.keepGoing && !interrupted)) {
     const Stopwatch watch(job.seconds.write);
     static_cast<void>(outputs.close(!whole));
@@ -219,24 +234,20 @@ bool stream(const PlannedJob& plan,
   }
   Compilation job(options.settings);
   OutputSet outputs(job.log);
-  Result<backend::tape::Codes> codes = codesOf(options.settings);
-  if (!codes) {
+  if (!readCodes(job)) {
     return false;
   }
-  job.codes = *std::move(codes);
   backend::Context context = backendContext(job);
   context.decimals = options.decimals;
   if (!outputs.open(plan.outputs, context)) {
     return false;  // and then with a message
   }
-  Timed timed(outputs, timingMachine(nullptr), options.settings.verbose);
-  const auto fitter = path::makeArcFitter(timed, options.fitShare);
+  Delivery delivery(outputs, nullptr, options);
   std::size_t statements = 0;
-  if (streamCl(job, plan.input, *fitter, statements, interrupted) == Streamed::refused) {
+  if (streamCl(job, plan.input, delivery.first(), statements, interrupted) == Streamed::refused) {
     return false;
   }
-  fitter->finish();
-  job.time = timed.finish();
+  delivery.finish(job);
   if (job.log.errors() > 0 || job.log.warnings() > 0 || !outputs.close(false)) {
     return false;
   }
@@ -249,6 +260,25 @@ bool stream(const PlannedJob& plan,
   return true;
 }
 
+/// Whatever kind of file the input is.
+void compileInto(OutputSet& outputs,
+                 Compilation& job,
+                 const PlannedJob& plan,
+                 const CompileOptions& options,
+                 const InterruptFlag& interrupted) {
+  if (!readCodes(job)) {
+    return;
+  }
+  Result<std::string> bytes = readBytes(plan.input, options.settings.limits);
+  if (!bytes) {
+    job.log.accept(bytes.takeFailure());
+  } else if (formatOf(*bytes) != InputFormat::text) {
+    rewrite(job, outputs, plan, *std::move(bytes), options, interrupted);
+  } else if (load(job, plan.input, *std::move(bytes), interrupted) && evaluate(job, interrupted)) {
+    produce(job, outputs, plan, options, interrupted);
+  }
+}
+
 ExitCode compileOne(const PlannedJob& plan,
                     const CompileOptions& options,
                     const InterruptFlag& interrupted) {
@@ -258,19 +288,7 @@ ExitCode compileOne(const PlannedJob& plan,
   Compilation job(options.settings);
   job.progress = progressOnTerminal();
   OutputSet outputs(job.log);
-  Result<backend::tape::Codes> codes = codesOf(options.settings);
-  if (codes) {
-    job.codes = *std::move(codes);
-  }
-  if (!codes) {
-    job.log.accept(codes.takeFailure());
-  } else if (Result<std::string> bytes = readBytes(plan.input, options.settings.limits); !bytes) {
-    job.log.accept(bytes.takeFailure());
-  } else if (formatOf(*bytes) != InputFormat::text) {
-    rewrite(job, outputs, plan, *std::move(bytes), options, interrupted);
-  } else if (load(job, plan.input, *std::move(bytes), interrupted) && evaluate(job, interrupted)) {
-    produce(job, outputs, plan, options, interrupted);
-  }
+  compileInto(outputs, job, plan, options, interrupted);
   if (!plan.report.empty() && !interrupted) {
     writeRunReport(job, plan.report, options.settings.verbose);
   }

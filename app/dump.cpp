@@ -14,18 +14,15 @@ namespace arelem::app {
 
 namespace {
 ExitCode dumpTape(const std::string& path, std::string bytes, const Settings& settings) {
-  SourceMap sources;
-  const BufferId main = sources.add(displayName(path), "");
-  DiagnosticLog log;
+  Compilation job(settings);
+  job.main = job.sources.add(displayName(path), "");
   std::istringstream in(std::move(bytes));
-  if (Result<backend::tape::Codes> codes = codesOf(settings); codes) {
-    backend::dump(in, std::cout, log, settings.limits, *codes);
-  } else {
-    log.accept(codes.takeFailure());
+  if (readCodes(job)) {
+    backend::dump(in, std::cout, job.log, settings.limits, job.codes);
   }
   std::cout.flush();
-  log.print(sources, main, settings);
-  return log.exitCode();
+  job.log.print(job.sources, job.main, settings);
+  return job.log.exitCode();
 }
 
 ExitCode dumpProgram(const std::string& path,

@@ -86,22 +86,33 @@ bool execute(Compilation& job,
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
   const bool text = job.program.dialect == spell(frontend::Dialect::cl);
+  const std::vector<runtime::Action>& actions = job.evaluation.actions;
+  cl::RecordSink* first = smoother.get();
+  std::unique_ptr<path::SwarfStage> tilted;
   // CL text that names a swarf section has been tilted by the system that wrote it.
-  const bool swarf = !text && !upright && path::firstSwarf(job.evaluation.actions).has_value();
-  const auto tilted = path::makeSwarfStage(*smoother, job.log);
-  const auto chords =
-      path::makeChordStage(swarf ? static_cast<cl::RecordSink&>(*tilted) : *smoother, job.log);
-  const bool straight = swarf || path::needsChords(job.evaluation.actions);
+  if (!text && !upright && path::firstSwarf(actions)) {
+    tilted = path::makeSwarfStage(*first, job.log);
+    first = tilted.get();
+  }
+  std::unique_ptr<path::ChordStage> chords;
+  if (tilted || path::needsChords(actions)) {
+    chords = path::makeChordStage(*first, job.log);
+    first = chords.get();
+  }
+  std::unique_ptr<path::FeedOverride> feeds;
+  if (!text && path::overridesFeeds(actions)) {
+    feeds = path::makeFeedOverride(*first, actions);
+    first = feeds.get();
+  }
   runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}, false};
   options.axesFollow = text;
-  cl::RecordSink& first = straight ? static_cast<cl::RecordSink&>(*chords) : *smoother;
-  const auto feeds = path::makeFeedOverride(first, job.evaluation.actions);
-  const bool feedsChange = !text && path::overridesFeeds(job.evaluation.actions);
-  job.motion =
-      runtime::execute(job.evaluation.actions, options,
-                       feedsChange ? static_cast<cl::RecordSink&>(*feeds) : first, job.log);
-  feeds->finish();
-  tilted->finish();
+  job.motion = runtime::execute(actions, options, *first, job.log);
+  if (feeds) {
+    feeds->finish();
+  }
+  if (tilted) {
+    tilted->finish();
+  }
   smoother->finish();
   job.smoothed = smoother->facts();
   transformer->finish();

@@ -25,7 +25,7 @@ struct Compilation {
   BufferId main;
   std::vector<std::string> filesRead;  ///< data files that definitions named
   DiagnosticLog log;
-  backend::tape::Codes codes;  ///< for tapes that are written
+  backend::tape::Codes codes;  ///< of tapes that are read or written
   ir::Program program;
   runtime::Evaluation evaluation;
   runtime::MotionOutcome motion;

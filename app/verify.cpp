@@ -54,13 +54,9 @@ bool pathOfOutput(const std::string& file,
   if (objectionToText(file, bytes)) {
     job.main = job.sources.add(displayName(file), "");
     std::istringstream in(std::move(bytes));
-    Result<backend::tape::Codes> codes = codesOf(settings);
-    if (codes) {
-      good = backend::readTape(in, path, job.log, settings.limits, *codes).complete &&
-             job.log.errors() == 0;
-    } else {
-      job.log.accept(codes.takeFailure());
-    }
+    good = readCodes(job) &&
+           backend::readTape(in, path, job.log, settings.limits, job.codes).complete &&
+           job.log.errors() == 0;
   } else {
     good = pathOfText(job, file, std::move(bytes), path, interrupted);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/verify.h"
 #include "ir/words/units.h"
@@ -14,8 +15,8 @@ void Path::accept(const cl::Record& record) {
   if (const auto* units = std::get_if<cl::Units>(&record.body)) {
     millimeters = millimetersOf(units->unit);
   }
-  if (const auto* post = std::get_if<cl::Post>(&record.body);
-      post != nullptr && post->word == Word::SPRAY && !locations.empty()) {
+  if (const cl::Post* post = cl::postOf(record.body, Word::SPRAY);
+      post != nullptr && !locations.empty()) {
     switchOutput(*post);
   }
   const auto* motion = std::get_if<cl::Motion>(&record.body);

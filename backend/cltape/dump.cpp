@@ -8,6 +8,7 @@
 #include "backend/cltape/decode.h"
 #include "backend/text/clean.h"
 #include "backend/text/number.h"
+#include "ir/cl/post_word.h"
 
 namespace arelem::backend {
 
@@ -18,7 +19,7 @@ class Describer {
   explicit Describer(std::string& line) : line_(line) {}
 
   void operator()(const cl::Post& post) {
-    line_ += post.foreign.empty() ? std::string(spell(post.word)) : printableAscii(post.foreign);
+    line_ += printableAscii(cl::nameOf(post));
     for (const cl::Value& value : post.arguments) {
       line_ += &value == post.arguments.data() ? " / " : ", ";
       argument(value);
@@ -105,7 +106,10 @@ class Describer {
 };
 }  // namespace
 
-TapeSummary dump(std::istream& in, std::ostream& out, DiagnosticSink& sink, const Limits& limits,
+TapeSummary dump(std::istream& in,
+                 std::ostream& out,
+                 DiagnosticSink& sink,
+                 const Limits& limits,
                  const tape::Codes& codes) {
   tape::Scanner scanner(in, sink, limits);
   tape::DecodeState state;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ir/cl/post_word.h"
+
 namespace arelem::backend::tape {
 
 namespace {
@@ -22,9 +24,8 @@ class BodyEncoder {
       text(post.foreign);
     }
     bool first = true;
-    const bool named = post.foreign.empty() && post.word == Word::MACHIN;
-    const bool surfaces =
-        post.foreign.empty() && (post.word == Word::CLRSRF || post.word == Word::CLEARP);
+    const bool named = cl::is(post, Word::MACHIN);
+    const bool surfaces = cl::is(post, Word::CLRSRF) || cl::is(post, Word::CLEARP);
     for (const cl::Value& value : post.arguments) {
       if (const auto* surface = std::get_if<cl::SurfaceValue>(&value)) {
         this->surface(*surface, surfaces);

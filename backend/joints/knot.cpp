@@ -7,6 +7,7 @@
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
 #include "ir/words/units.h"
@@ -122,11 +123,10 @@ void KnotReader::spray(const cl::Post& post) {
 void KnotReader::post(const cl::Post& post, const Span& origin) {
   switch (post.foreign.empty() ? post.word : Word::INSERT) {
     case Word::FEDRAT:
-      if (const auto speed = robot::speedOf(post, millimeters_)) {
+      if (Result<double> speed = robot::neededSpeed(post, millimeters_)) {
         speed_ = *speed;
       } else {
-        const double* value = robot::numberAt(post, 0);
-        sink_.accept(diagnose(origin, diag::VplusFeed, value == nullptr ? 0.0 : *value));
+        sink_.accept(at(origin, speed.takeFailure()));
         failed_ = true;
       }
       rapid_ = false;
@@ -152,7 +152,7 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
     default:
       break;
   }
-  const std::string word(post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign));
+  const std::string word(cl::nameOf(post));
   if (std::find(told_.begin(), told_.end(), word) == told_.end()) {
     told_.push_back(word);
     sink_.accept(diagnose(origin, diag::JointsWithout, word));

@@ -7,6 +7,7 @@
 
 #include "backend/listing/columns.h"
 #include "backend/text/clean.h"
+#include "ir/cl/post_word.h"
 
 namespace arelem::backend {
 
@@ -23,7 +24,7 @@ class RecordLines {
   explicit RecordLines(std::string& text) : text_(text) {}
 
   void operator()(const cl::Post& post) {
-    indent(post.foreign.empty() ? std::string(spell(post.word)) : printableAscii(post.foreign));
+    indent(printableAscii(cl::nameOf(post)));
     if (!post.arguments.empty()) {
       text_ += '/';
     }

@@ -6,6 +6,7 @@
 
 #include "backend/ngc/moves.h"
 #include "backend/robot/machine.h"
+#include "ir/cl/post_word.h"
 #include "ir/cl/vendor.h"
 #include "ir/diag/ngc.h"
 #include "ir/words/units.h"
@@ -90,7 +91,7 @@ class NgcWriter : public Writer {
   }
   void operator()(const cl::Post& post) {
     start();
-    const std::string_view name = post.foreign.empty() ? spell(post.word) : post.foreign;
+    const std::string_view name = cl::nameOf(post);
     if (name == "SMOOTH" || name == "MACHLM") {
       return;  // done before, or for others
     }

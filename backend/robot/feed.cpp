@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ir/diag/robot.h"
 #include "ir/words/units.h"
 
 namespace arelem::robot {
@@ -31,6 +32,14 @@ std::optional<double> speedOf(const cl::Post& feedRate, double millimeters) {
          : hasWord(feedRate, Word::MMPM) ? *value / secondsOfAMinute
          : hasWord(feedRate, Word::IPM)  ? *value * millimetersOfAnInch / secondsOfAMinute
                                          : *value * millimeters / secondsOfAMinute;
+}
+
+Result<double> neededSpeed(const cl::Post& feedRate, double millimeters) {
+  if (const std::optional<double> speed = speedOf(feedRate, millimeters)) {
+    return *speed;
+  }
+  const double* value = numberAt(feedRate, 0);
+  return fail(diag::VplusFeed, value == nullptr ? 0.0 : *value);
 }
 
 }  // namespace arelem::robot

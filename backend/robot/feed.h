@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "ir/cl/record.h"
+#include "ir/diag/result.h"
 
 namespace arelem::robot {
 
@@ -13,5 +14,7 @@ namespace arelem::robot {
 /// The speed of a FEDRAT in mm/s: without a unit its number is lengths of `millimeters` per minute.
 /// None where it is not positive or per revolution.
 [[nodiscard]] std::optional<double> speedOf(const cl::Post& feedRate, double millimeters);
+/// The same for a robot that must have one. Errors: E0621.
+[[nodiscard]] Result<double> neededSpeed(const cl::Post& feedRate, double millimeters);
 
 }  // namespace arelem::robot

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "backend/robot/feed.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
 #include "ir/words/units.h"
@@ -50,13 +51,7 @@ class BlankWriter : public Writer {
   void word(const cl::Post& post, const Span& origin) {
     switch (post.foreign.empty() ? post.word : Word::INSERT) {
       case Word::FEDRAT:
-        if (const auto speed = robot::speedOf(post, millimeters_)) {
-          speed_ = *speed;
-        } else {
-          const double* value = robot::numberAt(post, 0);
-          sink_.accept(diagnose(origin, diag::VplusFeed, value == nullptr ? 0.0 : *value));
-        }
-        return;
+        return feed(post, origin);
       case Word::RAPID:
       case Word::SPRAY:  // these lines have moves and speeds only, the gun is the robot's own
       case Word::TRACUT:
@@ -66,7 +61,14 @@ class BlankWriter : public Writer {
       case Word::END:
         return;
       default:
-        without(post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign), origin);
+        without(cl::nameOf(post), origin);
+    }
+  }
+  void feed(const cl::Post& post, const Span& origin) {
+    if (Result<double> speed = robot::neededSpeed(post, millimeters_)) {
+      speed_ = *speed;
+    } else {
+      sink_.accept(at(origin, speed.takeFailure()));
     }
   }
   void without(std::string_view what, const Span& origin) {

@@ -170,10 +170,9 @@ class VplusWriter : public Writer {
   }
 
   void feed(const cl::Post& post) {
-    const std::optional<double> speed = speedOf(post, millimeters_);
+    Result<double> speed = robot::neededSpeed(post, millimeters_);
     if (!speed) {
-      const double* value = numberAt(post, 0);
-      return report(fail(diag::VplusFeed, value == nullptr ? 0.0 : *value));
+      return report(speed.takeFailure());
     }
     speed_ = *speed;
     rapid_ = false;

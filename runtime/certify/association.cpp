@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/cl/post_word.h"
 #include "ir/diag/verify.h"
 #include "ir/space/tolerance.h"
 #include "runtime/spline/cubic.h"
@@ -56,9 +57,7 @@ bool smooths(const cl::Body& body) {
   if (post == nullptr || post->arguments.empty()) {
     return false;
   }
-  const bool isSmooth =
-      (post->foreign.empty() ? arelem::spell(post->word) : post->foreign) == "SMOOTH";
-  return isSmooth && std::holds_alternative<double>(post->arguments.front());
+  return cl::nameOf(*post) == "SMOOTH" && std::holds_alternative<double>(post->arguments.front());
 }
 
 const Action* Association::advance() {

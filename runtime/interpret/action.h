@@ -75,7 +75,7 @@ struct PartSurface {
 struct ToolRelation {
   Word word = Word::TLON;
 };  ///< TLLFT TLRGT TLON TLNDON TLONPS TLOFPS
-/// INTOL OUTTOL TOLER THICK (one to four values, not yet spread), MAXDP, NUMPTS, CUTTER (as
+/// INTOL OUTTOL TOLER THICK (one to four values, as written), MAXDP, NUMPTS, CUTTER (as
 /// written).
 struct Parameter {
   Word word = Word::CUTTER;

@@ -182,9 +182,7 @@ void zsurf(State& state, const ir::Command& command) {
     return;
   }
   if (p[2] == 0.0) {
-    Diagnostic d = diagnose(state.statement->span, diag::ZsurfVertical);
-    labelOperands(d, *items);
-    state.report(std::move(d));
+    reportAt(state, state.statement->span, fail(diag::ZsurfVertical), *items);
     return;
   }
   state.context.zsurfA = p[0];
@@ -209,9 +207,7 @@ void referenceSystem(State& state, const ir::Command& command) {
   } else if ((*matrix)->name.empty()) {
     state.report(diagnose(items->front().span, diag::SystemUnnamed));
   } else if (std::optional<Failure> failure = state.systems.enter(**matrix)) {
-    Diagnostic d = at(items->front().span, *std::move(failure));
-    labelOperands(d, *items);
-    state.report(std::move(d));
+    reportAt(state, items->front().span, *std::move(failure), *items);
   }
 }
 

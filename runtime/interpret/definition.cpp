@@ -115,9 +115,7 @@ std::shared_ptr<Entity> compute(State& state,
   context.remarks = &remarks;
   Result<Entity> result = defineWithTraces(definition, *given, items, context);
   if (!result) {
-    Diagnostic d = at(definition.span, result.takeFailure());
-    labelOperands(d, items);
-    state.report(std::move(d));
+    reportAt(state, definition.span, result.takeFailure(), items);
     return nullptr;
   }
   for (Failure& remark : remarks) {
@@ -202,10 +200,8 @@ void execute(State& state, const ir::Obtain& obtain) {
   const std::string_view type = spell(obtain.type);
   if (source && source->type != obtain.type) {
     Item item{source, obtain.source.span};
-    Diagnostic d = diagnose(obtain.source.span, diag::ObtainOtherType, type, describe(item),
-                            spell(source->type));
-    labelOperands(d, {item});
-    state.report(std::move(d));
+    reportAt(state, obtain.source.span,
+             fail(diag::ObtainOtherType, type, describe(item), spell(source->type)), {item});
     source = nullptr;
   } else if (source && canonicalCount(source->type) == 0) {
     state.report(diagnose(obtain.source.span, diag::ObtainVariable, type));

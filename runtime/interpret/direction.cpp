@@ -112,10 +112,9 @@ std::optional<ToolAxis> axisOf(State& state, const Items& items) {
   }
   axis.vector = vector != nullptr ? tripleOf(**vector) : *written;
   if (isNull(axis.vector)) {
-    Diagnostic d = diagnose(items[0].span, diag::NullVector, "TLAXIS", axis.vector.x(),
-                            axis.vector.y(), axis.vector.z());
-    labelOperands(d, items);
-    state.report(std::move(d));
+    reportAt(state, items[0].span,
+             fail(diag::NullVector, "TLAXIS", axis.vector.x(), axis.vector.y(), axis.vector.z()),
+             items);
     return std::nullopt;
   }
   return axis;

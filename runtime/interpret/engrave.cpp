@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "ir/diag/stencil.h"
 #include "runtime/interpret/command.h"
+#include "runtime/interpret/worded.h"
 
 namespace arelem::runtime::interpret {
 
@@ -34,36 +34,19 @@ struct Cut {
 };
 
 /// Reads the parameters of ENGRAV from left to right.
-class Reader {
+class Reader : private WordedReader {
  public:
-  Reader(const Items& items, double millimeters) : items_(items) {
+  Reader(const Items& items, double millimeters) : WordedReader(items) {
     constexpr double finest = 0.01;  // mm: less than the play of an engraving machine
     cut_.engraving.chord = finest / millimeters;
   }
 
   Result<Cut> run() {
-    const std::string* text = items_.empty() ? nullptr : std::get_if<std::string>(&items_[0].value);
-    if (text == nullptr) {
-      return wrong(items_.empty() ? "no parameters" : describe(items_[0]) + " in front",
-                   "the first parameter is the text in quotes");
-    }
-    cut_.engraving.text = *text;
-    for (next_ = 1; next_ < items_.size();) {
-      const Word* word = std::get_if<Word>(&items_[next_].value);
-      if (word == nullptr) {
-        return wrong(describe(items_[next_]) + fmt::format(" as parameter {}", next_ + 1),
-                     "a word belongs there");
-      }
-      if (!seen_.insert(*word).second) {
-        return wrong(fmt::format("{} twice", spell(*word)), "each word stands once");
-      }
-      ++next_;
-      if (auto failure = value(*word)) {
-        return *std::move(failure);
-      }
+    if (auto failure = readText(cut_.engraving.text)) {
+      return *std::move(failure);
     }
     for (const Word needed : {Word::HEIGHT, Word::DEEP, Word::CLEARP}) {
-      if (seen_.count(needed) == 0) {
+      if (!has(needed)) {
         return wrong(fmt::format("no {}", spell(needed)),
                      fmt::format("{} is needed", spell(needed)));
       }
@@ -72,11 +55,17 @@ class Reader {
   }
 
  private:
-  static Failure wrong(const std::string& what, const std::string& rule) {
-    return fail(diag::EngravForm, what, rule).withHelp("the form is " + std::string(form));
+  [[nodiscard]] Failure wrong(std::string what, std::string rule) const override {
+    return fail(diag::EngravForm, std::move(what), std::move(rule))
+        .withHelp("the form is " + std::string(form));
+  }
+  [[nodiscard]] Failure refused(std::string_view name,
+                                double value,
+                                std::string_view rule) const override {
+    return fail(diag::EngravNumber, name, value, rule);
   }
 
-  std::optional<Failure> value(Word word) {
+  std::optional<Failure> value(Word word) override {
     stencil::Placement& placement = cut_.engraving.placement;
     switch (word) {
       case Word::HEIGHT:
@@ -96,65 +85,31 @@ class Reader {
       case Word::CHORD:
         return positive(word, cut_.engraving.chord);
       case Word::ALPHAB:
-        return alphabet();
+        return fileName(word, cut_.engraving.alphabet);
       default:
-        return wrong(fmt::format("the word {}", spell(word)), "it has no meaning there");
+        return meaningless(word);
     }
   }
 
-  std::optional<Failure> number(Word word, double& into) {
-    const double* value = next_ < items_.size() ? items_[next_].number() : nullptr;
-    if (value == nullptr) {
-      return wrong(fmt::format("{} without a number", spell(word)), "a number belongs there");
-    }
-    into = *value;
-    ++next_;
-    return std::nullopt;
-  }
-  std::optional<Failure> positive(Word word, double& into) {
-    if (auto failure = number(word, into)) {
-      return failure;
-    }
-    return into > 0.0 ? std::nullopt
-                      : std::optional(fail(diag::EngravNumber, spell(word), into, "positive"));
-  }
   /// One positive number, and perhaps another.
   std::optional<Failure> one(Word word, double& first, double& second) {
     if (auto failure = positive(word, first)) {
       return failure;
     }
-    const bool more = next_ < items_.size() && items_[next_].number() != nullptr;
-    return more ? positive(word, second) : std::nullopt;
+    return more() ? positive(word, second) : std::nullopt;
   }
 
   std::optional<Failure> origin() {
-    const EntityPtr* point =
-        next_ < items_.size() ? items_[next_].entity(EntityType::point) : nullptr;
-    if (point == nullptr) {
+    const EntityPtr point = take(EntityType::point);
+    if (!point) {
       return wrong("ORIGIN without a point", "a POINT belongs there");
     }
-    const std::vector<double>& p = (*point)->canon;
-    cut_.engraving.placement.origin = Vec2(p[0], p[1]);
-    cut_.top = p[2];
-    ++next_;
+    cut_.engraving.placement.origin = Vec2(point->canon[0], point->canon[1]);
+    cut_.top = point->canon[2];
     return std::nullopt;
   }
 
-  std::optional<Failure> alphabet() {
-    const std::string* file =
-        next_ < items_.size() ? std::get_if<std::string>(&items_[next_].value) : nullptr;
-    if (file == nullptr) {
-      return wrong("ALPHAB without a file", "the name of a file in quotes belongs there");
-    }
-    cut_.engraving.alphabet = *file;
-    ++next_;
-    return std::nullopt;
-  }
-
-  const Items& items_;
   Cut cut_;
-  std::set<Word> seen_;
-  std::size_t next_ = 0;
 };
 
 /// Puts the lines into the stream: over each line with rapid speed, down with the feed for going
@@ -235,12 +190,6 @@ std::optional<Failure> tooLong(const std::vector<stencil::PenLine>& lines,
                    fail(diag::StencilSize, static_cast<std::size_t>(std::min(places, most)), limit))
              : std::nullopt;
 }
-
-void report(State& state, Failure failure, const Items& items) {
-  Diagnostic d = at(state.statement->span, std::move(failure));
-  labelOperands(d, items);
-  state.report(std::move(d));
-}
 }  // namespace
 
 void engrave(State& state, const ir::Command& command) {
@@ -251,17 +200,17 @@ void engrave(State& state, const ir::Command& command) {
   }
   Result<Cut> cut = Reader(*items, state.context.millimeters).run();
   if (!cut) {
-    report(state, cut.takeFailure(), *items);
+    reportAt(state, state.statement->span, cut.takeFailure(), *items);
     return;
   }
   Result<std::vector<stencil::PenLine>> lines = stencil::penLines(
       cut->engraving, state.options.files, state.options.limits, cut->engraving.placement.origin);
   if (!lines) {
-    report(state, lines.takeFailure(), *items);
+    reportAt(state, state.statement->span, lines.takeFailure(), *items);
     return;
   }
   if (auto failure = tooLong(*lines, *cut, state.options.limits.points)) {
-    report(state, *std::move(failure), *items);
+    reportAt(state, state.statement->span, *std::move(failure), *items);
     return;
   }
   LineWriter(state, *cut).write(*lines);

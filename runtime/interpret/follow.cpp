@@ -89,10 +89,8 @@ EntityPtr surfaceOf(State& state, const Item& item, std::string_view statement) 
     return nullptr;
   }
   if (!isSurface((*entity)->type)) {
-    Diagnostic d =
-        diagnose(item.span, diag::NoSurfaceType, arelem::spell((*entity)->type), statement);
-    labelOperands(d, {item});
-    state.report(std::move(d));
+    reportAt(state, item.span, fail(diag::NoSurfaceType, arelem::spell((*entity)->type), statement),
+             {item});
     return nullptr;
   }
   return *entity;

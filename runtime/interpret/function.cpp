@@ -88,9 +88,7 @@ std::optional<double> callOfEntities(State& state,
   }
   Result<double> value = functionOfEntities(row.word, entities);
   if (!value) {
-    Diagnostic d = at(call.span, value.takeFailure());
-    labelOperands(d, items);
-    state.report(std::move(d));
+    reportAt(state, call.span, value.takeFailure(), items);
     return std::nullopt;
   }
   return *value;

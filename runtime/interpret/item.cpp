@@ -194,9 +194,7 @@ EntityPtr brought(State& state, const EntityPtr& entity, Use use, const Span& sp
   }
   Result<EntityPtr> moved = state.systems.seenFrom(entity, system);
   if (!moved) {
-    Diagnostic d = at(span, moved.takeFailure());
-    labelOperands(d, {{entity, span}});
-    state.report(std::move(d));
+    reportAt(state, span, moved.takeFailure(), {{entity, span}});
     return nullptr;
   }
   return *std::move(moved);
@@ -276,6 +274,12 @@ void labelOperands(Diagnostic& diagnostic, const Items& items) {
     diagnostic.labels.push_back(
         {(*entity)->definition, fmt::format("`{}` defined here", nameOf(**entity))});
   }
+}
+
+void reportAt(State& state, const Span& place, Failure failure, const Items& items) {
+  Diagnostic d = at(place, std::move(failure));
+  labelOperands(d, items);
+  state.report(std::move(d));
 }
 
 }  // namespace arelem::runtime::interpret

@@ -51,6 +51,8 @@ enum class Use : std::uint8_t { definition, motion };
 [[nodiscard]] std::string describe(const Items& items);
 /// One label on the definition of each entity among the operands.
 void labelOperands(Diagnostic& diagnostic, const Items& items);
+/// Reports a failure at a place of the text, with such labels.
+void reportAt(State& state, const Span& place, Failure failure, const Items& items);
 
 /// The elements that a list like A(2,THRU,ALL,INCR,3) names, in its order.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> elements(State& state,

@@ -72,10 +72,8 @@ class Reader {
     }
     for (const std::optional<Vec3>& v : {locate.axis, locate.side}) {
       if (v && isNull(*v)) {
-        Diagnostic d =
-            diagnose(items_[next - 1].span, diag::NullVector, spell(word_), v->x(), v->y(), v->z());
-        labelOperands(d, items_);
-        state_.report(std::move(d));
+        reportAt(state_, items_[next - 1].span,
+                 fail(diag::NullVector, spell(word_), v->x(), v->y(), v->z()), items_);
         return std::nullopt;
       }
     }
@@ -125,10 +123,8 @@ class Reader {
         return std::nullopt;
       }
     }
-    Diagnostic d = diagnose(state_.statement->span, diag::MotionArguments, spell(word_),
-                            describe(items_), formsOf(word_));
-    labelOperands(d, items_);
-    state_.report(std::move(d));
+    reportAt(state_, state_.statement->span,
+             fail(diag::MotionArguments, spell(word_), describe(items_), formsOf(word_)), items_);
     return std::nullopt;
   }
 
@@ -155,10 +151,9 @@ void gotoSpline(State& state, const Items& items) {
   if (items.size() == 2 && items[1].number() != nullptr) {
     follow.feed = *items[1].number();
   } else if (items.size() != 1) {
-    Diagnostic d = diagnose(state.statement->span, diag::MotionArguments, spell(Word::GOTO),
-                            describe(items), "GOTO/ spline[,feed]");
-    labelOperands(d, items);
-    state.report(std::move(d));
+    reportAt(state, state.statement->span,
+             fail(diag::MotionArguments, spell(Word::GOTO), describe(items), "GOTO/ spline[,feed]"),
+             items);
     return;
   }
   state.emit(std::move(follow));

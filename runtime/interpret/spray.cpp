@@ -137,9 +137,7 @@ class StrokeWriter {
 };
 
 void refuse(State& state, const SprayWords& words, Failure failure) {
-  Diagnostic d = at(state.statement->span, std::move(failure));
-  labelOperands(d, words.items);
-  state.report(std::move(d));
+  reportAt(state, state.statement->span, std::move(failure), words.items);
 }
 
 void finish(State& state, const SprayWords& words, Sprayed result) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "ir/diag/spray.h"
+#include "runtime/interpret/worded.h"
 
 namespace arelem::runtime::interpret {
 
@@ -22,28 +22,24 @@ constexpr std::string_view surfaceForm =
 constexpr std::array sideWords = {Word::XLARGE, Word::XSMALL, Word::YLARGE,
                                   Word::YSMALL, Word::ZLARGE, Word::ZSMALL};
 
-class Reader {
+class Reader : private WordedReader {
  public:
-  explicit Reader(Items items) { words_.items = std::move(items); }
+  explicit Reader(const Items& items) : WordedReader(items), given_(items) {}
 
   Result<SprayWords> run() {
-    const Items& items = words_.items;
-    const EntityPtr* work = items.empty() ? nullptr : items[0].entity();
+    const EntityPtr* work = given_.empty() ? nullptr : given_[0].entity();
     if (work == nullptr) {
-      return wrong(items.empty() ? "no parameters" : describe(items[0]) + " in front",
+      return wrong(given_.empty() ? "no parameters" : describe(given_[0]) + " in front",
                    "the first parameter is a region or a surface");
     }
     words_.work = *work;
-    next_ = 1;
-    while (next_ < items.size()) {
-      if (auto failure = one()) {
-        return *std::move(failure);
-      }
+    if (auto failure = readWords(1)) {
+      return *std::move(failure);
     }
     if (!words_.gun) {
       return wrong("no gun", "GUN, gun is needed");
     }
-    if (seen_.count(Word::FILM) == 0) {
+    if (!has(Word::FILM)) {
       return wrong("no film", "FILM, h is needed");
     }
     if ((words_.sizes || words_.angles) && !words_.prices) {
@@ -57,24 +53,20 @@ class Reader {
 
  private:
   [[nodiscard]] bool ofRegion() const { return words_.work && words_.ofRegion(); }
-  [[nodiscard]] Failure wrong(std::string what, std::string rule) const {
+  [[nodiscard]] Failure wrong(std::string what, std::string rule) const override {
     return fail(diag::SprayForm, std::move(what), std::move(rule))
         .withHelp("the form is " +
                   std::string(words_.work && !ofRegion() ? surfaceForm : regionForm));
   }
 
-  std::optional<Failure> one() {
-    const Item& item = words_.items[next_];
-    const Word* word = std::get_if<Word>(&item.value);
-    if (word == nullptr) {
-      return wrong(describe(item) + fmt::format(" as parameter {}", next_ + 1),
-                   "a word belongs there");
-    }
-    if (!seen_.insert(*word).second) {
-      return wrong(fmt::format("{} twice", spell(*word)), "each word stands once");
-    }
-    ++next_;
-    return ofRegion() ? regionValue(*word) : surfaceValue(*word);
+  [[nodiscard]] Failure refused(std::string_view name,
+                                double value,
+                                std::string_view rule) const override {
+    return fail(diag::SprayValue, name, value, rule);
+  }
+
+  std::optional<Failure> value(Word word) override {
+    return ofRegion() ? regionValue(word) : surfaceValue(word);
   }
 
   /// What both kinds of work take; none where the word is not one of them.
@@ -149,15 +141,12 @@ class Reader {
     if (auto common = commonValue(word)) {
       return *std::move(common);
     }
-    return wrong(fmt::format("the word {}", spell(word)), "it has no meaning there");
+    return meaningless(word);
   }
 
   std::optional<Failure> step() {
     auto failure = numbers(Word::STEP, {&words_.step});
-    if (!failure && !(words_.step > 0.0)) {
-      return fail(diag::SprayValue, "STEP", words_.step, "above 0");
-    }
-    return failure;
+    return failure || words_.step > 0.0 ? failure : refused("STEP", words_.step, "above 0");
   }
 
   std::optional<Failure> lines(SprayWords::Lines kind) {
@@ -171,35 +160,34 @@ class Reader {
   std::optional<Failure> entity(Word word,
                                 std::initializer_list<EntityType> types,
                                 EntityPtr& into) {
-    const EntityPtr* found = next_ < words_.items.size() ? words_.items[next_].entity() : nullptr;
+    const EntityPtr* found = next() != nullptr ? next()->entity() : nullptr;
     if (found == nullptr || std::find(types.begin(), types.end(), (*found)->type) == types.end()) {
       return wrong(fmt::format("no {} behind {}", spell(*types.begin()), spell(word)),
                    "it says how the surface is cut");
     }
     into = *found;
-    ++next_;
+    skip();
     return std::nullopt;
   }
 
   /// Four numbers, planes with the side that is kept, or both.
   std::optional<Failure> limits() {
-    const auto sideAt = [this](std::size_t i) {
-      const Word* word =
-          i < words_.items.size() ? std::get_if<Word>(&words_.items[i].value) : nullptr;
+    const auto sideNext = [this] {
+      const Word* word = next() != nullptr ? std::get_if<Word>(&next()->value) : nullptr;
       const bool side = word != nullptr &&
                         std::find(sideWords.begin(), sideWords.end(), *word) != sideWords.end();
       return side ? word : nullptr;
     };
-    if (sideAt(next_) == nullptr) {
+    if (sideNext() == nullptr) {
       spray::Limits4& l = words_.limits.emplace();
       if (auto failure = numbers(Word::LIMITS, {&l.u0, &l.u1, &l.v0, &l.v1})) {
         return failure;
       }
     }
-    while (const Word* side = sideAt(next_)) {
+    while (const Word* side = sideNext()) {
       SprayWords::Side& one = words_.sides.emplace_back();
       one.modifier = *side;
-      ++next_;
+      skip();
       if (auto failure = entity(*side, {EntityType::plane, EntityType::line}, one.plane)) {
         return failure;
       }
@@ -208,36 +196,30 @@ class Reader {
   }
 
   std::optional<Failure> radiusOff() {
-    if (next_ >= words_.items.size() || !words_.items[next_].is(Word::OFF)) {
+    if (next() == nullptr || !next()->is(Word::OFF)) {
       return wrong("MINRAD without OFF", "MINRAD, OFF leaves out the check of curvature");
     }
     words_.checkRadius = false;
-    ++next_;
+    skip();
     return std::nullopt;
   }
 
   std::optional<Failure> gun() {
-    const EntityPtr* entity =
-        next_ < words_.items.size() ? words_.items[next_].entity(EntityType::gun) : nullptr;
-    if (entity == nullptr) {
-      return wrong(next_ < words_.items.size() ? describe(words_.items[next_]) + " behind GUN"
-                                               : "nothing behind GUN",
-                   "a GUN belongs there");
-    }
-    words_.gun = *entity;
-    ++next_;
-    return std::nullopt;
+    words_.gun = take(EntityType::gun);
+    return words_.gun ? std::nullopt
+                      : std::optional(wrong(next() != nullptr ? describe(*next()) + " behind GUN"
+                                                              : "nothing behind GUN",
+                                            "a GUN belongs there"));
   }
 
   std::optional<Failure> numbers(Word word, std::initializer_list<double*> into) {
     for (double* place : into) {
-      const double* value = next_ < words_.items.size() ? words_.items[next_].number() : nullptr;
-      if (value == nullptr) {
+      if (!more()) {
         return wrong(fmt::format("{} with too few numbers", spell(word)),
                      fmt::format("it needs {}", into.size()));
       }
-      *place = *value;
-      ++next_;
+      *place = *next()->number();
+      skip();
     }
     return std::nullopt;
   }
@@ -253,9 +235,9 @@ class Reader {
                                 const std::array<std::pair<Word, Choice>, n>& choices,
                                 std::variant<double, Choice>& into) {
     for (const auto& [name, meaning] : choices) {
-      if (next_ < words_.items.size() && words_.items[next_].is(name)) {
+      if (next() != nullptr && next()->is(name)) {
         into = meaning;
-        ++next_;
+        skip();
         return std::nullopt;
       }
     }
@@ -282,14 +264,17 @@ class Reader {
         words_.inset);
   }
 
+  const Items& given_;
   SprayWords words_;
-  std::size_t next_ = 0;
-  std::set<Word> seen_;
 };
 }  // namespace
 
 Result<SprayWords> readSprayWords(Items items) {
-  return Reader(std::move(items)).run();
+  Result<SprayWords> words = Reader(items).run();
+  if (words) {
+    words->items = std::move(items);
+  }
+  return words;
 }
 
 }  // namespace arelem::runtime::interpret

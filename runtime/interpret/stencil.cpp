@@ -5,13 +5,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "ir/diag/stencil.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/angle.h"
 #include "runtime/interpret/command.h"
-#include "runtime/interpret/item.h"
+#include "runtime/interpret/worded.h"
 #include "runtime/spray/gun.h"
 
 namespace arelem::runtime::interpret {
@@ -27,22 +26,13 @@ constexpr std::string_view form =
     "[, OUTPUT, n] [, ALPHAB, 'file'] [, COMPAT]";
 
 /// Reads the parameters of STENCL from left to right. Lengths become mm.
-class Reader {
+class Reader : private WordedReader {
  public:
-  Reader(const Items& items, double millimeters) : items_(items), unit_(millimeters) {}
+  Reader(const Items& items, double millimeters) : WordedReader(items), unit_(millimeters) {}
 
   Result<stencil::Statement> run() {
-    const std::string* text = items_.empty() ? nullptr : std::get_if<std::string>(&items_[0].value);
-    if (text == nullptr) {
-      return wrong(items_.empty() ? "no parameters" : describe(items_[0]) + " in front",
-                   "the first parameter is the text in quotes");
-    }
-    made_.text = *text;
-    next_ = 1;
-    while (next_ < items_.size()) {
-      if (auto failure = one()) {
-        return *std::move(failure);
-      }
+    if (auto failure = readText(made_.text)) {
+      return *std::move(failure);
     }
     if (auto failure = whole()) {
       return *std::move(failure);
@@ -51,14 +41,18 @@ class Reader {
   }
 
  private:
-  static Failure wrong(std::string what, std::string rule) {
+  [[nodiscard]] Failure wrong(std::string what, std::string rule) const override {
     return fail(diag::StencilForm, std::move(what), std::move(rule))
         .withHelp("the form is " + std::string(form));
+  }
+  [[nodiscard]] Failure refused(std::string_view name,
+                                double value,
+                                std::string_view rule) const override {
+    return fail(diag::StencilNumber, name, value, rule);
   }
 
   /// What must stand together, and what not.
   std::optional<Failure> whole() {
-    const auto has = [&](Word word) { return seen_.count(word) != 0; };
     if (!has(Word::HEIGHT)) {
       return wrong("no HEIGHT", "HEIGHT is needed");
     }
@@ -91,29 +85,16 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Failure> one() {
-    const Word* word = std::get_if<Word>(&items_[next_].value);
-    if (word == nullptr) {
-      return wrong(describe(items_[next_]) + fmt::format(" as parameter {}", next_ + 1),
-                   "a word belongs there");
-    }
-    if (!seen_.insert(*word).second) {
-      return wrong(fmt::format("{} twice", spell(*word)), "each word stands once");
-    }
-    ++next_;
-    return value(*word);
-  }
-
-  std::optional<Failure> value(Word word) {
+  std::optional<Failure> value(Word word) override {
     switch (word) {
       case Word::HEIGHT:
-        return positive(word, unit_, made_.placement.height);
+        return positive(word, made_.placement.height, unit_);
       case Word::FAN:
         return fan();
       case Word::GUN:
         return gun();
       case Word::FILM:
-        return positive(word, 1.0, made_.film);
+        return positive(word, made_.film);
       case Word::LEAD:
         return lead();
       case Word::OUTPUT:
@@ -131,32 +112,13 @@ class Reader {
       case Word::SPEED:
         return speed();
       case Word::ALPHAB:
-        return alphabet();
+        return fileName(word, made_.alphabet);
       case Word::COMPAT:
         made_.job.asSource = true;
         return std::nullopt;
       default:
-        return wrong(fmt::format("the word {}", spell(word)), "it has no meaning there");
+        return meaningless(word);
     }
-  }
-
-  std::optional<Failure> number(Word word, double& into, double unit = 1.0) {
-    const double* value = next_ < items_.size() ? items_[next_].number() : nullptr;
-    if (value == nullptr) {
-      return wrong(fmt::format("{} without a number", spell(word)), "a number belongs there");
-    }
-    into = *value * unit;
-    ++next_;
-    return std::nullopt;
-  }
-  std::optional<Failure> positive(Word word, double unit, double& into) {
-    if (auto failure = number(word, into, unit)) {
-      return failure;
-    }
-    if (!(into > 0.0)) {
-      return fail(diag::StencilNumber, spell(word), into / unit, "positive");
-    }
-    return std::nullopt;
   }
 
   /// FAN, deg [, c0, c1]: the full angle, and a measured height = c0 + c1 width.
@@ -175,18 +137,17 @@ class Reader {
     if (auto failure = number(Word::FAN, fan.heightAtZero, unit_)) {
       return failure;
     }
-    return positive(Word::FAN, 1.0, fan.heightSlope);
+    return positive(Word::FAN, fan.heightSlope);
   }
   /// GUN, a gun with a flat fan.
   std::optional<Failure> gun() {
-    const EntityPtr* found =
-        next_ < items_.size() ? items_[next_].entity(EntityType::gun) : nullptr;
-    if (found == nullptr) {
+    const EntityPtr found = take(EntityType::gun);
+    if (!found) {
       return wrong("GUN without a gun", "a GUN belongs there");
     }
-    const spray::Gun gun = spray::Gun::of((*found)->canon);
+    const spray::Gun gun = spray::Gun::of(found->canon);
     if (gun.kind != spray::Gun::Kind::fan) {
-      return fail(diag::StencilGun, (*found)->name);
+      return fail(diag::StencilGun, found->name);
     }
     stencil::FanGun& fan = made_.job.gun;
     fan.fan = 2.0 * gun.angle / radian;
@@ -198,15 +159,14 @@ class Reader {
     fan.flow = gun.flow;
     fan.efficiency = gun.efficiency;
     made_.output = gun.output;
-    ++next_;
     return std::nullopt;
   }
   /// SPEED, v [, most]: over a line one grid unit wide, and the largest of the gun.
   std::optional<Failure> speed() {
-    if (auto failure = positive(Word::SPEED, 1.0, made_.speed)) {
+    if (auto failure = positive(Word::SPEED, made_.speed)) {
       return failure;
     }
-    return more() ? positive(Word::SPEED, 1.0, largest_) : std::nullopt;
+    return more() ? positive(Word::SPEED, largest_) : std::nullopt;
   }
   std::optional<Failure> lead() {
     if (auto failure = number(Word::LEAD, leadOn_)) {
@@ -231,25 +191,20 @@ class Reader {
     output_ = static_cast<int>(value);
     return std::nullopt;
   }
-  [[nodiscard]] bool more() const {
-    return next_ < items_.size() && items_[next_].number() != nullptr;
-  }
 
   std::optional<Failure> origin() {
-    const EntityPtr* point =
-        next_ < items_.size() ? items_[next_].entity(EntityType::point) : nullptr;
-    if (point != nullptr) {
-      const std::vector<double>& p = (*point)->canon;
-      made_.placement.origin = unit_ * stencil::Vec2(p[0], p[1]);
-      made_.ground = unit_ * p[2];
-      ++next_;
-      return std::nullopt;
+    const EntityPtr point = take(EntityType::point);
+    if (!point) {
+      return wrong("ORIGIN without a point", "a POINT belongs there");
     }
-    return wrong("ORIGIN without a point", "a POINT belongs there");
+    const std::vector<double>& p = point->canon;
+    made_.placement.origin = unit_ * stencil::Vec2(p[0], p[1]);
+    made_.ground = unit_ * p[2];
+    return std::nullopt;
   }
 
   std::optional<Failure> tilt() {
-    const Word* word = next_ < items_.size() ? std::get_if<Word>(&items_[next_].value) : nullptr;
+    const Word* word = next() != nullptr ? std::get_if<Word>(&next()->value) : nullptr;
     const std::map<Word, TiltRule> rules = {{Word::OFF, TiltRule::off},
                                             {Word::TRAPZ, TiltRule::trapezoid},
                                             {Word::QUADR, TiltRule::quadrilateral},
@@ -258,17 +213,17 @@ class Reader {
       return wrong("TILT without a rule", "OFF, TRAPZ, QUADR or BEST belongs there");
     }
     made_.job.tilt = rules.at(*word);
-    ++next_;
+    skip();
     stencil::TiltLimits& limits = made_.job.limits;
     if (more()) {
-      if (auto failure = positive(Word::TILT, 1.0, limits.most)) {
+      if (auto failure = positive(Word::TILT, limits.most)) {
         return failure;
       }
       if (limits.most >= 90.0) {
         return fail(diag::StencilNumber, "the largest tilt", limits.most, "below 90 degrees");
       }
     }
-    return more() ? positive(Word::TILT, 1.0, limits.rate) : std::nullopt;
+    return more() ? positive(Word::TILT, limits.rate) : std::nullopt;
   }
 
   std::optional<Failure> points() {
@@ -285,22 +240,8 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Failure> alphabet() {
-    const std::string* file =
-        next_ < items_.size() ? std::get_if<std::string>(&items_[next_].value) : nullptr;
-    if (file == nullptr) {
-      return wrong("ALPHAB without a file", "the name of a file in quotes belongs there");
-    }
-    made_.alphabet = *file;
-    ++next_;
-    return std::nullopt;
-  }
-
-  const Items& items_;
   double unit_;
   stencil::Statement made_;
-  std::set<Word> seen_;
-  std::size_t next_ = 0;
   int output_ = 1;
   double leadOn_ = 0.0, leadOff_ = 0.0;
   double largest_ = 0.0;
@@ -354,12 +295,6 @@ class TrackWriter {
   const stencil::Statement& statement_;
   double unit_;
 };
-
-void report(State& state, Failure failure, const Items& items) {
-  Diagnostic d = at(state.statement->span, std::move(failure));
-  labelOperands(d, items);
-  state.report(std::move(d));
-}
 }  // namespace
 
 void stencil(State& state, const ir::Command& command) {
@@ -370,20 +305,21 @@ void stencil(State& state, const ir::Command& command) {
   }
   Result<stencil::Statement> statement = Reader(*items, state.context.millimeters).run();
   if (!statement) {
-    report(state, statement.takeFailure(), *items);
+    reportAt(state, state.statement->span, statement.takeFailure(), *items);
     return;
   }
   const Vec3 up = state.systems.vectorToBase(Vec3::UnitZ()).normalized();
   const double lean = std::acos(std::clamp(up.z(), -1.0, 1.0)) / radian;
   constexpr double level = 1e-6;  // degrees
   if (lean > level) {
-    report(state, fail(diag::StencilSystem, state.systems.current(), lean), *items);
+    reportAt(state, state.statement->span, fail(diag::StencilSystem, state.systems.current(), lean),
+             *items);
     return;
   }
   Result<stencil::Painted> painted = stencil::paint(
       *statement, state.options.files, state.options.limits, statement->placement.origin);
   if (!painted) {
-    report(state, painted.takeFailure(), *items);
+    reportAt(state, state.statement->span, painted.takeFailure(), *items);
     return;
   }
   painted->origin = state.statement->span;

@@ -4,6 +4,7 @@
 
 #include "ir/diag/curves.h"
 #include "ir/space/tolerance.h"
+#include "runtime/interpret/passed_post.h"
 
 namespace arelem::motion {
 
@@ -48,8 +49,7 @@ void ClCurves::look(const cl::Body& body) {
 }
 
 bool ClCurves::endsSpline(const runtime::Action& next) const {
-  const auto* pass = std::get_if<runtime::Pass>(&next.body);
-  const auto* post = pass != nullptr ? std::get_if<cl::Post>(&pass->body) : nullptr;
+  const cl::Post* post = passedPost(next);
   const bool goesOn = post != nullptr && path::ClSpline::isPart(*post) && post->foreign != "NURBS";
   return !spline_.empty() && !goesOn;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "ir/cl/post_word.h"
 #include "ir/space/tolerance.h"
 #include "runtime/path/arc_run.h"
 #include "runtime/path/point_records.h"
@@ -58,7 +59,7 @@ class Stage : public ArcFitter {
     }
     flush();
     if (const auto* post = std::get_if<cl::Post>(&record.body)) {
-      rapid_ = rapid_ || (post->foreign.empty() && post->word == Word::RAPID);
+      rapid_ = rapid_ || cl::is(*post, Word::RAPID);
     } else if (const auto* values = std::get_if<cl::Values>(&record.body)) {
       const double value = values->values.empty() ? 0.0 : std::abs(values->values.back());
       inner_ = values->word == Word::INTOL ? value : inner_;

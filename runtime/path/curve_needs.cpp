@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "ir/space/tolerance.h"
+#include "runtime/interpret/passed_post.h"
 #include "runtime/path/affine.h"
 
 namespace arelem::path {
@@ -31,16 +32,14 @@ bool distorts(const cl::Post& post) {
 
 bool needsChords(const std::vector<runtime::Action>& actions) {
   for (const runtime::Action& action : actions) {
-    const auto* pass = std::get_if<runtime::Pass>(&action.body);
-    const auto* post = pass != nullptr ? std::get_if<cl::Post>(&pass->body) : nullptr;
+    const cl::Post* post = runtime::passedPost(action);
     if (post == nullptr) {
       continue;
     }
-    if (post->foreign == "SMOOTH" || (post->foreign.empty() && post->word == Word::SMOOTH)) {
+    if (cl::nameOf(*post) == "SMOOTH") {
       return true;
     }
-    const bool moves =
-        post->foreign.empty() && (post->word == Word::TRACUT || post->word == Word::COPY);
+    const bool moves = cl::is(*post, Word::TRACUT) || cl::is(*post, Word::COPY);
     if (moves && distorts(*post)) {
       return true;
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ir/space/tolerance.h"
+#include "runtime/interpret/passed_post.h"
 
 namespace arelem::path {
 
@@ -24,8 +25,7 @@ struct Feed {
 };
 
 std::optional<Feed> feedOf(const cl::Post& post) {
-  if (!post.foreign.empty() || post.word != Word::FEDRAT || post.arguments.empty() ||
-      post.arguments.size() > 3) {
+  if (!cl::is(post, Word::FEDRAT) || post.arguments.empty() || post.arguments.size() > 3) {
     return std::nullopt;
   }
   std::vector<double> numbers;
@@ -72,7 +72,7 @@ class Stage : public FeedOverride {
     if (feed) {
       return take(record, *feed);
     }
-    if (post != nullptr && post->foreign.empty() && post->word == Word::FEDRAT) {
+    if (cl::postOf(record.body, Word::FEDRAT) != nullptr) {
       basic_ = record;
       near_.reset();
     }
@@ -230,8 +230,7 @@ std::unique_ptr<FeedOverride> makeFeedOverride(cl::RecordSink& next,
 
 bool overridesFeeds(const std::vector<runtime::Action>& actions) {
   return std::any_of(actions.begin(), actions.end(), [](const runtime::Action& action) {
-    const auto* pass = std::get_if<runtime::Pass>(&action.body);
-    const auto* post = pass != nullptr ? std::get_if<cl::Post>(&pass->body) : nullptr;
+    const cl::Post* post = runtime::passedPost(action);
     const auto feed = post != nullptr ? feedOf(*post) : std::nullopt;
     return feed && feed->near;
   });

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "ir/cl/post_word.h"
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
@@ -22,10 +23,6 @@ constexpr int samplesOfASpan = 5;
 /// Locations of a path that can be smoothed.
 constexpr std::size_t fewest = 3;
 
-std::string_view nameOf(const cl::Post& post) {
-  return post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign);
-}
-
 class Stage : public Smoother {
  public:
   Stage(cl::RecordSink& next, DiagnosticSink& sink, const InterruptFlag* interrupted)
@@ -36,7 +33,7 @@ class Stage : public Smoother {
       return take(record, *motion);
     }
     const auto* post = std::get_if<cl::Post>(&record.body);
-    const std::string_view name = post != nullptr ? nameOf(*post) : std::string_view();
+    const std::string_view name = post != nullptr ? cl::nameOf(*post) : std::string_view();
     if (order_ && std::holds_alternative<cl::Card>(record.body)) {
       next_.accept(record);
       return;

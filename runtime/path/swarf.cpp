@@ -6,22 +6,18 @@
 #include <fmt/format.h>
 
 #include "ir/diag/interpret.h"
+#include "runtime/interpret/passed_post.h"
 #include "runtime/path/swarf_section.h"
 
 namespace arelem::path {
 
 namespace {
-const cl::Post* postOf(const cl::Record& record, Word word) {
-  const auto* post = std::get_if<cl::Post>(&record.body);
-  return post != nullptr && post->foreign.empty() && post->word == word ? post : nullptr;
-}
-
 class Swarf : public SwarfStage {
  public:
   Swarf(cl::RecordSink& next, DiagnosticSink& sink) : next_(next), sink_(sink) {}
 
   void accept(const cl::Record& record) override {
-    if (const cl::Post* post = postOf(record, Word::VTLAXS)) {
+    if (const cl::Post* post = cl::postOf(record.body, Word::VTLAXS)) {
       std::get<Word>(post->arguments.at(0)) == Word::ON ? on(record, *post) : off(record, *post);
     } else if (section_) {
       inside(record);
@@ -40,7 +36,7 @@ class Swarf : public SwarfStage {
  private:
   /// Holds the last motion back: it may turn out to be the first location of a section.
   void pass(const cl::Record& record) {
-    if (postOf(record, Word::WCORN) != nullptr && !dropped_) {
+    if (cl::postOf(record.body, Word::WCORN) != nullptr && !dropped_) {
       report(record, fail(diag::SwarfSection, "WCORN stands outside of VTLAXS/ON and VTLAXS/OFF"));
     }
     if (std::holds_alternative<cl::Motion>(record.body)) {
@@ -80,11 +76,11 @@ class Swarf : public SwarfStage {
   }
 
   void inside(const cl::Record& record) {
-    if (postOf(record, Word::WCORN) != nullptr) {
+    if (cl::postOf(record.body, Word::WCORN) != nullptr) {
       return check(record, section_->corner(record));
     }
     for (const Word word : {Word::TRACUT, Word::COPY, Word::INDEX}) {
-      if (postOf(record, word) != nullptr) {
+      if (cl::postOf(record.body, word) != nullptr) {
         return check(record, fail(diag::SwarfSection,
                                   fmt::format("{} stands in a section of VTLAXS", spell(word))));
       }
@@ -145,10 +141,8 @@ std::unique_ptr<SwarfStage> makeSwarfStage(cl::RecordSink& next, DiagnosticSink&
 
 std::optional<Span> firstSwarf(const std::vector<runtime::Action>& actions) {
   for (const runtime::Action& action : actions) {
-    const auto* pass = std::get_if<runtime::Pass>(&action.body);
-    const auto* post = pass != nullptr ? std::get_if<cl::Post>(&pass->body) : nullptr;
-    if (post != nullptr && post->foreign.empty() &&
-        (post->word == Word::VTLAXS || post->word == Word::WCORN)) {
+    const cl::Post* post = runtime::passedPost(action);
+    if (post != nullptr && (cl::is(*post, Word::VTLAXS) || cl::is(*post, Word::WCORN))) {
       return action.origin;
     }
   }

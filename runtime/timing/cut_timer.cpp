@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/cl/post_word.h"
 #include "ir/cl/vendor.h"
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
@@ -72,10 +73,9 @@ class CutTimer::Path {
       unit_ = millimetersOf(units->unit);
     } else if (const auto* post = std::get_if<cl::Post>(&record.body);
                post && !clSpline_.take(*post)) {
-      const bool known = post->foreign.empty();
-      if ((known ? spell(post->word) : std::string_view(post->foreign)) == "MACHLM") {
+      if (cl::nameOf(*post) == "MACHLM") {
         limits(*post);
-      } else if (known) {
+      } else if (post->foreign.empty()) {
         word(*post);
       } else if (const auto apt = cl::inApt(*post)) {
         word(*apt);

@@ -45,19 +45,20 @@ class ChordCounts(ArelemCase):
 
     BANDS = ((0, 0.001), (0.001, 0), (0.0005, 0.0005), (0.0001, 0.0002))
 
+    def check_round(self, band, start, side, radius):
+        """Round a cylinder of radius 5 about the z-axis, from below it or from within."""
+        inner, outer = band
+        lines = (f"INTOL/{inner}", f"OUTTOL/{outer}", "CUTTER/1", "DS1=CYLNDR/0,0,0,0,0,1,5", "PS1=PLANE/0,0,1,0",
+                 "X0=PLANE/1,0,0,0", "Y0=PLANE/0,1,0,0", *start, "GO/TO,DS1,TO,PS1,ON,X0", side + "/DS1,ON,3,INTOF,Y0")
+        self.check(lines, lambda p: math.hypot(p[0], p[1]), lambda p: math.atan2(p[1], p[0]), *radius)
+
     def test_round_a_cylinder(self):
         for inner, outer in self.BANDS:
-            lines = (f"INTOL/{inner}", f"OUTTOL/{outer}", "CUTTER/1", "DS1=CYLNDR/0,0,0,0,0,1,5", "PS1=PLANE/0,0,1,0",
-                     "X0=PLANE/1,0,0,0", "Y0=PLANE/0,1,0,0", "FROM/0,-9,0", "INDIRV/0,1,0", "GO/TO,DS1,TO,PS1,ON,X0",
-                     "TLLFT,GORGT/DS1,ON,3,INTOF,Y0")
-            self.check(lines, lambda p: math.hypot(p[0], p[1]), lambda p: math.atan2(p[1], p[0]), 5.5 - inner, 5.5 + outer)
+            self.check_round((inner, outer), ("FROM/0,-9,0", "INDIRV/0,1,0"), "TLLFT,GORGT", (5.5 - inner, 5.5 + outer))
 
     def test_in_a_hole(self):
         for inner, outer in self.BANDS:
-            lines = (f"INTOL/{inner}", f"OUTTOL/{outer}", "CUTTER/1", "DS1=CYLNDR/0,0,0,0,0,1,5", "PS1=PLANE/0,0,1,0",
-                     "X0=PLANE/1,0,0,0", "Y0=PLANE/0,1,0,0", "FROM/0,-3,0", "INDIRV/0,-1,0", "GO/TO,DS1,TO,PS1,ON,X0",
-                     "TLRGT,GOLFT/DS1,ON,3,INTOF,Y0")
-            self.check(lines, lambda p: math.hypot(p[0], p[1]), lambda p: math.atan2(p[1], p[0]), 4.5 - outer, 4.5 + inner)
+            self.check_round((inner, outer), ("FROM/0,-3,0", "INDIRV/0,-1,0"), "TLRGT,GOLFT", (4.5 - outer, 4.5 + inner))
 
     def test_round_a_cone(self):
         # The rim of a flat cutter on a cone of 30 degrees: a gap of t is t / cos 30 of the way outwards.

@@ -64,6 +64,12 @@ void readText(const std::string& text) {
   ir::survey(program, counts);
 }
 
+runtime::Options runOf(const frontend::Options& options) {
+  runtime::Options run;
+  run.limits = options.limits;
+  return run;
+}
+
 /// The same, then Section 1 with small limits.
 void wholeProgram(const std::string& text) {
   SourceMap sources;
@@ -71,8 +77,7 @@ void wholeProgram(const std::string& text) {
   const BufferId buffer = sources.add("fuzz.apt", text);
   const frontend::Options options = optionsFor(text);
   const ir::Program program = frontend::compile(sources, buffer, options, silence);
-  const runtime::Evaluation evaluation =
-      runtime::evaluate(program, {options.limits, nullptr, {}}, silence);
+  const runtime::Evaluation evaluation = runtime::evaluate(program, runOf(options), silence);
   static_cast<void>(evaluation);
 }
 
@@ -156,7 +161,7 @@ std::string compiled(const std::string& program, std::string_view format) {
   frontend::Options options;
   options.limits = smallLimits();
   const ir::Program read = frontend::compile(sources, buffer, options, silence);
-  const runtime::Options run{options.limits, nullptr, {}};
+  const runtime::Options run = runOf(options);
   const runtime::Evaluation evaluation = runtime::evaluate(read, run, silence);
   std::ostringstream out;
   const auto writer = backend::findTarget(format)->make(out, {}, silence);

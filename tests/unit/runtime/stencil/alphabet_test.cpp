@@ -1,33 +1,19 @@
 #include "runtime/stencil/alphabet.h"
 
-#include <fstream>
 #include <random>
 #include <set>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "runtime/stencil/cell.h"
 #include "runtime/stencil/message.h"
+#include "tests/unit/runtime/stencil/alphabets.h"
 
 namespace arelem::stencil {
 namespace {
 
 using testing::HasSubstr;
-
-std::string roadwayText() {
-  std::ifstream in(ARELEM_SOURCE_DIR "/stdlib/roadway.alphabet");
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-Alphabet roadway() {
-  auto read = readAlphabet(roadwayText(), "roadway.alphabet");
-  EXPECT_TRUE(read.ok()) << (read.ok() ? "" : read.failure().message);
-  return *std::move(read);
-}
 
 /// Blank's table 2.1: the primitives of each letter.
 TEST(Alphabet, LettersAreMadeOfTheirPrimitives) {

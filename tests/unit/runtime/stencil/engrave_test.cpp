@@ -1,25 +1,14 @@
 #include "runtime/stencil/engrave.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
+
+#include "tests/unit/runtime/stencil/alphabets.h"
 
 namespace arelem::stencil {
 namespace {
 
-Alphabet alphabetOf(const std::string& text) {
-  auto read = readAlphabet(text, "test.alphabet");
-  EXPECT_TRUE(read.ok()) << (read.ok() ? "" : read.failure().message);
-  return *std::move(read);
-}
-Alphabet roadway() {
-  std::ifstream in(ARELEM_SOURCE_DIR "/stdlib/roadway.alphabet");
-  std::stringstream text;
-  text << in.rdbuf();
-  return alphabetOf(text.str());
-}
 Engraving engravingOf(const std::string& text, double height) {
   Engraving e;
   e.text = text;

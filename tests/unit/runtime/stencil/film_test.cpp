@@ -1,27 +1,14 @@
 #include "runtime/stencil/film.h"
 
-#include <fstream>
-#include <sstream>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "runtime/stencil/stencil.h"
+#include "tests/unit/runtime/stencil/alphabets.h"
 
 namespace arelem::stencil {
 namespace {
 
-Alphabet alphabetOf(const std::string& text) {
-  auto read = readAlphabet(text, "test.alphabet");
-  EXPECT_TRUE(read.ok()) << (read.ok() ? "" : read.failure().message);
-  return *std::move(read);
-}
-Alphabet roadway() {
-  std::ifstream in(ARELEM_SOURCE_DIR "/stdlib/roadway.alphabet");
-  std::stringstream text;
-  text << in.rdbuf();
-  return alphabetOf(text.str());
-}
 Statement statementOf(const std::string& text, TiltRule rule) {
   Statement s;
   s.text = text;

@@ -1,0 +1,21 @@
+#pragma once
+#include <string_view>
+
+#include "ir/cl/record.h"
+
+namespace arelem::cl {
+
+/// As it is written: a word of the vocabulary, or one that only its file knows.
+[[nodiscard]] inline std::string_view nameOf(const Post& post) {
+  return post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign);
+}
+[[nodiscard]] inline bool is(const Post& post, Word word) {
+  return post.foreign.empty() && post.word == word;
+}
+/// The post-processor word of a record where it is this one, else null.
+[[nodiscard]] inline const Post* postOf(const Body& body, Word word) {
+  const auto* post = std::get_if<Post>(&body);
+  return post != nullptr && is(*post, word) ? post : nullptr;
+}
+
+}  // namespace arelem::cl
