@@ -26,6 +26,11 @@ class BlockWriter {
   void changedLength(char letter, double millimeters);
   void changedAngle(char letter, double value);
   void forgetAxes() { written_.clear(); }
+  /// What a line of the program's own changed is not known.
+  void forgetAll() {
+    modal_.clear();
+    written_.clear();
+  }
 
   /// Whether these words would say nothing new.
   [[nodiscard]] bool holdsLength(char letter, double millimeters) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "backend/ngc/arc.h"
+#include "backend/ngc/parameters.h"
 #include "ir/diag/ngc.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
@@ -22,10 +23,6 @@ constexpr double farthest = 999999.0;
 /// An arc is kept if, after rounding, its radius differs by at most so many resolutions between its
 /// ends.
 constexpr double radiusResolutions = 2.0;
-
-bool isPerTurn(Word unit) {
-  return unit == Word::IPR || unit == Word::MMPR;
-}
 }  // namespace
 
 void Moves::report(Failure failure) {
@@ -35,32 +32,24 @@ void Moves::report(Failure failure) {
 }
 
 void Moves::feed(const cl::Post& post) {
-  double factor = unit_;
-  FeedMode mode = FeedMode::perMinute;
-  std::optional<double> value;
-  for (const cl::Value& one : post.arguments) {
-    if (const double* number = std::get_if<double>(&one); number != nullptr && !value) {
-      value = *number;
-      continue;
-    }
-    const Word* word = std::get_if<Word>(&one);
-    if (word == nullptr) {
-      continue;
-    }
-    if (isPerTurn(*word) || *word == Word::IPM || *word == Word::MMPM) {
-      mode = isPerTurn(*word) ? FeedMode::perTurn : FeedMode::perMinute;
-      factor = *word == Word::IPR || *word == Word::IPM ? millimetersOfAnInch : 1.0;
-    } else if (*word == Word::MMPS) {
-      factor = secondsOfAMinute;
-    } else if (*word == Word::INVERS) {
-      mode = FeedMode::inverseTime;
-      factor = 1.0;
-    }
+  Parameters given(post);
+  const std::string_view unit = given.take({"IPM", "MMPM", "IPR", "MMPR", "MMPS", "INVERS"});
+  const std::optional<double> value = given.takeNumber();
+  if (!value || !given.rest().empty()) {
+    return report(fail(diag::NgcStatement, written(post),
+                       value ? fmt::format("`{}` has no meaning here; a feed and one of IPM, MMPM, "
+                                           "IPR, MMPR, MMPS and INVERS have",
+                                           given.rest())
+                             : std::string("it has no number")));
   }
-  if (value) {
-    feed_ = *value * factor;
-    feedMode_ = mode;
-  }
+  const bool perTurn = unit == "IPR" || unit == "MMPR";
+  const bool inverse = unit == "INVERS";
+  const double factor = unit.empty()                 ? unit_
+                        : unit == "MMPS"             ? secondsOfAMinute
+                        : unit[0] == 'I' && !inverse ? millimetersOfAnInch
+                                                     : 1.0;
+  feed_ = *value * factor;
+  feedMode_ = inverse ? FeedMode::inverseTime : perTurn ? FeedMode::perTurn : FeedMode::perMinute;
 }
 
 bool Moves::turnsAllowed(const Vec3& axis) {

@@ -1,10 +1,10 @@
 #include "backend/ngc/writer.h"
 
-#include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "backend/ngc/moves.h"
+#include "backend/ngc/parameters.h"
+#include "backend/ngc/statements.h"
 #include "backend/robot/machine.h"
 #include "ir/cl/post_word.h"
 #include "ir/cl/vendor.h"
@@ -17,10 +17,6 @@ namespace {
 
 using ngc::BlockWriter;
 using ngc::Control;
-
-constexpr int secondsDecimals = 3;
-constexpr int speedDecimals = 1;
-constexpr double secondsOfAMinute = 60.0;
 
 /// OUTTOL before any statement, part unit.
 constexpr double defaultBand = 0.0005;
@@ -35,7 +31,8 @@ class NgcWriter : public Writer {
         turning_(std::move(turning)),
         sink_(sink),
         block_(out, control_),
-        moves_(block_, control_, turning_ ? &*turning_ : nullptr, sink) {}
+        moves_(block_, control_, turning_ ? &*turning_ : nullptr, sink),
+        statements_(block_, control_, moves_, sink) {}
 
   void accept(const cl::Record& record) override {
     record_ = &record;
@@ -99,7 +96,7 @@ class NgcWriter : public Writer {
       return word(*apt);
     }
     if (!post.foreign.empty()) {
-      return ignored(post.foreign);
+      return statements_.ignored(post.foreign, ngc::written(post), record_->origin);
     }
     word(post);
   }
@@ -108,7 +105,10 @@ class NgcWriter : public Writer {
   void operator()(const cl::Diagnostic&) {}
   void operator()(const cl::Listing&) {}
   void operator()(const cl::Card&) {}
-  void operator()(const cl::Raw&) { ignored("a record of an unknown class"); }
+  void operator()(const cl::Raw&) {
+    constexpr std::string_view what = "a record of an unknown class";
+    statements_.ignored(what, what, record_->origin);
+  }
 
  private:
   void start() {
@@ -175,49 +175,7 @@ class NgcWriter : public Writer {
       sink_.accept(diagnose(record_->origin, diag::NgcLineCut, text.size(), control_.lineLimit));
     }
     block_.raw(own);
-    forgetAll();
-  }
-
-  /// What a line of the program's own changed is not known.
-  void forgetAll() {
-    for (const char group : {'m', 'p', 'f', 'F'}) {
-      block_.forget(group);
-    }
-    block_.forgetAxes();
-  }
-
-  void ignored(std::string_view what) {
-    if (warned_.insert(std::string(what)).second) {
-      sink_.accept(diagnose(record_->origin, diag::NgcWordIgnored, what));
-    }
-    block_.comment(what);
-  }
-
-  static std::optional<double> firstNumber(const cl::Post& post) {
-    for (const cl::Value& value : post.arguments) {
-      if (const double* number = std::get_if<double>(&value)) {
-        return *number;
-      }
-    }
-    return std::nullopt;
-  }
-  /// The number behind a word.
-  static std::optional<double> after(const cl::Post& post, Word wanted) {
-    for (std::size_t i = 0; i + 1 < post.arguments.size(); ++i) {
-      const Word* word = std::get_if<Word>(&post.arguments[i]);
-      const double* number = std::get_if<double>(&post.arguments[i + 1]);
-      if (word != nullptr && *word == wanted && number != nullptr) {
-        return *number;
-      }
-    }
-    return std::nullopt;
-  }
-  static bool has(const cl::Post& post, std::string_view wanted) {
-    return std::any_of(post.arguments.begin(), post.arguments.end(), [&](const cl::Value& value) {
-      const Word* word = std::get_if<Word>(&value);
-      const std::string* text = std::get_if<std::string>(&value);
-      return (word != nullptr && spell(*word) == wanted) || (text != nullptr && *text == wanted);
-    });
+    block_.forgetAll();
   }
 
   void word(const cl::Post& post) {
@@ -228,22 +186,6 @@ class NgcWriter : public Writer {
         return moves_.feed(post);
       case Word::CYCLE:
         return moves_.cycle(post);
-      case Word::SPINDL:
-        return spindle(post);
-      case Word::COOLNT:
-        return coolant(post);
-      case Word::LOADTL:
-      case Word::TURRET:
-        return tool(post);
-      case Word::DELAY:
-        return delay(post);
-      case Word::AUXFUN:
-      case Word::PREFUN:
-        return function(post);
-      case Word::STOP:
-        return line("M0");
-      case Word::OPSTOP:
-        return line("M1");
       case Word::END:
         return end();
       case Word::TRACUT:
@@ -254,88 +196,8 @@ class NgcWriter : public Writer {
       case Word::MACHIN:
         return;  // done before, or for others
       default:
-        break;
+        return statements_.accept(post, record_->origin);
     }
-    if (spell(post.word) == "SPRAY") {
-      return spray(post);
-    }
-    ignored(spell(post.word));
-  }
-
-  void spindle(const cl::Post& post) {
-    if (has(post, "OFF")) {
-      moves_.setSpindle(ngc::Moves::Spindle::off);
-      return line("M5");
-    }
-    for (const std::string_view mode : {"SFM", "SMM", "ORIENT", "LOCK", "MAXRPM"}) {
-      if (has(post, mode)) {
-        sink_.accept(diagnose(record_->origin, diag::NgcSpindleMode, mode));
-        return;
-      }
-    }
-    if (const auto turns = firstNumber(post)) {
-      moves_.setSpindle(std::abs(*turns));
-      block_.number('S', std::abs(*turns), speedDecimals);
-      counter_ = *turns < 0.0;
-      running_ = true;
-    }
-    if (running_) {
-      counter_ = has(post, "CCLW") || (counter_ && !has(post, "CLW"));
-      moves_.setSpindle(counter_ ? ngc::Moves::Spindle::counterclockwise
-                                 : ngc::Moves::Spindle::clockwise);
-      line(counter_ ? "M4" : "M3");
-    }
-  }
-
-  void coolant(const cl::Post& post) {
-    line(has(post, "OFF") ? "M9" : has(post, "MIST") ? "M7" : "M8");
-  }
-
-  /// AUXFUN/n and PREFUN/n: the codes Mn and Gn of the control, as the program says.
-  void function(const cl::Post& post) {
-    const auto number = firstNumber(post);
-    if (!number || *number < 0.0 || *number > 999.0 || post.arguments.size() != 1) {
-      return ignored(fmt::format("{} without a code from 0 to 999", spell(post.word)));
-    }
-    line(fmt::format("{}{:g}", post.word == Word::AUXFUN ? 'M' : 'G', *number));
-    forgetAll();
-  }
-
-  void tool(const cl::Post& post) {
-    const auto number = firstNumber(post);
-    if (!number || *number < 1.0 || *number != std::floor(*number)) {
-      return ignored(fmt::format("{} without a whole number", spell(post.word)));
-    }
-    const auto whole = static_cast<long long>(*number);
-    line(fmt::format("T{} M6", whole));
-    if (control_.toolLength) {
-      line(fmt::format("G43 H{}",
-                       static_cast<long long>(after(post, Word::ADJUST).value_or(*number))));
-    }
-    // Where the changer leaves the axes is not known.
-    block_.forgetAxes();
-  }
-
-  void delay(const cl::Post& post) {
-    const double value = firstNumber(post).value_or(0.0);
-    const double speed = moves_.spindle();
-    const bool turns = has(post, "REV") && speed > 0.0;
-    if (value < 0.0) {
-      sink_.accept(
-          at(record_->origin,
-             fail(diag::NgcValue, fmt::format("DELAY/{:.9g}: a control waits 0 or more", value))));
-      return;
-    }
-    block_.code("G4");
-    block_.number('P', turns ? value * secondsOfAMinute / speed : value, secondsDecimals);
-    block_.end();
-  }
-
-  /// SPRAY/ON,n and SPRAY/OFF,n: outputs that switch with the next move.
-  void spray(const cl::Post& post) {
-    const double number = firstNumber(post).value_or(1.0);
-    line(fmt::format("{} P{}", has(post, "OFF") ? "M63" : "M62",
-                     std::max(0LL, static_cast<long long>(number) - 1)));
   }
 
   Control control_;
@@ -343,13 +205,12 @@ class NgcWriter : public Writer {
   DiagnosticSink& sink_;
   BlockWriter block_;
   ngc::Moves moves_;
+  ngc::Statements statements_;
   const cl::Record* record_ = nullptr;
   double unit_ = 1.0;
   double inner_ = 0.0, outer_ = defaultBand;
   bool toleranceRead_ = false;
   bool started_ = false, percent_ = false, ended_ = false, lost_ = false;
-  bool running_ = false, counter_ = false;
-  std::set<std::string> warned_;
 };
 
 }  // namespace

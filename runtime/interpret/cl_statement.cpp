@@ -115,6 +115,21 @@ void frameStatement(State& state, std::string_view word, const Items& items) {
   }
 }
 
+bool checkFeed(State& state, std::string_view word, const Items& items) {
+  if (word != "FEDRAT") {
+    return true;
+  }
+  for (const Item& item : items) {
+    if (const double* feed = item.number()) {
+      if (!(*feed > 0.0)) {
+        state.report(diagnose(item.span, diag::FeedNotPositive, *feed));
+      }
+      return *feed > 0.0;
+    }
+  }
+  return true;
+}
+
 void checkFeedUnits(State& state, std::string_view word, const Items& items) {
   if ((word != "FEDRAT" && word != "CYCLE") || !state.carried.unit) {
     return;
@@ -129,8 +144,8 @@ void checkFeedUnits(State& state, std::string_view word, const Items& items) {
     const bool imperial = *unit == Word::IPM || *unit == Word::IPR;
     if ((inches && metric) || (!inches && imperial)) {
       if (!state.carried.toldOfUnits) {
-        state.report(
-            diagnose(state.statement->span, diag::MixedUnits, spell(*unit), spell(*state.carried.unit)));
+        state.report(diagnose(state.statement->span, diag::MixedUnits, spell(*unit),
+                              spell(*state.carried.unit)));
       }
       state.carried.toldOfUnits = true;
     }

@@ -14,6 +14,9 @@ bool arcStatement(State& state, std::string_view word, const Items& items);
 /// column of the matrix. Called for every foreign word.
 void frameStatement(State& state, std::string_view word, const Items& items);
 
+/// A feed of 0 or below would stop the tool or be misread by a control: reported, and false.
+[[nodiscard]] bool checkFeed(State& state, std::string_view word, const Items& items);
+
 /// Feeds in units of the other system, told once.
 void checkFeedUnits(State& state, std::string_view word, const Items& items);
 

@@ -156,7 +156,7 @@ void post(State& state, const ir::Command& command) {
   const Word word = command.word;
   const std::string_view name = spell(word);
   const auto items = evaluate(state, command.arguments, Use::motion);
-  if (!items || !checkTransformation(state, word, *items)) {
+  if (!items || !checkTransformation(state, word, *items) || !checkFeed(state, name, *items)) {
     return;
   }
   checkFeedUnits(state, name, *items);

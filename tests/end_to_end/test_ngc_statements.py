@@ -1,0 +1,97 @@
+"""What RS-274 makes of the statements for the machine: each parameter is written or told. Needs no interpreter."""
+import unittest
+
+from arelem_run import ArelemCase
+
+HEAD = "PARTNO T\nCUTTER/2\nFROM/0,0,0\n"
+TAIL = "\nFEDRAT/100\nGOTO/1,0,0\nFINI\n"
+
+# Statements, and the lines they become.
+WRITTEN = {
+    "SPINDL/1000,CLW": ["S1000.0 M3"],
+    "SPINDL/RPM,1000,CCLW": ["S1000.0 M4"],
+    "SPINDL/1000,CCW": ["S1000.0 M4"],
+    "SPINDL/1000,RPM,CW": ["S1000.0 M3"],
+    "SPINDL/800\nSPINDL/OFF\nSPINDL/ON": ["S800.0 M3", "M5", "M3"],
+    "SPINDL/800,CCLW\nSPINDL/900": ["S800.0 M4", "S900.0 M4"],
+    "COOLNT/ON": ["M8"],
+    "COOLNT/MIST,ON": ["M7"],
+    "COOLNT/MIST,FLOOD": ["M7", "M8"],
+    "COOLNT/OFF": ["M9"],
+    "SPINDL/600\nDELAY/3,REV": ["S600.0 M3", "G4 P0.300"],
+    "DELAY/2": ["G4 P2.000"],
+    "LOADTL/3,ADJUST,7": ["T3 M6", "G43 H7"],
+}
+# Statements, their lines and what the warning W0675 names: it stands in a comment.
+PASSED = {
+    "SPINDL/500,RPM,RANGE,2": (["S500.0 M3"], "SPINDL/RANGE,2"),
+    "COOLNT/ON,TAPKUL": ([], "COOLNT/ON,TAPKUL"),
+    "COOLNT/FLOOD,TAPKUL": (["M8"], "COOLNT/TAPKUL"),
+    "LOADTL/3,SETOOL,4": (["T3 M6", "G43 H3"], "LOADTL/SETOOL,4"),
+    "ROTABL/30": ([], "ROTABL/30"),
+    "CUTCOM/LEFT,3": ([], "CUTCOM/LEFT,3"),
+}
+# Statements that no form fits, and what the error E0670 says of them.
+REFUSED = {
+    "SPINDL/BLAH,77": "`SPINDL/BLAH,77` cannot be written in RS-274: `BLAH` has no code",
+    "SPINDL/300,SFM": "`SFM` has no code",
+    "SPINDL/300,400": "`400` has no code",
+    "SPINDL/ORIENT,90": "`ORIENT` has no code",
+    "SPINDL/ON": "no speed came before it",
+    "SPINDL/CLW": "no speed came before it",
+    "SPINDL": "it has no speed",
+    "FEDRAT/100,FOO": "`FOO` has no meaning here",
+    "FEDRAT/MMPM": "it has no number",
+    "DELAY/3,FOO": "it takes the seconds to wait",
+    "DELAY/3,REV": "the spindle has no speed",
+    "DELAY/-1": "0 or more",
+    "LOADTL/2.5": "whole number",
+    "LOADTL/2,ADJUST,1.5": "ADJUST takes the whole number",
+    "AUXFUN/1000": "one code from 0 to 999",
+}
+
+
+class Statements(ArelemCase):
+    def convert(self, statements):
+        source = self.write("part.apt", HEAD + statements + TAIL)
+        return self.run_arelem("compile", source, "--to", "ngc", "-o", "part.ngc")
+
+    def lines(self):
+        """The lines between the opening and FROM, and those between FROM and the move."""
+        text = (self.folder / "part.ngc").read_text().splitlines()
+        return text[text.index("(FROM 0 0 0)") + 1:next(i for i, t in enumerate(text) if t.startswith("G1 "))]
+
+    def test_written(self):
+        for statements, lines in WRITTEN.items():
+            with self.subTest(statements):
+                self.assertEqual(self.convert(statements), 0, self.err)
+                self.assertEqual(self.lines(), lines)
+                self.assertNotIn("W0675", self.err)
+
+    def test_passed_on_as_comments(self):
+        for statements, (lines, told) in PASSED.items():
+            with self.subTest(statements):
+                self.assertEqual(self.convert(statements), 0, self.err)
+                self.assertEqual(self.lines(), [*lines, f"({told})"])
+                self.assertIn(f"warning[W0675]: `{told}`", self.err)
+
+    def test_refused(self):
+        for statements, why in REFUSED.items():
+            with self.subTest(statements):
+                self.assertEqual(self.convert(statements), 6, self.err)
+                self.assertIn("error[E0670]", self.err)
+                self.assertIn(why, self.err)
+                self.assertFalse((self.folder / "part.ngc").exists())
+
+    def test_a_feed_is_above_zero_in_every_output(self):
+        for feed in ("0", "-5", "0,MMPM", "MMPM,0"):
+            for target in ("cl", "ngc", "json"):
+                with self.subTest(feed=feed, target=target):
+                    source = self.write("part.apt", f"CUTTER/2\nFROM/0,0,0\nFEDRAT/{feed}\nGOTO/1,0,0\nFINI\n")
+                    self.assertNotEqual(self.run_arelem("compile", source, "--to", target, "-o", "part.out"), 0)
+                    self.assertIn("error[E0590]", self.err)
+                    self.assertEqual(self.files(), ["part.apt"])
+
+
+if __name__ == "__main__":
+    unittest.main()
