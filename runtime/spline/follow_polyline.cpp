@@ -12,8 +12,8 @@ namespace arelem::spline {
 namespace {
 
 constexpr int mostRounds = 40;
-/// Pieces are halved this often before their hulls are compared with single legs.
-constexpr int halvings = 3;
+/// Pieces are halved at most this often until their hulls lie near single legs.
+constexpr int halvings = 24;
 /// Share of the tolerance that corners are cut by at first.
 constexpr double inside = 0.98;
 /// Control points of one distance beside a corner, and how much wider each next one is.
@@ -164,6 +164,17 @@ class Follower {
     return least;
   }
 
+  /// The distance of a point from the polyline between two legs.
+  [[nodiscard]] double apart(const Vec3& p, std::size_t first, std::size_t last) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t leg = first; leg <= last; ++leg) {
+      least = std::min(least, distanceToSegment(p, corner(leg), corner(leg + 1)));
+    }
+    return least;
+  }
+
+  /// A piece that passes a joint of two legs is near neither of them as a whole: it is halved until
+  /// its parts are, or one of them begins too far away.
   [[nodiscard]] bool within(const Bezier& piece,
                             std::size_t first,
                             std::size_t last,
@@ -171,10 +182,10 @@ class Follower {
     if (bound(piece, first, last) <= tolerance_) {
       return true;
     }
-    if (depth == 0) {
+    const auto [left, right] = piece.halves();
+    if (depth == 0 || apart(right.control[0], first, last) > tolerance_) {
       return false;
     }
-    const auto [left, right] = piece.halves();
     return within(left, first, last, depth - 1) && within(right, first, last, depth - 1);
   }
 
