@@ -1,7 +1,9 @@
 // Smooth paths by the tube of tube.h: the whole path at once, or windows along a long one.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "ir/space/tolerance.h"
 #include "runtime/smooth/smooth.h"
 #include "runtime/smooth/tube.h"
 
@@ -22,13 +24,50 @@ constexpr double exponent = 2.0;
 /// which are solved again with the next one. What is farther away has no influence that counts.
 constexpr std::size_t windowSpans = 512;
 constexpr std::size_t aheadSpans = 64;
+/// Turns of the control polygon beyond a right angle are opened before the first round: about a
+/// hairpin the problem is far from convex. The legs are moved apart by this share of the tolerance,
+/// the next points by less.
+constexpr double sharpCosine = 0.0;
+constexpr std::array opening = {0.9, 0.9, 0.6, 0.3};
 /// Samples of each knot interval when curves are compared.
 constexpr int samplesOfASpan = 6;
+
+/// Displacements that lead out of hairpins: what comes into a sharp turn goes to one side, what
+/// leaves it to the other.
+std::vector<Vec3> opened(const CubicSpline& curve, double radius) {
+  const std::vector<Vec3>& control = curve.control();
+  const std::size_t m = control.size();
+  std::vector<Vec3> shift(m, Vec3::Zero());
+  for (std::size_t i = curve.closed() ? 0 : 1; i + (curve.closed() ? 0 : 1) < m; ++i) {
+    const Vec3 in = (control[i] - control[(i + m - 1) % m]).normalized();
+    const Vec3 out = (control[(i + 1) % m] - control[i]).normalized();
+    const Vec3 across = in + out;
+    if (in.dot(out) > sharpCosine || !(across.norm() > tolerance::nullDirection)) {
+      continue;
+    }
+    for (std::size_t k = 0; k < opening.size(); ++k) {
+      const Vec3 step = opening[k] * radius * across.normalized();
+      if (curve.closed() || i > k + 1) {
+        shift[(i + m - k - 1) % m] -= step;
+      }
+      if (curve.closed() || i + k + 2 < m) {
+        shift[(i + k + 1) % m] += step;
+      }
+    }
+  }
+  for (Vec3& one : shift) {
+    one *= std::min(1.0, radius / std::max(one.norm(), tolerance::coincidence));
+  }
+  return shift;
+}
 
 class Solver {
  public:
   Solver(const CubicSpline& original, const Options& options)
-      : original_(original), options_(options), shift_(original.control().size(), Vec3::Zero()) {}
+      : original_(original),
+        options_(options),
+        opened_(opened(original, options.tolerance)),
+        shift_(opened_) {}
 
   CubicSpline run() {
     const std::size_t spans = original_.spans();
@@ -79,7 +118,9 @@ class Solver {
     const std::size_t size = shift_.size();
     std::vector<Vec3> given(tube.size());
     for (std::size_t i = 0; i < given.size(); ++i) {
-      given[i] = faded(std::min(i, given.size() - 1 - i)) * shift_[(stretch.first + i) % size];
+      const std::size_t at = (stretch.first + i) % size;
+      given[i] = opened_[at] +
+                 faded(std::min(i, given.size() - 1 - i)) * (shift_[at] - opened_[at]);
     }
     tube.start(std::move(given));
     for (int i = 0; i < rounds && !interrupted(); ++i) {
@@ -93,6 +134,7 @@ class Solver {
 
   const CubicSpline& original_;
   const Options& options_;
+  std::vector<Vec3> opened_;  // where the rounds start from
   std::vector<Vec3> shift_;
 };
 
