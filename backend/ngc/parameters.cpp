@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "ir/cl/post_word.h"
+
 namespace arelem::backend::ngc {
 
 namespace {
@@ -83,7 +85,7 @@ std::string Parameters::rest() const {
 }
 
 std::string written(const cl::Post& post) {
-  std::string text(post.foreign.empty() ? spell(post.word) : std::string_view(post.foreign));
+  std::string text(cl::nameOf(post));
   return post.arguments.empty() ? text : text + "/" + listed(post.arguments);
 }
 

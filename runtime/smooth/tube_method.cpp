@@ -119,8 +119,8 @@ class Solver {
     std::vector<Vec3> given(tube.size());
     for (std::size_t i = 0; i < given.size(); ++i) {
       const std::size_t at = (stretch.first + i) % size;
-      given[i] = opened_[at] +
-                 faded(std::min(i, given.size() - 1 - i)) * (shift_[at] - opened_[at]);
+      given[i] =
+          opened_[at] + faded(std::min(i, given.size() - 1 - i)) * (shift_[at] - opened_[at]);
     }
     tube.start(std::move(given));
     for (int i = 0; i < rounds && !interrupted(); ++i) {
