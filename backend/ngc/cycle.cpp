@@ -75,8 +75,11 @@ class Reader {
     if (word == "DEEP") {  // NX: DRILL,DEEP
       cycle_.kind = Cycle::Kind::peck;
     }
+    if (word == "G98" || word == "G99") {
+      retracts_ = 0;  // CAMWorks: the retract height follows the clearance, twice
+    }
     if (word == "DEEP" || word == "MANUAL" || word == "AUTO" || word == "G98" || word == "G99") {
-      ++next_;  // how far it goes back at the end: never less than the clearance
+      ++next_;  // the height between holes, where no number tells it: the clearance
       return true;
     }
     const double* value = number(next_ + 1);
@@ -89,6 +92,10 @@ class Reader {
     }
     keyed(word, *value);
     next_ += 2;
+    if (const double* later = number(next_); word == "PECKING" && later != nullptr) {
+      keyed("SUBPECK", *later);  // CAMWorks: PECKING, first, later ones
+      ++next_;
+    }
     return true;
   }
 
@@ -100,15 +107,15 @@ class Reader {
       cycle_.clearance = value;
       hasClearance_ = true;
     } else if (word == "RTRCTO" || word == "RETURN") {
-      retract_ = value;
+      cycle_.retract = value;
     } else if (word == "DWELL") {
       cycle_.dwell = value;
-      hasDwell_ = true;
+      hasDwell_ = value != 0.0;
     } else if (word == "STEP" || word == "INCR" || word == "1STPECK" || word == "PECKING") {
       cycle_.step = value;
       cycle_.kind = cycle_.kind == Cycle::Kind::chip ? cycle_.kind : Cycle::Kind::peck;
     } else if (word == "SUBPECK") {
-      cycle_.step = std::min(cycle_.step, value);
+      cycle_.step = value > 0.0 ? std::min(cycle_.step, value) : cycle_.step;
     } else if (unknown_.empty()) {
       unknown_ = word;
     }
@@ -123,6 +130,9 @@ class Reader {
     } else if (!hasClearance_) {
       cycle_.clearance = value;
       hasClearance_ = true;
+    } else if (retracts_ < mostRetracts) {
+      cycle_.retract = value;
+      ++retracts_;
     } else {
       unknown_ = "one number more than depth, feed and clearance";
     }
@@ -132,7 +142,7 @@ class Reader {
     if (!unknown_.empty()) {
       return fail(diag::NgcCycle, "has `" + unknown_ + "`, which no canned cycle takes");
     }
-    cycle_.clearance = std::max(cycle_.clearance, retract_);
+    cycle_.retract = std::max(cycle_.clearance, cycle_.retract);
     cycle_.depth = std::abs(cycle_.depth);  // some systems write the way down, some its length
     if (!(cycle_.depth > 0.0) || !(cycle_.clearance > 0.0)) {
       return fail(diag::NgcCycle, fmt::format("has depth {} and clearance {}; both are above 0",
@@ -163,7 +173,8 @@ class Reader {
   const std::vector<cl::Value>& values_;
   std::size_t next_ = 1;
   Cycle cycle_;
-  double retract_ = 0.0;  ///< height of the way to the next hole
+  static constexpr int mostRetracts = 2;
+  int retracts_ = mostRetracts;  ///< retract heights without a word that were read
   bool hasDepth_ = false;
   bool hasDwell_ = false;
   bool hasClearance_ = false;

@@ -47,6 +47,10 @@ void Moves::cycle(const cl::Post& post) {
   if (text != nullptr && *text == "INIT") {
     return;  // Fusion's head of a cycle that follows
   }
+  if (text != nullptr && *text == "CLEAR" && post.arguments.size() == 1) {
+    cycle_.reset();  // SolidWorks CAM, before a cycle
+    return closeCycle();
+  }
   Result<Cycle> read = readCycle(post);
   if (!read) {
     return report(read.takeFailure());
@@ -67,7 +71,8 @@ void Moves::cycle(const cl::Post& post) {
   }
 }
 
-/// One location under a cycle: drilled along the tool axis, back to the clearance, not higher.
+/// One location under a cycle: drilled along the tool axis, back to the height of RTRCTO or else
+/// the clearance, not higher.
 void Moves::hole(const ToolPose& at) {
   if (!feedIsKnown(at.end)) {
     return;
@@ -76,11 +81,15 @@ void Moves::hole(const ToolPose& at) {
     return report(fail(diag::NgcCycle, std::string("needs a feed; an inverse time is none")));
   }
   const bool turned = (at.axis - now_.pose.axis).norm() > tolerance::symmetric;
-  if (turned) {
+  const ToolPose between{at.end + cycle_->retract * unit_ * at.axis, at.axis};
+  // G98 goes back to the height where the cycle began, which is that of its first hole.
+  const bool other = cycle_->retract > cycle_->clearance && cycleOpen_ &&
+                     std::abs((between.end - now_.pose.end).dot(at.axis)) > tolerance::coincidence;
+  if (turned || other) {
     closeCycle();
   }
   if (!cycleOpen_) {
-    approach({at.end + cycle_->clearance * unit_ * at.axis, at.axis});
+    approach(between);
   }
   const Vec3 along = onMachine(at.end + at.axis) - onMachine(at.end);
   const bool upright = (along - Vec3::UnitZ()).norm() <= tolerance::symmetric;
@@ -123,6 +132,9 @@ void Moves::approach(const ToolPose& clear) {
       line({now_.pose.end - above * clear.axis, clear.axis});
     }
     line({clear.end + std::max(above, 0.0) * clear.axis, clear.axis});
+    if (above > 0.0 && cycle_->retract > cycle_->clearance) {
+      line(clear);  // where G98 comes back to
+    }
   } else {
     line(clear);
   }
@@ -136,7 +148,8 @@ void Moves::cannedHole(const ToolPose& at) {
   const double clear = place.z() + cycle_->clearance * unit_;
   block_.modal('p', "G17");
   block_.end();
-  block_.code("G99");
+  const bool higher = cycle_->retract > cycle_->clearance;
+  block_.code(higher ? "G98" : "G99");
   block_.code(codes.at(static_cast<std::size_t>(cycle_->kind)));
   block_.length('X', place.x());
   block_.length('Y', place.y());
@@ -152,7 +165,7 @@ void Moves::cannedHole(const ToolPose& at) {
   block_.forget('m');
   block_.forgetAxes();
   cycleOpen_ = true;
-  now_.pose = {at.end + cycle_->clearance * unit_ * at.axis, at.axis};
+  now_.pose = {at.end + cycle_->retract * unit_ * at.axis, at.axis};
   placed_ = sure_ = true;
 }
 
@@ -183,6 +196,9 @@ void Moves::drilledHole(const ToolPose& at) {
   }
   const bool bores = cycle_->kind == Cycle::Kind::bore || cycle_->kind == Cycle::Kind::boreDwell;
   go(clear, !bores);
+  if (cycle_->retract > cycle_->clearance) {
+    go(at.end + cycle_->retract * unit_ * at.axis, true);
+  }
 }
 
 }  // namespace arelem::backend::ngc

@@ -126,6 +126,23 @@ class Features(NgcCase):
         for code in ("G81", "G82", "G83", "G73", "G85"):
             self.assertIn(code + " ", text)
 
+    def test_height_between_holes(self):
+        # RAPTO is where the feed begins, RTRCTO the height on the way to the next hole; the third hole lies 5 higher.
+        text = ("CUTTER/6\nFROM/0,0,80\nCYCLE/{},MMPM,100,RAPTO,3,RTRCTO,30\nGOTO/10,0,0\nGOTO/20,0,0\nGOTO/30,0,5\n"
+                "CYCLE/OFF\nRAPID\nGOTO/0,0,50\nFINI\n")
+        self.write("plain.toml", "[control]\ncycles = false\n")
+        for options in ((), ("--machine", "plain.toml")):
+            moves = paths.canonical_moves(self.interpret(text.format("DRILL,FEDTO,10"), "--dialect", "cl", *options))
+            feeds = [(m.start, m.end) for m in moves if m.feed is not None]
+            self.assertEqual(feeds, [((10, 0, 3), (10, 0, -10)), ((20, 0, 3), (20, 0, -10)), ((30, 0, 8), (30, 0, -5))])
+            across = [(m.start[2], m.end[2]) for m in moves if m.start[0] != m.end[0] and m.end[0] in (20, 30)]
+            self.assertEqual(across, [(30, 30), (35, 35)])
+            self.assertEqual([m for m in moves if m.feed is None and m.end[2] < 3], [])
+        pecks = paths.canonical_moves(self.interpret(text.format("DRILL,G98,12,PECKING,5,4").replace("RAPTO,3,RTRCTO,30", "3,30 30 DWELL,0"),
+                                                     "--dialect", "cl"))
+        self.assertIn("G98 G83 X10.0000 Y0.0000 Z-12.0000 R3.0000 Q4.0000", (self.folder / "part.ngc").read_text())
+        self.assertIn((10, 0, 30), [m.end for m in pecks])
+
     def test_tapping(self):
         for way, code, back in (("CLW", "G84", "COUNTERCLOCKWISE"), ("CCLW", "G74", "CLOCKWISE")):
             text = (f"CUTTER/6\nSPINDL/400,{way}\nFROM/0,0,50\nCYCLE/TAP,12,MMPR,1.25,3\nGOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\n"

@@ -87,16 +87,56 @@ class Library(ArelemCase):
                 self.assertEqual(c[5], hand)
                 self.assertAlmostEqual(end[2], z)
 
-    def test_contours(self):
-        chamfered = [p for p in self.call("CHMCON", "XA=0,YA=0,XB=80,YB=50,CHM=5,ZT=0,ZB=-6,CUTR=12,FED=300") if p[2] == -6][1:-1]
-        sides = [((5, 50), (75, 50)), ((75, 50), (80, 45)), ((80, 45), (80, 5)), ((80, 5), (75, 0)), ((75, 0), (5, 0)), ((5, 0), (0, 5)),
-                 ((0, 5), (0, 45)), ((0, 45), (5, 50))]
-        for a, b in zip(chamfered, chamfered[1:]):
-            middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-            self.assertAlmostEqual(min(away(middle, *s) for s in sides), 6, 9)
-        self.call("FILCON", "XA=0,YA=0,XB=80,YB=50,FIL=8,ZT=0,ZB=-6,CUTR=12,FED=300")
-        self.assertEqual([(c[0], c[1], c[5], c[6]) for c, _ in self.arcs()],
+    def corners(self, *points):
+        return f"RESERV/Q,{len(points)}\n" + "".join(f"Q({i + 1})=POINT/{x},{y}\n" for i, (x, y) in enumerate(points))
+
+    def assertKeepsOff(self, path, sides, radius):
+        """Every point of the path is at least the radius away from every side."""
+        for a, b in zip(path, path[1:]):
+            for i in range(21):
+                p = (a[0] + (b[0] - a[0]) * i / 20, a[1] + (b[1] - a[1]) * i / 20)
+                self.assertGreater(min(away(p, *s) for s in sides), radius - 1e-9, (a, b))
+
+    def test_chamfered_contour(self):
+        # an L whose inner corner has a chamfer too
+        outline = ((0, 0), (0, 50), (30, 50), (30, 30), (80, 30), (80, 0))
+        ends = ((5, 0), (0, 5), (0, 45), (5, 50), (25, 50), (30, 45), (30, 35), (35, 30), (75, 30), (80, 25), (80, 5), (75, 0))
+        sides = list(zip(ends, ends[1:] + ends[:1]))
+        for order in (outline, outline[:1] + outline[:0:-1]):
+            points = [p for p in self.call("CHMCON", "PTS=Q,NUM=6,CHM=5,ZT=0,ZB=-6,CUTR=8,FED=300", self.corners(*order)) if p[2] == -6]
+            path = points[1:-1]  # without the quarter circles
+            self.assertEqual(path[0], path[-1])
+            self.assertEqual(len(path), 14)
+            self.assertKeepsOff(path, sides, 4)
+            for a, b in zip(path, path[1:]):
+                middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+                self.assertAlmostEqual(min(away(middle, *s) for s in sides), 4, 9)
+            turn = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(path, path[1:]))
+            self.assertLess(turn, 0, "clockwise whatever the order of the corners")
+        self.refuses("CHMCON", "PTS=Q,NUM=6,CHM=12,ZT=0,ZB=-6,CUTR=8,FED=300", self.corners(*outline))
+        self.refuses("CHMCON", "PTS=Q,NUM=6,CHM=2,ZT=0,ZB=-6,CUTR=12,FED=300", self.corners(*outline))
+
+    def test_rounded_contour(self):
+        self.call("FILCON", "PTS=Q,NUM=4,FIL=8,ZT=0,ZB=-6,CUTR=12,FED=300", self.corners((0, 0), (80, 0), (80, 50), (0, 50)))
+        lead, *fillets, away_again = self.arcs()
+        self.assertEqual([(c[0], c[1], c[5], c[6]) for c, _ in fillets],
                          [(8, 42, -1, 14), (72, 42, -1, 14), (72, 8, -1, 14), (8, 8, -1, 14)])
+        self.assertEqual((lead[0][6], lead[1][:2], away_again[0][6]), (6, [-6, 25], 6))
+
+    def test_contour_of_lines_and_arcs(self):
+        # sharp, rounded by 3, an inner corner whose radius is less than the cutter's, a half round end
+        radii = "RESERV/R,6\n" + "".join(f"R({i + 1})={r}\n" for i, r in enumerate((0, 3, 8, 2, 15, 15)))
+        outline = self.corners((0, 0), (0, 50), (30, 50), (30, 30), (80, 30), (80, 0)) + radii
+        self.call("FILCON", "PTS=Q,NUM=6,FIL=0,RAD=R,ZT=0,ZB=-6,DOC=6,CUTR=12,FED=300", outline)
+        self.assertEqual([(c[0], c[1], c[5], c[6]) for c, _ in self.arcs()[1:-1]],
+                         [(0, 0, -1, 6), (3, 47, -1, 9), (22, 42, -1, 14), (65, 15, -1, 21), (65, 15, -1, 21)])
+        self.assertIn([36, 36, -6], [r["points"][0] for r in self.records if r["kind"] == "GOTO"])
+        self.refuses("FILCON", "PTS=Q,NUM=6,FIL=16,ZT=0,ZB=-6,CUTR=12,FED=300", outline)
+
+    def refuses(self, name, arguments, more):
+        self.write("a.apt", f"UNITS/MM\n{POINTS}{more}LIBRY/{name}\nFROM/0,0,50\nCALL/{name},{arguments}\nFINI\n")
+        self.assertNotEqual(0, self.run_arelem("compile", "a.apt", "--to", "json"))
+        self.assertIn("E0406", self.err)
 
     def test_contour_in_passes(self):
         outline = ("CUTTER/10\nL1=LINE/0,0,0,50\nL2=LINE/0,50,80,50\nL3=LINE/80,50,80,0\nL4=LINE/80,0,0,0\nCONPS=PLANE/0,0,1,0\n"
