@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "backend/html/base64.h"
+#include "backend/html/deflate.h"
+#include "backend/html/detail.h"
 #include "backend/html/scene.h"
 #include "backend/text/clean.h"
 
@@ -78,7 +80,7 @@ Json headOf(const Scene& scene) {
                {"gunRadius", scene.gunRadius}, {"locations", scene.kinds.size()}};
   head["sources"] = Json::array();
   for (const SceneSource& source : scene.sources) {
-    head["sources"].push_back({{"name", source.name}, {"text", source.text}});
+    head["sources"].push_back({{"name", source.name}});
   }
   head["messages"] = Json::array();
   for (const SceneMessage& m : scene.messages) {
@@ -97,6 +99,7 @@ Json headOf(const Scene& scene) {
     head["meshes"].push_back({{"name", mesh.name}, {"auxiliary", mesh.auxiliary}});
   }
   head["box"] = scene.box;
+  head["block"] = Detail::blockLength;
   head["films"] = Json::array();
   for (const SceneFilm& film : scene.films) {
     head["films"].push_back({{"name", film.name},
@@ -110,19 +113,29 @@ Json headOf(const Scene& scene) {
   return head;
 }
 
+void element(std::ostream& out,
+             const std::string& id,
+             std::size_t count,
+             std::span<const unsigned char> bytes) {
+  out << "<script type=\"text/plain\" id=\"" << id << '"';
+  if (count > 0) {
+    out << " data-count=\"" << count << '"';
+  }
+  out << '>';
+  writeBase64(out, deflated(bytes));
+  out << "</script>\n";
+}
+
 /// An array whose values are all the same has one of them, and how often.
 template <class T>
 void blob(std::ostream& out, const std::string& id, const std::vector<T>& values) {
   const bool same = values.size() > 1 && std::all_of(values.begin(), values.end(), [&](const T& v) {
                       return std::memcmp(&v, values.data(), sizeof(T)) == 0;
                     });
-  out << "<script type=\"text/plain\" id=\"" << id << '"';
-  if (same) {
-    out << " data-count=\"" << values.size() << '"';
-  }
-  out << '>';
-  writeBase64(out, same ? std::vector<T>{values.front()} : values);
-  out << "</script>\n";
+  const std::size_t count = same ? 1 : values.size();
+  element(out, id, same ? values.size() : 0,
+          {reinterpret_cast<const unsigned char*>(values.data()),  // NOLINT: their bytes
+           count * sizeof(T)});
 }
 
 template <class T, class Take>
@@ -133,8 +146,26 @@ std::vector<T> column(const std::vector<SceneStretch>& stretches, Take take) {
   return values;
 }
 
+/// Levels of detail, and the texts of the program.
+void writeShown(std::ostream& out, const Scene& scene) {
+  const Detail detail = detailOf(scene.places, scene.kinds);
+  blob(out, "levels", detail.levels);
+  blob(out, "boxes", detail.boxes);
+  std::vector<double> tolerances;
+  for (int level = 0; level <= Detail::highest; ++level) {
+    tolerances.push_back(detail.tolerance(level));
+  }
+  blob(out, "tolerances", tolerances);
+  for (std::size_t i = 0; i < scene.sources.size(); ++i) {
+    const std::string& text = scene.sources[i].text;
+    element(out, "source" + std::to_string(i), 0,
+            {reinterpret_cast<const unsigned char*>(text.data()), text.size()});  // NOLINT: bytes
+  }
+}
+
 void writeData(std::ostream& out, const Scene& scene) {
   out << "<script type=\"application/json\" id=\"scene\">" << safe(headOf(scene)) << "</script>\n";
+  writeShown(out, scene);
   blob(out, "places", scene.places);
   blob(out, "axes", scene.axes);
   blob(out, "kinds", scene.kinds);

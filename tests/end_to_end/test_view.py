@@ -171,7 +171,11 @@ class Page(ArelemCase):
             {"source": BROKEN, "run": [state, "[...document.querySelectorAll('.row.bad')].map(r => Number(r.dataset.line))",
                                        "window.arelem.scene.count"]}, {"source": "", "run": [state]},
             {"source": "CUTTER/1\nFROM/0,0,0\nFEDRAT/1000\n" + many + "FINI\n",
-             "run": ["window.arelem.levels()", "document.querySelectorAll('.row').length"]},
+             "run": ["window.arelem.levels()", "document.querySelectorAll('.row').length", "window.arelem.stage.path.drawn"],
+             # Close to the path all of its moves are drawn, those in sight.
+             "steps": [{"get": "const c = window.arelem.stage; c.camera.zoom = 60; c.camera.updateProjectionMatrix(); c.moved()"},
+                       {"until": "window.arelem.stage.path.key === '0/1' && !window.arelem.stage.moving"},
+                       {"get": "window.arelem.stage.path.drawn"}]},
             {"source": EXAMPLES / "sen_plane.apt", "run": ["window.arelem.scene.films.length", "window.arelem.stage.look('plan')"]})
         end_of_top = good["run"][0]
         self.assertGreater(end_of_top, 0)
@@ -187,9 +191,12 @@ class Page(ArelemCase):
         self.assertEqual(broken["run"][1], [3, 7])
         self.assertGreaterEqual(broken["run"][2], 2)        # what can be computed is there
         self.assertEqual(empty["run"][0]["rows"] <= 1, True)
-        levels, rows = large["run"]
+        levels, rows, drawn = large["run"]
         self.assertEqual(levels[0], 100_001)
         self.assertLess(levels[-1], 30_000)     # levels of detail leave most of it out
+        self.assertLess(drawn, 50_000)
+        self.assertGreater(large["steps"][2], 100)
+        self.assertLess(large["steps"][2], 60_000)
         self.assertLess(rows, 200)              # and only lines in sight are in the page
         self.assertEqual(film["run"][0], 1)
         green = sum(n for key, n in film["colors"].items() if key[1] in "def" and key[0] < "c" and key[2] < "c")

@@ -1,6 +1,8 @@
 // Speed with the programmed feed, curvature and proven deviation over the time of the path, a column of pixels at a time.
 import {number, locationAt, RAPID, START} from "./data.js";
 
+// Thousands of narrow bars: the processor paints them at once, what stands in for a graphics card takes seconds.
+const inMemory = {willReadFrequently: true};
 const names = ["speed", "curvature", "deviation"];
 
 export class Charts {
@@ -68,9 +70,9 @@ export class Charts {
       this.painted = key;
       this.curves = document.createElement("canvas");
       for (const canvas of [c, this.curves]) { canvas.width = Math.max(1, Math.round(w * ratio)); canvas.height = Math.max(1, Math.round(h * ratio)); }
-      this.paint(this.curves.getContext("2d"), ratio, w, h);
+      this.paint(this.curves.getContext("2d", inMemory), ratio, w, h);
     }
-    const g = c.getContext("2d"), left = 66, width = w - left - 10;
+    const g = c.getContext("2d", inMemory), left = 66, width = w - left - 10;
     g.setTransform(1, 0, 0, 1, 0, 0);
     g.clearRect(0, 0, c.width, c.height);
     g.drawImage(this.curves, 0, 0);

@@ -2,44 +2,51 @@
 
 const arrays = {f64: Float64Array, f32: Float32Array, u32: Uint32Array, u8: Uint8Array};
 
-function bytesOf(id) {
-  const element = document.getElementById(id);
-  const text = element ? element.textContent : "", count = element ? Number(element.dataset.count || 0) : 0;
-  if (element) element.remove(); // the text is large and not needed again
-  const raw = atob(text);
-  const bytes = new Uint8Array(raw.length);
+function unpacked(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const raw = atob(text), bytes = new Uint8Array(raw.length);
   for (let i = 0; i < raw.length; ++i) bytes[i] = raw.charCodeAt(i);
-  return [bytes.buffer, count];
+  return bytes;
 }
 
 // With a count, the one value stands for that many.
-function read(id, kind) {
-  const [bytes, count] = bytesOf(id), values = new arrays[kind](bytes);
+async function read(id, kind) {
+  const element = document.getElementById(id), count = element ? Number(element.dataset.count || 0) : 0;
+  if (!element) return new arrays[kind](0);
+  const packed = new Blob([unpacked(element.textContent)]);
+  element.remove(); // the text is large and not needed again
+  const values = new arrays[kind](await new Response(packed.stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer());
   return count > 0 ? new arrays[kind](count).fill(values[0]) : values;
 }
 
 export const GUN = 16;
 export const START = 0, RAPID = 1, FEED = 2, ARC = 3;
 
-export function load() {
-  const scene = JSON.parse(document.getElementById("scene").textContent);
-  const s = Object.assign(scene, {
-    places: read("places", "f64"), axes: read("axes", "f32"), kinds: read("kinds", "u8"), seconds: read("seconds", "f32"),
-    first: read("first", "u32"), line: read("line", "u32"), file: read("file", "u32"), feed: read("feed", "f32"),
-    inner: read("inner", "f32"), outer: read("outer", "f32"),
-    allowedInner: read("allowedInner", "f32"), allowedOuter: read("allowedOuter", "f32"),
-  });
+// Kinds of numbers, by their names in the page and here.
+const named = {
+  places: "f64", axes: "f32", kinds: "u8", seconds: "f32", first: "u32", line: "u32", file: "u32", feed: "f32",
+  inner: "f32", outer: "f32", allowedInner: "f32", allowedOuter: "f32", levels: "u8", boxes: "f32", tolerances: "f64",
+};
+
+export let scene = null; // after load()
+
+export async function load() {
+  const s = JSON.parse(document.getElementById("scene").textContent), waiting = [];
+  const want = (object, name, id, kind) => waiting.push(read(id, kind).then(values => { object[name] = values; }));
+  for (const [name, kind] of Object.entries(named)) want(s, name, name, kind);
+  s.sources.forEach((source, i) => want(source, "bytes", "source" + i, "u8"));
   s.meshes.forEach((m, i) => {
-    m.places = read("meshPlaces" + i, "f32");
-    m.normals = read("meshNormals" + i, "f32");
-    m.triangles = read("meshTriangles" + i, "u32");
+    want(m, "places", "meshPlaces" + i, "f32");
+    want(m, "normals", "meshNormals" + i, "f32");
+    want(m, "triangles", "meshTriangles" + i, "u32");
   });
   s.films.forEach((f, i) => {
-    f.corners = read("filmCorners" + i, "f32");
-    f.film = read("film" + i, "f32");
+    want(f, "corners", "filmCorners" + i, "f32");
+    want(f, "film", "film" + i, "f32");
   });
+  await Promise.all(waiting);
   derive(s);
-  return s;
+  scene = s;
 }
 
 function derive(s) {
@@ -51,16 +58,16 @@ function derive(s) {
   s.curvature = new Float32Array(n);
   s.speed = new Float32Array(n);
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let a = 0; a < 3; ++a) for (let i = a; i < 3 * n; i += 3) {
+    if (p[i] < low[a]) low[a] = p[i];
+    if (p[i] > high[a]) high[a] = p[i];
+  }
   for (let i = 0, k = 0; i < n; ++i) {
     while (k + 1 < s.first.length && s.first[k + 1] <= i) ++k;
     s.stretchOf[i] = k;
-    for (let a = 0; a < 3; ++a) {
-      low[a] = Math.min(low[a], p[3 * i + a]);
-      high[a] = Math.max(high[a], p[3 * i + a]);
-    }
     if (i === 0) continue;
     const moved = (s.kinds[i] & 15) !== START;
-    const length = moved ? Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 1] - p[3 * i - 2], p[3 * i + 2] - p[3 * i - 1]) : 0;
+    const length = moved ? size(p[3 * i] - p[3 * i - 3], p[3 * i + 1] - p[3 * i - 2], p[3 * i + 2] - p[3 * i - 1]) : 0;
     s.way[i] = s.way[i - 1] + length;
     s.time[i] = s.time[i - 1] + s.seconds[i];
     s.speed[i] = s.seconds[i] > 0 ? length / s.seconds[i] : 0;
@@ -94,6 +101,9 @@ function extentOfGeometry(s, low, high) {
   }
 }
 
+// Math.hypot guards against overflow, and takes ten times as long.
+const size = (x, y, z) => Math.sqrt(x * x + y * y + z * z);
+
 // Of each move: the larger of those at its ends. Corners have none, and a straight move between two of them has 0.
 const sharpest = Math.cos(50 * Math.PI / 180);
 function curvatures(s) {
@@ -111,9 +121,9 @@ function curvatures(s) {
 function curvatureAt(p, i) {
   const ax = p[3 * i] - p[3 * i - 3], ay = p[3 * i + 1] - p[3 * i - 2], az = p[3 * i + 2] - p[3 * i - 1];
   const bx = p[3 * i + 3] - p[3 * i], by = p[3 * i + 4] - p[3 * i + 1], bz = p[3 * i + 5] - p[3 * i + 2];
-  const product = Math.hypot(ax, ay, az) * Math.hypot(bx, by, bz) * Math.hypot(ax + bx, ay + by, az + bz);
-  if (!(product > 0) || ax * bx + ay * by + az * bz < sharpest * Math.hypot(ax, ay, az) * Math.hypot(bx, by, bz)) return 0;
-  return 2 * Math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / product;
+  const a = size(ax, ay, az), b = size(bx, by, bz), product = a * b * size(ax + bx, ay + by, az + bz);
+  if (!(product > 0) || ax * bx + ay * by + az * bz < sharpest * a * b) return 0;
+  return 2 * size(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / product;
 }
 
 // The last location at or before a moment.

@@ -2,6 +2,43 @@
 
 const rowHeight = 18;
 
+// Where lines begin, and where the text ends. A carriage return alone ends a line too.
+function lineStarts(bytes) {
+  const returns = bytes.includes(13);
+  const next = from => { // behind the next end of a line
+    if (!returns) return bytes.indexOf(10, from) + 1;
+    for (let i = from; i < bytes.length; ++i) if (bytes[i] === 10 || (bytes[i] === 13 && bytes[i + 1] !== 10)) return i + 1;
+    return 0;
+  };
+  let starts = new Uint32Array(1024), lines = 1;
+  for (let at = next(0); at > 0; at = next(at)) {
+    if (lines + 1 >= starts.length) {
+      const more = new Uint32Array(2 * starts.length);
+      more.set(starts);
+      starts = more;
+    }
+    starts[lines++] = at;
+  }
+  starts[lines] = bytes.length;
+  return starts.subarray(0, lines + 1);
+}
+
+// Executions of statements by the lines of a file, in two arrays: a million lines stay small.
+class Stretches {
+  constructor(scene, file, lines) {
+    const mine = k => scene.file[k] === file && scene.line[k] > 0 && scene.line[k] < lines;
+    this.begin = new Uint32Array(lines + 1);
+    for (let k = 0; k < scene.line.length; ++k) if (mine(k)) ++this.begin[scene.line[k] + 1];
+    for (let i = 1; i <= lines; ++i) this.begin[i] += this.begin[i - 1];
+    const next = this.begin.slice();
+    this.all = new Uint32Array(this.begin[lines]);
+    for (let k = 0; k < scene.line.length; ++k) if (mine(k)) this.all[next[scene.line[k]]++] = k;
+  }
+
+  has(line) { return this.begin[line] < this.begin[line + 1]; }
+  of(line) { return [...this.all.subarray(this.begin[line], this.begin[line + 1])]; }
+}
+
 export class Source {
   constructor(scene, onPick) {
     this.scene = scene;
@@ -9,14 +46,8 @@ export class Source {
     this.box = document.getElementById("source");
     this.space = document.getElementById("sourceSpace");
     this.rows = document.getElementById("sourceLines");
-    this.lines = scene.sources.map(s => s.text.split(/\r\n|\r|\n/));
-    this.stretches = scene.sources.map(() => new Map()); // line -> stretches
-    for (let k = 0; k < scene.line.length; ++k) {
-      const map = this.stretches[scene.file[k]];
-      if (!map || !scene.line[k]) continue;
-      const known = map.get(scene.line[k]);
-      if (known) known.push(k); else map.set(scene.line[k], [k]);
-    }
+    this.starts = scene.sources.map(s => lineStarts(s.bytes));
+    this.stretches = scene.sources.map((s, file) => new Stretches(scene, file, this.starts[file].length));
     this.bad = scene.sources.map(() => new Map());
     for (const m of scene.messages) if (m.line && this.bad[m.file]) this.bad[m.file].set(m.line, m);
     this.file = 0;
@@ -24,10 +55,20 @@ export class Source {
     this.box.addEventListener("scroll", () => this.draw());
     this.rows.addEventListener("click", e => {
       const row = e.target.closest(".row");
-      if (row) this.onPick(this.file, Number(row.dataset.line), this.stretches[this.file].get(Number(row.dataset.line)) || []);
+      if (row) this.onPick(this.file, Number(row.dataset.line), this.stretches[this.file].of(Number(row.dataset.line)));
     });
     this.tabs();
     this.open(0);
+  }
+
+  length() { return this.starts.length ? this.starts[this.file].length - 1 : 0; }
+
+  // A line of the file that is shown, counted from 0, without its end.
+  line(i) {
+    const {bytes} = this.scene.sources[this.file], begin = this.starts[this.file][i];
+    let end = this.starts[this.file][i + 1];
+    while (end > begin && (bytes[end - 1] === 10 || bytes[end - 1] === 13)) --end;
+    return new TextDecoder().decode(bytes.subarray(begin, end));
   }
 
   tabs() {
@@ -45,16 +86,16 @@ export class Source {
   open(file) {
     this.file = file;
     [...document.getElementById("tabs").children].forEach((t, i) => t.classList.toggle("on", i === file));
-    const lines = this.lines[file] || [];
+    const lines = this.length();
     // A page has a greatest height: beyond it rows share it.
-    this.scale = Math.max(1, lines.length * rowHeight / 8e6);
-    this.space.style.height = lines.length * rowHeight / this.scale + "px";
+    this.scale = Math.max(1, lines * rowHeight / 8e6);
+    this.space.style.height = lines * rowHeight / this.scale + "px";
     this.draw();
   }
 
   // Rows that fit, the greatest first row, and how far that is to scroll.
   room() {
-    const lines = (this.lines[this.file] || []).length, fit = Math.ceil(this.box.clientHeight / rowHeight) + 2;
+    const lines = this.length(), fit = Math.ceil(this.box.clientHeight / rowHeight) + 2;
     return {fit, last: Math.max(0, lines - fit + 2), way: Math.max(1, lines * rowHeight / this.scale - this.box.clientHeight)};
   }
 
@@ -64,10 +105,10 @@ export class Source {
   }
 
   draw() {
-    const lines = this.lines[this.file] || [], {fit} = this.room(), top = this.firstRow();
+    const lines = this.length(), {fit} = this.room(), top = this.firstRow();
     this.rows.style.top = (this.scale > 1 ? this.box.scrollTop : top * rowHeight) + "px";
     this.rows.replaceChildren();
-    for (let i = top; i < Math.min(lines.length, top + fit); ++i) {
+    for (let i = top; i < Math.min(lines, top + fit); ++i) {
       const row = document.createElement("div"), number = document.createElement("span"), message = this.bad[this.file].get(i + 1);
       row.className = "row" + (this.stretches[this.file].has(i + 1) ? " moves" : "") + (i + 1 === this.marked ? " marked" : "") +
         (message ? message.error ? " bad" : " odd" : "");
@@ -75,7 +116,7 @@ export class Source {
       if (message) row.title = message.code + ": " + message.text;
       number.className = "number";
       number.textContent = i + 1;
-      row.append(number, visible(lines[i].slice(0, 400)));
+      row.append(number, visible(this.line(i).slice(0, 400)));
       this.rows.append(row);
     }
   }

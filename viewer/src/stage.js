@@ -4,6 +4,7 @@ import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {drawEntities, drawSurfaces, drawFilms, Tool} from "./things.js";
 import {Path} from "./path.js";
 import {visible} from "./source.js";
+import {Speed} from "./speed.js";
 
 const palettes = {
   light: ["#ff7a00", "#d1242f", "#1f5fbf", "#0a8f6c", "#b5179e", "#9aa3ad"],
@@ -11,12 +12,17 @@ const palettes = {
 };
 export const viewNames = {plan: [0, 0, 1], front: [0, -1, 0], side: [1, 0, 0], iso: [0.62, -0.72, 0.55]};
 
+const mostPatience = 8;
+
 export class Stage {
   constructor(scene) {
     this.data = scene;
     this.canvas = document.getElementById("canvas");
     this.center = [0, 1, 2].map(a => (scene.low[a] + scene.high[a]) / 2);
-    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, preserveDrawingBuffer: true});
+    this.speed = new Speed();
+    this.patience = 1;
+    const smooth = !(this.speed.software && scene.count > 30000); // four samples a pixel take three times as long there
+    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: smooth, preserveDrawingBuffer: true});
     this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     this.world = new THREE.Scene();
@@ -24,9 +30,7 @@ export class Stage {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener("start", () => { this.moving = true; });
-    this.controls.addEventListener("end", () => { this.moving = false; this.request(); });
-    this.controls.addEventListener("change", () => this.request());
+    this.controls.addEventListener("change", () => this.moved());
     const sun = new THREE.DirectionalLight(0xffffff, 1.9);
     sun.position.set(0.5, -0.7, 1);
     this.world.add(new THREE.HemisphereLight(0xffffff, 0x8899aa, 1.6), sun);
@@ -44,7 +48,6 @@ export class Stage {
     this.marks = new THREE.Group();
     this.world.add(this.marks);
     this.plane = new THREE.Plane(new THREE.Vector3(0, 0, -1), 0);
-    this.most = 12000; // see budget()
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement);
     this.dark(false);
     this.resize();
@@ -150,26 +153,37 @@ export class Stage {
     };
   }
 
+  // While the view moves fewer moves of the path are drawn; once it rests, more and more, as long as it pays.
+  moved() {
+    this.moving = true;
+    this.patience = 1;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => { this.moving = false; this.request(); }, 250);
+    this.request();
+  }
+
+  // One picture at a time: while the graphics work on one, requests are put together to one more.
   request() {
     if (this.asked) return;
     this.asked = true;
-    requestAnimationFrame(() => { this.asked = false; this.render(); });
-  }
-
-  // How many places of the path a frame may have: grows while frames come fast, shrinks while they are late. A view at rest may
-  // have five times as many.
-  budget() {
-    const now = performance.now(), busy = Boolean(this.moving || this.playing), span = now - (this.last || now);
-    if (busy && this.busy && span > 90) this.most = Math.max(4000, this.most / 2);
-    else if (busy && this.busy && span < 28) this.most = Math.min(300000, this.most * 1.3);
-    this.last = now;
-    this.busy = busy;
-    return busy ? this.most : 5 * this.most;
+    const turn = () => {
+      if (!this.speed.ready(this.renderer.getContext())) { requestAnimationFrame(turn); return; }
+      this.asked = false;
+      this.render();
+    };
+    requestAnimationFrame(turn);
   }
 
   render() {
-    this.path.adapt(this.unitsPerPixel(), this.budget());
+    const busy = Boolean(this.moving || this.playing);
+    this.path.adapt(this.camera, this.unitsPerPixel(), this.speed.most(busy, this.patience));
+    this.speed.begin(this.layers.path.visible ? this.path.drawn : 0);
     this.renderer.render(this.world, this.camera);
+    this.speed.end(this.renderer.getContext());
+    if (this.path.coarse && !busy && this.patience < mostPatience) {
+      clearTimeout(this.rest);
+      this.rest = setTimeout(() => { this.patience *= 2; this.request(); }, 100);
+    }
     const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
     for (const l of this.labels) {
       const p = l.place.clone().project(this.camera), x = (p.x * 0.5 + 0.5) * w, y = (0.5 - p.y * 0.5) * h, wide = 6.5 * l.name.length + 6;
