@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "frontend/check/values.h"
 #include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
@@ -27,6 +29,12 @@ bool needsName(EntityType type) {
          type == EntityType::ruledSurface || type == EntityType::pattern ||
          type == EntityType::mesh || type == EntityType::pathSpline;
 }
+
+/// `3E`, of 3E-05: digits and an E make a name.
+bool looksLikeExponent(std::string_view name) {
+  return name.size() > 1 && name.back() == 'E' &&
+         name.find_first_not_of("0123456789") == name.size() - 1;
+}
 }  // namespace
 
 ir::SymbolId Values::symbol(std::string_view name, NameFacts& facts) {
@@ -49,6 +57,9 @@ void Values::undefined(std::string_view name, const Span& span) {
   Diagnostic d = diagnose(span, diag::UndefinedSymbol, name);
   if (facts.kind != NameFacts::Class::unknown && !facts.defined) {
     d.labels.push_back({facts.definition, "it is defined here, after this use"});
+  } else if (looksLikeExponent(name)) {
+    d.help = fmt::format("a number with an exponent has a decimal point: {}.E",
+                         name.substr(0, name.size() - 1));
   } else {
     for (const std::string& near : context_.names.similar(name, true)) {
       d.help += (d.help.empty() ? "did you mean `" : ", `") + near + "`";

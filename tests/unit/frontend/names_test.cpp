@@ -117,5 +117,11 @@ TEST(Names, Interrupt) {
             3U);
 }
 
+TEST(Names, AnExponentWithoutAPointIsExplained) {
+  const auto c = compileText("INTOL/3E-05\nFINI\n");
+  EXPECT_EQ(c->sink.all().back().kind().code, "E0201");
+  EXPECT_EQ(c->sink.all().back().help, "a number with an exponent has a decimal point: 3.E");
+}
+
 }  // namespace
 }  // namespace arelem::frontend
