@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "backend/ngc/moves.h"
 #include "ir/diag/ngc.h"
@@ -29,18 +30,38 @@ void Moves::closeCycle() {
   cycleOpen_ = false;
 }
 
+/// The cycle is over, and so is its feed.
+void Moves::endCycle() {
+  closeCycle();
+  cycle_.reset();
+  if (outside_) {
+    std::tie(feed_, feedMode_) = *outside_;
+    outside_.reset();
+  }
+}
+
+void Moves::beginCycle(const Cycle& cycle) {
+  endCycle();
+  cycle_ = lastCycle_ = cycle;
+  if (cycle.feed) {
+    cl::Post own{Word::FEDRAT, "", {*cycle.feed}};
+    if (cycle.feedHasUnit) {
+      own.arguments.emplace_back(cycle.feedUnit);
+    }
+    const auto before = std::pair(feed_, feedMode_);
+    feed(own);
+    outside_ = before;
+  }
+}
+
 void Moves::cycle(const cl::Post& post) {
   const Word* first = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
   if (first != nullptr && *first == Word::OFF) {
-    cycle_.reset();
-    return closeCycle();
+    return endCycle();
   }
   if (first != nullptr && *first == Word::ON) {
-    cycle_ = lastCycle_;
-    if (!cycle_) {
-      report(fail(diag::NgcCycle, std::string("/ON has no cycle before it")));
-    }
-    return;
+    return lastCycle_ ? beginCycle(*lastCycle_)
+                      : report(fail(diag::NgcCycle, std::string("/ON has no cycle before it")));
   }
   const auto* text =
       post.arguments.empty() ? nullptr : std::get_if<std::string>(&post.arguments[0]);
@@ -48,8 +69,7 @@ void Moves::cycle(const cl::Post& post) {
     return;  // Fusion's head of a cycle that follows
   }
   if (text != nullptr && *text == "CLEAR" && post.arguments.size() == 1) {
-    cycle_.reset();  // SolidWorks CAM, before a cycle
-    return closeCycle();
+    return endCycle();  // SolidWorks CAM, before a cycle
   }
   Result<Cycle> read = readCycle(post);
   if (!read) {
@@ -59,16 +79,7 @@ void Moves::cycle(const cl::Post& post) {
     return report(fail(diag::NgcCycle, fmt::format("has {:.6g} pecks a hole; {:.6g} is the most",
                                                    read->depth / read->step, mostPecks)));
   }
-  closeCycle();
-  cycle_ = *read;
-  lastCycle_ = cycle_;
-  if (cycle_->feed) {
-    cl::Post feedPost{Word::FEDRAT, "", {*cycle_->feed}};
-    if (cycle_->feedHasUnit) {
-      feedPost.arguments.emplace_back(cycle_->feedUnit);
-    }
-    feed(feedPost);
-  }
+  beginCycle(*read);
 }
 
 /// One location under a cycle: drilled along the tool axis, back to the height of RTRCTO or else

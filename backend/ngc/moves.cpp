@@ -50,6 +50,9 @@ void Moves::feed(const cl::Post& post) {
                                                      : 1.0;
   feed_ = *value * factor;
   feedMode_ = inverse ? FeedMode::inverseTime : perTurn ? FeedMode::perTurn : FeedMode::perMinute;
+  if (outside_) {
+    outside_ = {feed_, feedMode_};  // it stays when the cycle is over
+  }
 }
 
 bool Moves::turnsAllowed(const Vec3& axis) {

@@ -48,6 +48,8 @@ class Moves {
   [[nodiscard]] bool cycleAllowed(bool canned);
   void cannedHole(const robot::ToolPose& at);
   void drilledHole(const robot::ToolPose& at);
+  void beginCycle(const Cycle& cycle);
+  void endCycle();
   void closeCycle();
   void putFeed(double length);
   void putAxes(const robot::TurnedPlace& to);
@@ -70,6 +72,8 @@ class Moves {
   bool rapid_ = false;
   std::optional<double> feed_;  // mm a minute or a turn, or moves a minute
   FeedMode feedMode_ = FeedMode::perMinute;
+  /// What they are outside of a cycle that has a feed of its own.
+  std::optional<std::pair<std::optional<double>, FeedMode>> outside_;
   std::optional<Cycle> cycle_, lastCycle_;
   bool cycleOpen_ = false;
   bool placed_ = false;  // there was a location

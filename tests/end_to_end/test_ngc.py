@@ -143,6 +143,21 @@ class Features(NgcCase):
         self.assertIn("G98 G83 X10.0000 Y0.0000 Z-12.0000 R3.0000 Q4.0000", (self.folder / "part.ngc").read_text())
         self.assertIn((10, 0, 30), [m.end for m in pecks])
 
+    def test_a_cycle_keeps_its_feed_to_itself(self):
+        text = ("CUTTER/6\nSPINDL/1000,CLW\nFROM/0,0,50\n{}CYCLE/{},3\nGOTO/10,0,0\nCYCLE/OFF\nGOTO/40,0,3\n"
+                "RAPID\nGOTO/0,0,50\nFINI\n")
+        self.write("plain.toml", "[control]\ncycles = false\n")
+        for options in ((), ("--machine", "plain.toml")):
+            for cycle in ("DRILL,8,MMPM,50", "DRILL,8,MMPR,.1", "DRILL,DEPTH,8,CLEAR"):
+                moves = paths.canonical_moves(self.interpret(text.format("FEDRAT/600\n", cycle), "--dialect", "cl", *options))
+                self.assertEqual([m.feed for m in moves if m.end == (40, 0, 3)], [600], cycle)
+            self.write("p.apt", text.format("", "DRILL,8,MMPM,50"))
+            self.assertExit(6, "compile", "p.apt", "--dialect", "cl", "-o", "q.ngc", *options)
+            self.assertIn("E0671", self.err)
+        inside = text.format("FEDRAT/600\n", "DRILL,8,MMPM,50").replace("CYCLE/OFF", "FEDRAT/700\nCYCLE/OFF")
+        moves = paths.canonical_moves(self.interpret(inside, "--dialect", "cl"))
+        self.assertEqual([m.feed for m in moves if m.end == (40, 0, 3)], [700])
+
     def test_tapping(self):
         for way, code, back in (("CLW", "G84", "COUNTERCLOCKWISE"), ("CCLW", "G74", "CLOCKWISE")):
             text = (f"CUTTER/6\nSPINDL/400,{way}\nFROM/0,0,50\nCYCLE/TAP,12,MMPR,1.25,3\nGOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\n"
