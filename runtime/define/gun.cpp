@@ -5,6 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <set>
+
+#include <fmt/format.h>
 
 #include "ir/diag/spray.h"
 #include "runtime/define/resolve.h"
@@ -16,6 +19,7 @@ using spray::Gun;
 
 namespace {
 constexpr double degree = std::numbers::pi / 180.0;
+constexpr double mostLead = 10.0;  // s; guns take some hundredths of one
 
 std::optional<Failure> require(std::string_view what,
                                double value,
@@ -51,15 +55,29 @@ std::optional<Failure> setOption(Gun& gun, const Arguments& given, std::size_t a
     default: {  // LEAD
       gun.leadOn = value;
       gun.leadOff = given.scalar(at + 2);
-      const double least = std::min(gun.leadOn, gun.leadOff);
-      return require("a lead time", least, least >= 0.0, "0 s or more");
+      const auto [least, most] = std::minmax(gun.leadOn, gun.leadOff);
+      return require("a lead time", least < 0.0 ? least : most, least >= 0.0 && most <= mostLead,
+                     "from 0 to 10 s");
     }
   }
 }
 
 /// The options from parameter `at` on.
-std::optional<Failure> setOptions(Gun& gun, const Arguments& given, std::size_t at) {
+std::optional<Failure> setOptions(Gun& gun,
+                                  const Arguments& given,
+                                  std::size_t at,
+                                  std::string_view noun) {
+  std::set<Word> seen;
   while (at < given.count()) {
+    const Word word = given.word(at);
+    if (!seen.insert(word).second) {
+      return fail(diag::GunOptionExtra, noun, fmt::format("{} twice", spell(word)),
+                  "each option stands once");
+    }
+    if (word == Word::FLOW && gun.kind == Gun::Kind::calibrated) {
+      return fail(diag::GunOptionExtra, noun, std::string("FLOW"),
+                  "the flow is that of the pressure and the valve");
+    }
     if (auto failure = setOption(gun, given, at)) {
       return failure;
     }
@@ -74,7 +92,7 @@ Result<Resolved> finished(Gun gun,
                           std::size_t options,
                           std::string_view noun,
                           const std::function<void(Gun&)>& footprint) {
-  if (auto failure = setOptions(gun, given, options)) {
+  if (auto failure = setOptions(gun, given, options, noun)) {
     return *std::move(failure);
   }
   if (gun.spreads() && gun.standOff == 0.0) {

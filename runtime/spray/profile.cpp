@@ -11,6 +11,9 @@ namespace arelem::spray {
 namespace {
 using Point = std::pair<double, double>;
 
+/// Of a table: far finer than any film gauge measures.
+constexpr std::size_t mostPoints = 20000;
+
 double trapezoid(const Point& a, const Point& b) {
   return (b.first - a.first) * (a.second + b.second) / 2.0;
 }
@@ -27,6 +30,9 @@ double area(std::span<const Point> points) {
 std::optional<Failure> objection(std::span<const Point> points) {
   if (points.size() < 2) {
     return fail(diag::ProfileTable, fmt::format("{} points", points.size()), "at least 2");
+  }
+  if (points.size() > mostPoints) {
+    return fail(diag::ProfileTable, fmt::format("{} points", points.size()), "at most 20000");
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].second < 0.0) {
