@@ -1,7 +1,6 @@
 #include "ir/diag/verify.h"
 
 #include <iostream>
-#include <numbers>
 #include <sstream>
 
 #include "app/certify.h"
@@ -12,25 +11,14 @@
 #include "app/pipeline.h"
 #include "app/source_file.h"
 #include "app/verify_g97.h"
+#include "app/verify_vplus.h"
 
 #include "backend/cltape/reader.h"
-#include "backend/vplus/reader.h"
 #include "ir/diag/render_text.h"
-#include "ir/diag/robot.h"
 
 namespace arelem::app {
 
 namespace {
-/// What the three decimals of a V+ program, and the steps of a tilt axis, take away.
-Allowed vplusRounding(const Allowed& given,
-                      double millimeters,
-                      const std::optional<robot::Machine>& machine) {
-  constexpr double digit = 1.0e-3;  // mm and degrees: half of it for each coordinate and angle
-  const double step = machine && machine->tilt ? 0.5 * machine->tilt->step : 0.0;
-  return {std::max(given.distance, digit / millimeters),
-          std::max(given.degrees, 2.0 * digit + 1.001 * step)};
-}
-
 /// Compiles a text to its path. The path of CL text is that of the program it is.
 bool pathOfText(Compilation& job,
                 const std::string& file,
@@ -65,58 +53,6 @@ bool pathOfOutput(const std::string& file,
   return good;
 }
 
-/// Whether the program's coordinates lie where the machine file has them; without one, at the base.
-bool hasFrameOf(const std::optional<robot::Machine>& machine,
-                const vplus::ProgramText& program,
-                const std::string& name,
-                DiagnosticLog& log) {
-  const robot::Frame frame = machine ? machine->frame : robot::Frame{};
-  const robot::Matrix3 turn = robot::matrixOf({frame.angles[0], frame.angles[1], frame.angles[2]});
-  const double far = (program.frameShift - frame.shift).norm();
-  const double degrees =
-      Eigen::AngleAxisd(turn.transpose() * program.frameTurn).angle() * 180.0 / std::numbers::pi;
-  constexpr double digit = 2.0e-3;  // mm and degrees: three numbers of three decimals
-  if (far <= digit && degrees <= digit) {
-    return true;
-  }
-  const Vec3& at = program.frameShift;
-  log.accept(fail(diag::VplusFrame, name, far, degrees, at.x(), at.y(), at.z()));
-  return false;
-}
-
-/// The moves of a V+ program, in the part unit. Its coordinates are mm with three decimals.
-bool pathOfVplus(const std::string& file,
-                 const std::string& text,
-                 const std::optional<robot::Machine>& machine,
-                 double millimeters,
-                 DiagnosticLog& log,
-                 Path& path) {
-  const robot::TiltAxis* tilt = machine && machine->tilt ? &*machine->tilt : nullptr;
-  auto program = vplus::readProgram(text, displayName(file), tilt);
-  if (!program) {
-    log.accept(program.takeFailure());
-    return false;
-  }
-  for (Failure& warning : program->warnings) {
-    log.accept(std::move(warning));
-  }
-  if (!program->straightLine) {
-    log.accept(fail(diag::VplusBranches, displayName(file)));
-    return false;
-  }
-  for (const vplus::Stray& stray : program->strays) {
-    log.accept(fail(diag::VplusStray, displayName(file), stray.line, stray.what));
-  }
-  if (!program->strays.empty() || !hasFrameOf(machine, *program, displayName(file), log)) {
-    return false;
-  }
-  for (const vplus::Move& move : program->moves) {
-    path.locations.push_back(
-        {move.pose.point / millimeters, move.pose.axis, move.pose.side, nowhere, {}});
-  }
-  return true;
-}
-
 struct WithRequest {
   std::string output, program;
   MachineChoice machine;
@@ -137,16 +73,16 @@ std::optional<std::size_t> compared(const WithRequest& request,
     return verifyG97(bytes, name, machine.value_or(robot::Machine{}), wanted, request.allowed,
                      job.log);
   }
-  const bool isVplus = target != nullptr && target->name == "vplus";
+  if (target != nullptr && target->name == "vplus") {
+    return verifyVplus(bytes, name, machine.value_or(robot::Machine{}), wanted, request.allowed,
+                       job.log);
+  }
   Path found;
-  if (!(isVplus ? pathOfVplus(request.output, bytes, machine, wanted.millimeters, job.log, found)
-                : pathOfOutput(request.output, std::move(bytes), job.settings, found, interrupted,
-                               result))) {
+  if (!pathOfOutput(request.output, std::move(bytes), job.settings, found, interrupted, result)) {
     return std::nullopt;
   }
-  const Allowed allowed =
-      isVplus ? vplusRounding(request.allowed, wanted.millimeters, machine) : request.allowed;
-  if (std::optional<Diagnostic> difference = firstDifference(wanted, found, name, allowed)) {
+  if (std::optional<Diagnostic> difference =
+          firstDifference(wanted, found, name, request.allowed)) {
     job.log.accept(*std::move(difference));
     return std::nullopt;
   }

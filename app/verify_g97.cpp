@@ -4,7 +4,6 @@
 #include <charconv>
 
 #include "app/messages.h"
-#include <fmt/ranges.h>
 
 #include "backend/g97/block.h"
 #include "ir/diag/render_text.h"
@@ -78,10 +77,6 @@ Location asWritten(Location location, const robot::Machine& machine) {
     location.side = std::nullopt;
   }
   return location;
-}
-
-std::string listed(const std::set<int>& outputs) {
-  return outputs.empty() ? "none" : fmt::format("{}", fmt::join(outputs, ", "));
 }
 }  // namespace
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/ranges.h>
+
+#include "backend/robot/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/verify.h"
@@ -15,9 +18,9 @@ void Path::accept(const cl::Record& record) {
   if (const auto* units = std::get_if<cl::Units>(&record.body)) {
     millimeters = millimetersOf(units->unit);
   }
-  if (const cl::Post* post = cl::postOf(record.body, Word::SPRAY);
-      post != nullptr && !locations.empty()) {
-    switchOutput(*post);
+  if (const auto* post = std::get_if<cl::Post>(&record.body);
+      post != nullptr && post->foreign.empty()) {
+    word(*post);
   }
   const auto* motion = std::get_if<cl::Motion>(&record.body);
   if (motion == nullptr) {
@@ -27,14 +30,43 @@ void Path::accept(const cl::Record& record) {
        i += motion->stride()) {
     const double* c = motion->coordinates.data() + i;
     Location location{{c[0], c[1], c[2]}, std::nullopt, std::nullopt, record.origin, {}};
-    location.on = locations.empty() ? std::set<int>() : locations.back().on;
+    location.on = on_;
     if (motion->withAxis) {
       location.axis = Vec3(c[3], c[4], c[5]);
     }
     if (motion->withSide) {
       location.side = Vec3(c[6], c[7], c[8]);
     }
+    const bool isFrom = motion->kind == cl::Motion::Kind::from;
+    if (cycles_.now() != nullptr && !isFrom) {
+      location.hole = *cycles_.now();
+    }
+    location.speed = isFrom || rapid_ ? 0.0 : speed_;
+    rapid_ = false;
     locations.push_back(location);
+  }
+}
+
+void Path::word(const cl::Post& post) {
+  if (post.word == Word::CYCLE) {
+    const auto change = cycles_.read(post);
+    const bool begun = change && *change == backend::hole::Cycles::Change::begun;
+    if (const auto own = begun ? backend::hole::feedOf(*cycles_.now()) : std::nullopt) {
+      speed_ = robot::speedOf(*own, millimeters, turns_).value_or(0.0);
+    }
+  } else if (post.word == Word::FEDRAT) {
+    speed_ = robot::speedOf(post, millimeters, turns_).value_or(0.0);
+    rapid_ = false;
+  } else if (post.word == Word::RAPID) {
+    rapid_ = true;
+  } else if (post.word == Word::SPINDL) {
+    turns_ = robot::hasWord(post, Word::OFF) ? 0.0 : robot::turnsOf(post).value_or(turns_);
+  } else if (!locations.empty() && post.word == Word::DELAY) {
+    if (const Result<double> seconds = robot::secondsOf(post, turns_)) {
+      locations.back().wait += *seconds;
+    }
+  } else if (post.word == Word::SPRAY) {
+    switchOutput(post);
   }
 }
 
@@ -48,8 +80,14 @@ void Path::switchOutput(const cl::Post& post) {
       on = *word == Word::ON;
     }
   }
-  std::set<int>& state = locations.back().on;
-  on ? void(state.insert(output)) : void(state.erase(output));
+  on ? void(on_.insert(output)) : void(on_.erase(output));
+  if (!locations.empty()) {
+    locations.back().on = on_;
+  }
+}
+
+std::string listed(const std::set<int>& outputs) {
+  return outputs.empty() ? "none" : fmt::format("{}", fmt::join(outputs, ", "));
 }
 
 double degreesBetween(const Vec3& a, const Vec3& b) {

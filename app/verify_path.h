@@ -4,19 +4,24 @@
 #include <string>
 #include <vector>
 
+#include "backend/hole/cycle.h"
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/space/vector.h"
 
 namespace arelem::app {
 
-/// One cutter location: where the tool end stands, and the axis where it was written.
+/// One cutter location: where the tool end stands, and the axis where it was written. Lengths in
+/// the part unit where nothing else is said.
 struct Location {
   Vec3 point;
   std::optional<Vec3> axis;
   std::optional<Vec3> side;
   Span origin;
-  std::set<int> on;  ///< outputs that are on when the tool leaves it
+  std::set<int> on;    ///< outputs that are on when the tool leaves it
+  double speed = 0.0;  ///< of the move to it, mm/s; 0: rapid, or unknown
+  double wait = 0.0;   ///< of DELAY behind it, s
+  std::optional<backend::hole::Cycle> hole = std::nullopt;  ///< drilled there
 };
 
 /// Keeps the locations of a stream of records and forgets the rest.
@@ -27,7 +32,14 @@ class Path : public cl::RecordSink {
   double millimeters = 1.0;  ///< of the part unit
 
  private:
+  void word(const cl::Post& post);
   void switchOutput(const cl::Post& post);
+
+  backend::hole::Cycles cycles_;
+  std::set<int> on_;
+  double speed_ = 0.0;
+  double turns_ = 0.0;
+  bool rapid_ = false;
 };
 
 struct Allowed {
@@ -35,6 +47,8 @@ struct Allowed {
   double degrees = 1e-4;
 };
 
+/// Outputs by number, for messages.
+[[nodiscard]] std::string listed(const std::set<int>& outputs);
 [[nodiscard]] double degreesBetween(const Vec3& a, const Vec3& b);
 /// How one location differs from the one at its place in the program.
 [[nodiscard]] std::optional<Diagnostic> difference(const Location& wanted,

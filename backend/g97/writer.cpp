@@ -182,9 +182,9 @@ class G97Writer : public Writer {
   void moveTo(const Pose& pose, bool isFrom) {
     const std::string place = fmt::format("location {}", location_);
     if (machine_.envelope) {
-      if (auto failure = robot::objectionToPlace(*machine_.envelope,
-                                                 robot::inBase(machine_.frame, pose), place)) {
-        return report(*std::move(failure));
+      if (auto objection = robot::objectionToPlace(*machine_.envelope,
+                                                   robot::inBase(machine_.frame, pose), place)) {
+        return report(std::move(objection->failure));
       }
     }
     Result<BlockPose> written = blockOf(machine_, pose, place);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "backend/hole/cycle.h"
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
@@ -43,24 +44,20 @@ void KnotReader::motion(const cl::Motion& motion, const Span& origin) {
 
 void KnotReader::location(const robot::Pose& pose, const Span& origin) {
   const std::optional<robot::Upright> upright = robot::uprightOf(pose);
+  const std::string place = fmt::format("location {}", location_);
   if (!upright) {
-    if (!failed_) {
-      const double lean = std::acos(std::clamp(pose.axis.normalized().z(), -1.0, 1.0));
-      sink_.accept(diagnose(origin, diag::ToolNotUpright, fmt::format("location {}", location_),
-                            lean * 180.0 / std::numbers::pi, " but for the tilt along its side"));
-    }
-    failed_ = true;
-    return;
+    const double lean =
+        std::acos(std::clamp(pose.axis.normalized().z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+    return object(
+        {fail(diag::ToolNotUpright, place, lean, " but for the tilt along its side"), lean},
+        origin);
   }
-  if (!withinTilt(upright->tilt, origin)) {
-    return;
+  if (auto objection = objectionToTilt(upright->tilt, place)) {
+    return object(*std::move(objection), origin);
   }
-  if (machine_.envelope && !failed_) {
-    if (auto failure = robot::objectionToPlace(*machine_.envelope, pose,
-                                               fmt::format("location {}", location_))) {
-      sink_.accept(at(origin, *std::move(failure)));
-      failed_ = true;
-      return;
+  if (machine_.envelope) {
+    if (auto objection = robot::objectionToPlace(*machine_.envelope, pose, place)) {
+      return object(*std::move(objection), origin);
     }
   }
   if (!rapid_ && speed_ <= 0.0 && !knots_.empty() && !failed_) {
@@ -87,20 +84,28 @@ void KnotReader::location(const robot::Pose& pose, const Span& origin) {
   knots_.push_back(knot);
 }
 
-bool KnotReader::withinTilt(double tilt, const Span& origin) {
+std::optional<robot::Objection> KnotReader::objectionToTilt(double tilt,
+                                                            const std::string& place) const {
   constexpr double straight = 1e-4;  // degrees
   const double most = machine_.tilt ? machine_.tilt->most : 0.0;
   const bool arm = machine_.pantograph || machine_.elbow;  // without one nothing is planned
-  if (!arm || std::abs(tilt) <= most + straight) {
-    return true;
+  const double excess = std::abs(tilt) - most;
+  if (!arm || excess <= straight) {
+    return std::nullopt;
   }
-  if (!failed_) {
-    const std::string place = fmt::format("location {}", location_);
-    sink_.accept(machine_.tilt ? diagnose(origin, diag::TiltRange, place, tilt, most)
-                               : diagnose(origin, diag::ToolNotUpright, place, std::abs(tilt), ""));
-  }
+  return robot::Objection{machine_.tilt ? fail(diag::TiltRange, place, tilt, most, excess)
+                                        : fail(diag::ToolNotUpright, place, std::abs(tilt), ""),
+                          excess};
+}
+
+void KnotReader::object(robot::Objection objection, const Span& origin) {
+  objections_.add(std::move(objection), location_, origin);
   failed_ = true;
-  return false;
+}
+
+void KnotReader::refuse(Failure failure, const Span& origin) {
+  sink_.accept(at(origin, std::move(failure)));
+  failed_ = true;
 }
 
 void KnotReader::stopHere(double seconds) {
@@ -123,11 +128,10 @@ void KnotReader::spray(const cl::Post& post) {
 void KnotReader::post(const cl::Post& post, const Span& origin) {
   switch (post.foreign.empty() ? post.word : Word::INSERT) {
     case Word::FEDRAT:
-      if (Result<double> speed = robot::neededSpeed(post, millimeters_)) {
+      if (Result<double> speed = robot::neededSpeed(post, millimeters_, turns_)) {
         speed_ = *speed;
       } else {
-        sink_.accept(at(origin, speed.takeFailure()));
-        failed_ = true;
+        refuse(speed.takeFailure(), origin);
       }
       rapid_ = false;
       return;
@@ -136,10 +140,21 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
       return;
     case Word::SPRAY:
       return spray(post);
-    case Word::DELAY: {
-      const double* seconds = robot::numberAt(post, 0);
-      return stopHere(seconds == nullptr ? 0.0 : std::max(0.0, *seconds));
-    }
+    case Word::DELAY:
+      if (Result<double> seconds = robot::secondsOf(post, turns_)) {
+        stopHere(*seconds);
+      } else {
+        refuse(seconds.takeFailure(), origin);
+      }
+      return;
+    case Word::CYCLE:
+      if (auto failure = backend::hole::objectionToDrilling(post)) {
+        refuse(*std::move(failure), origin);
+      }
+      return;
+    case Word::SPINDL:
+      turns_ = robot::hasWord(post, Word::OFF) ? 0.0 : robot::turnsOf(post).value_or(turns_);
+      break;
     case Word::STOP:
     case Word::OPSTOP:
       return stopHere(0.0);

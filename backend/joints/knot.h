@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "backend/robot/objections.h"
 #include "backend/robot/pose.h"
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
@@ -21,8 +22,8 @@ struct Knot {
 };
 
 /// Collects the locations of CL records. Tools that lean otherwise than along their side are told
-/// to the sink (E0664), tilts beyond the tilt axis (E0665), feeds without a speed as E0621, words
-/// without a meaning as W0687.
+/// to the sink (E0664), tilts beyond the tilt axis (E0665), feeds without a speed as E0621, waits
+/// without an end as E0625, CYCLE as E0673, words without a meaning as W0687.
 class KnotReader {
  public:
   KnotReader(const robot::Machine& machine, DiagnosticSink& sink)
@@ -32,14 +33,18 @@ class KnotReader {
   [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
   /// Whether something was told that leaves the path without meaning.
   [[nodiscard]] bool failed() const { return failed_; }
+  /// Behind the last record: objections to locations, each kind once.
+  void finish() { objections_.report(location_, sink_); }
 
  private:
   void motion(const cl::Motion& motion, const Span& origin);
   void location(const robot::Pose& pose, const Span& origin);
   void post(const cl::Post& post, const Span& origin);
   void spray(const cl::Post& post);
-  /// Tells the first tilt that cannot be had.
-  bool withinTilt(double tilt, const Span& origin);
+  [[nodiscard]] std::optional<robot::Objection> objectionToTilt(double tilt,
+                                                                const std::string& place) const;
+  void object(robot::Objection objection, const Span& origin);
+  void refuse(Failure failure, const Span& origin);
   void stopHere(double seconds);
 
   const robot::Machine& machine_;
@@ -48,6 +53,8 @@ class KnotReader {
   std::vector<std::string> told_;
   double millimeters_ = 1.0;
   double speed_ = 0.0;
+  double turns_ = 0.0;  // of a spindle, a minute
+  robot::Objections objections_;
   bool rapid_ = false;
   bool gun_ = false;
   bool failed_ = false;

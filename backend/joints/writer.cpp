@@ -85,6 +85,7 @@ class JointWriter : public Writer {
       return;
     }
     const Arm arm(machine_);
+    reader_.finish();
     if (reader_.failed() || !canFollow(arm, reader_.knots(), machine_.speed, sink_)) {
       return;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "backend/hole/steps.h"
 #include "backend/ngc/moves.h"
 #include "ir/diag/ngc.h"
 #include "ir/limits.h"
@@ -13,11 +14,11 @@ namespace arelem::backend::ngc {
 
 namespace {
 using robot::ToolPose;
-using robot::TurnedPlace;
+
+using hole::Cycle;
+using hole::Cycles;
 
 constexpr int secondsDecimals = 3;
-/// A cycle written out has at most so many pecks a hole.
-constexpr double mostPecks = 10000.0;
 }  // namespace
 
 void Moves::closeCycle() {
@@ -33,58 +34,33 @@ void Moves::closeCycle() {
 /// The cycle is over, and so is its feed.
 void Moves::endCycle() {
   closeCycle();
-  cycle_.reset();
   if (outside_) {
     std::tie(feed_, feedMode_) = *outside_;
     outside_.reset();
   }
 }
 
-void Moves::beginCycle(const Cycle& cycle) {
+void Moves::cycle(const cl::Post& post) {
+  const Result<Cycles::Change> change = cycles_.read(post);
+  if (!change) {
+    return report(change.failure());
+  }
+  if (*change == Cycles::Change::none) {
+    return;
+  }
   endCycle();
-  cycle_ = lastCycle_ = cycle;
-  if (cycle.feed) {
-    cl::Post own{Word::FEDRAT, "", {*cycle.feed}};
-    if (cycle.feedHasUnit) {
-      own.arguments.emplace_back(cycle.feedUnit);
-    }
+  const Cycle* begun = cycles_.now();
+  if (const auto own = begun != nullptr ? hole::feedOf(*begun) : std::nullopt) {
     const auto before = std::pair(feed_, feedMode_);
-    feed(own);
+    feed(*own);
     outside_ = before;
   }
 }
 
-void Moves::cycle(const cl::Post& post) {
-  const Word* first = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
-  if (first != nullptr && *first == Word::OFF) {
-    return endCycle();
-  }
-  if (first != nullptr && *first == Word::ON) {
-    return lastCycle_ ? beginCycle(*lastCycle_)
-                      : report(fail(diag::NgcCycle, std::string("/ON has no cycle before it")));
-  }
-  const auto* text =
-      post.arguments.empty() ? nullptr : std::get_if<std::string>(&post.arguments[0]);
-  if (text != nullptr && *text == "INIT") {
-    return;  // Fusion's head of a cycle that follows
-  }
-  if (text != nullptr && *text == "CLEAR" && post.arguments.size() == 1) {
-    return endCycle();  // SolidWorks CAM, before a cycle
-  }
-  Result<Cycle> read = readCycle(post);
-  if (!read) {
-    return report(read.takeFailure());
-  }
-  if (read->kind == Cycle::Kind::peck && read->depth / read->step > mostPecks) {
-    return report(fail(diag::NgcCycle, fmt::format("has {:.6g} pecks a hole; {:.6g} is the most",
-                                                   read->depth / read->step, mostPecks)));
-  }
-  beginCycle(*read);
-}
-
 /// One location under a cycle: drilled along the tool axis, back to the height of RTRCTO or else
 /// the clearance, not higher.
-void Moves::hole(const ToolPose& at) {
+void Moves::drill(const ToolPose& at) {
+  const Cycle& cycle = *cycles_.now();
   if (!feedIsKnown(at.end)) {
     return;
   }
@@ -92,9 +68,9 @@ void Moves::hole(const ToolPose& at) {
     return report(fail(diag::NgcCycle, std::string("needs a feed; an inverse time is none")));
   }
   const bool turned = (at.axis - now_.pose.axis).norm() > tolerance::symmetric;
-  const ToolPose between{at.end + cycle_->retract * unit_ * at.axis, at.axis};
+  const ToolPose between{at.end + cycle.retract * unit_ * at.axis, at.axis};
   // G98 goes back to the height where the cycle began, which is that of its first hole.
-  const bool other = cycle_->retract > cycle_->clearance && cycleOpen_ &&
+  const bool other = cycle.retract > cycle.clearance && cycleOpen_ &&
                      std::abs((between.end - now_.pose.end).dot(at.axis)) > tolerance::coincidence;
   if (turned || other) {
     closeCycle();
@@ -117,33 +93,27 @@ void Moves::hole(const ToolPose& at) {
 
 /// At the bottom of a thread the spindle turns back with the feed: only the control can do that.
 bool Moves::cycleAllowed(bool canned) {
-  if (cycle_->kind != Cycle::Kind::tap) {
+  const Cycle& cycle = *cycles_.now();
+  if (cycle.kind != Cycle::Kind::tap || (canned && spindle_ != Spindle::off)) {
     return true;
   }
-  if (spindle_ == Spindle::off) {
-    report(fail(diag::NgcCycle, std::string("/TAP needs a spindle that turns; SPINDL starts it")));
-    return false;
-  }
-  if (!canned) {
-    report(fail(diag::NgcCycle,
-                std::string("/TAP turns the spindle back at the bottom, which only a canned cycle "
-                            "along z does")));
-  }
-  return canned;
+  report(
+      spindle_ == Spindle::off
+          ? fail(diag::NgcCycle, std::string("/TAP needs a spindle that turns; SPINDL starts it"))
+          : hole::stepsOf(cycle).takeFailure());
+  return false;
 }
 
 /// The way to the first hole: across at the height where the tool is, or at the clearance if that
 /// is higher; straight where the tool turns.
 void Moves::approach(const ToolPose& clear) {
+  const Cycle& cycle = *cycles_.now();
   const bool wasRapid = std::exchange(rapid_, true);
-  const double above = (now_.pose.end - clear.end).dot(clear.axis);
-  const bool same = placed_ && (now_.pose.axis - clear.axis).norm() <= tolerance::symmetric;
-  if (same) {
-    if (above < 0.0) {
-      line({now_.pose.end - above * clear.axis, clear.axis});
+  if (placed_ && (now_.pose.axis - clear.axis).norm() <= tolerance::symmetric) {
+    for (const Vec3& end : hole::wayOver(now_.pose.end, clear.end, clear.axis)) {
+      line({end, clear.axis});
     }
-    line({clear.end + std::max(above, 0.0) * clear.axis, clear.axis});
-    if (above > 0.0 && cycle_->retract > cycle_->clearance) {
+    if (cycle.retract > cycle.clearance) {
       line(clear);  // where G98 comes back to
     }
   } else {
@@ -153,62 +123,49 @@ void Moves::approach(const ToolPose& clear) {
 }
 
 void Moves::cannedHole(const ToolPose& at) {
+  const Cycle& cycle = *cycles_.now();
   const bool counter = spindle_ == Spindle::counterclockwise;
   const std::array codes = {"G81", "G82", "G83", "G73", "G85", "G89", counter ? "G74" : "G84"};
   const Vec3 place = onMachine(at.end);
-  const double clear = place.z() + cycle_->clearance * unit_;
+  const double clear = place.z() + cycle.clearance * unit_;
   block_.modal('p', "G17");
   block_.end();
-  const bool higher = cycle_->retract > cycle_->clearance;
+  const bool higher = cycle.retract > cycle.clearance;
   block_.code(higher ? "G98" : "G99");
-  block_.code(codes.at(static_cast<std::size_t>(cycle_->kind)));
+  block_.code(codes.at(static_cast<std::size_t>(cycle.kind)));
   block_.length('X', place.x());
   block_.length('Y', place.y());
-  block_.length('Z', place.z() - cycle_->depth * unit_);
+  block_.length('Z', place.z() - cycle.depth * unit_);
   block_.length('R', clear);
-  if (cycle_->kind == Cycle::Kind::dwell || cycle_->kind == Cycle::Kind::boreDwell) {
-    block_.number('P', cycle_->dwell, secondsDecimals);
-  } else if (cycle_->kind == Cycle::Kind::peck || cycle_->kind == Cycle::Kind::chip) {
-    block_.length('Q', cycle_->step * unit_);
+  if (cycle.kind == Cycle::Kind::dwell || cycle.kind == Cycle::Kind::boreDwell) {
+    block_.number('P', cycle.dwell, secondsDecimals);
+  } else if (cycle.kind == Cycle::Kind::peck || cycle.kind == Cycle::Kind::chip) {
+    block_.length('Q', cycle.step * unit_);
   }
   putFeed(0.0);
   block_.end();
   block_.forget('m');
   block_.forgetAxes();
   cycleOpen_ = true;
-  now_.pose = {at.end + cycle_->retract * unit_ * at.axis, at.axis};
+  now_.pose = {at.end + cycle.retract * unit_ * at.axis, at.axis};
   placed_ = sure_ = true;
 }
 
 void Moves::drilledHole(const ToolPose& at) {
-  const Vec3 clear = at.end + cycle_->clearance * unit_ * at.axis;
-  const auto go = [&](const Vec3& end, bool rapid) {
-    const bool before = std::exchange(rapid_, rapid);
-    line({end, at.axis});
-    rapid_ = before;
-  };
-  const bool pecks = cycle_->kind == Cycle::Kind::peck || cycle_->kind == Cycle::Kind::chip;
-  const double step = pecks ? cycle_->step : cycle_->depth;
-  go(clear, true);
-  for (double depth = 0.0; depth < cycle_->depth;) {
-    if (depth > 0.0) {
-      // Back into the hole as far above its bottom as the clearance, if the hole is that deep.
-      go(clear, true);
-      go(at.end - std::max(depth - cycle_->clearance, -cycle_->clearance) * unit_ * at.axis, true);
+  const Result<std::vector<hole::Step>> steps = hole::stepsOf(*cycles_.now());
+  if (!steps) {
+    return report(steps.failure());
+  }
+  for (const hole::Step& step : *steps) {
+    if (step.kind == hole::Step::Kind::dwell) {
+      block_.code("G4");
+      block_.number('P', step.seconds, secondsDecimals);
+      block_.end();
+      continue;
     }
-    depth = std::min(depth + step, cycle_->depth);
-    go(at.end - depth * unit_ * at.axis, false);
-  }
-  const bool dwells = cycle_->kind == Cycle::Kind::dwell || cycle_->kind == Cycle::Kind::boreDwell;
-  if (dwells) {
-    block_.code("G4");
-    block_.number('P', cycle_->dwell, secondsDecimals);
-    block_.end();
-  }
-  const bool bores = cycle_->kind == Cycle::Kind::bore || cycle_->kind == Cycle::Kind::boreDwell;
-  go(clear, !bores);
-  if (cycle_->retract > cycle_->clearance) {
-    go(at.end + cycle_->retract * unit_ * at.axis, true);
+    const bool before = std::exchange(rapid_, step.kind == hole::Step::Kind::rapid);
+    line({at.end + step.height * unit_ * at.axis, at.axis});
+    rapid_ = before;
   }
 }
 

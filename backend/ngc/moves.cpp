@@ -96,8 +96,8 @@ void Moves::points(const cl::Motion& motion) {
     return from({places.back(), axes.back()});
   }
   for (std::size_t i = 0; i < places.size();) {
-    if (cycle_) {
-      hole({places[i], axes[i]});
+    if (cycles_.now() != nullptr) {
+      drill({places[i], axes[i]});
       ++i;
       continue;
     }

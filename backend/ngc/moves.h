@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "backend/hole/cycle.h"
 #include "backend/ngc/block.h"
-#include "backend/ngc/cycle.h"
 #include "backend/robot/turned_move.h"
 #include "ir/diag/diagnostic.h"
 
@@ -43,12 +43,11 @@ class Moves {
   void straight(const robot::TurnedPlace& to);
   [[nodiscard]] std::optional<std::vector<robot::TurnedPlace>> way(const robot::ToolPose& to);
   std::size_t arc(std::span<const Vec3> rest);
-  void hole(const robot::ToolPose& at);
+  void drill(const robot::ToolPose& at);
   void approach(const robot::ToolPose& clear);
   [[nodiscard]] bool cycleAllowed(bool canned);
   void cannedHole(const robot::ToolPose& at);
   void drilledHole(const robot::ToolPose& at);
-  void beginCycle(const Cycle& cycle);
   void endCycle();
   void closeCycle();
   void putFeed(double length);
@@ -74,7 +73,7 @@ class Moves {
   FeedMode feedMode_ = FeedMode::perMinute;
   /// What they are outside of a cycle that has a feed of its own.
   std::optional<std::pair<std::optional<double>, FeedMode>> outside_;
-  std::optional<Cycle> cycle_, lastCycle_;
+  hole::Cycles cycles_;
   bool cycleOpen_ = false;
   bool placed_ = false;  // there was a location
   bool sure_ = false;    // the machine stands there: a move went to it

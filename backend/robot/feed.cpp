@@ -1,6 +1,7 @@
 #include "backend/robot/feed.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ir/diag/robot.h"
 #include "ir/words/units.h"
@@ -22,24 +23,49 @@ bool hasWord(const cl::Post& post, Word word) {
   });
 }
 
-std::optional<double> speedOf(const cl::Post& feedRate, double millimeters) {
-  const double* value = numberAt(feedRate, 0);
-  if (value == nullptr || !(*value > 0.0) || hasWord(feedRate, Word::IPR) ||
-      hasWord(feedRate, Word::MMPR)) {
-    return std::nullopt;
+std::optional<double> numberOf(const cl::Post& post) {
+  for (const cl::Value& value : post.arguments) {
+    if (const double* number = std::get_if<double>(&value)) {
+      return *number;
+    }
   }
-  return hasWord(feedRate, Word::MMPS)   ? *value
-         : hasWord(feedRate, Word::MMPM) ? *value / secondsOfAMinute
-         : hasWord(feedRate, Word::IPM)  ? *value * millimetersOfAnInch / secondsOfAMinute
-                                         : *value * millimeters / secondsOfAMinute;
+  return std::nullopt;
 }
 
-Result<double> neededSpeed(const cl::Post& feedRate, double millimeters) {
-  if (const std::optional<double> speed = speedOf(feedRate, millimeters)) {
+std::optional<double> turnsOf(const cl::Post& spindle) {
+  const std::optional<double> turns = numberOf(spindle);
+  return turns ? std::optional(std::abs(*turns)) : std::nullopt;
+}
+
+std::optional<double> speedOf(const cl::Post& feedRate, double millimeters, double turns) {
+  const std::optional<double> value = numberOf(feedRate);
+  const bool inches = hasWord(feedRate, Word::IPR) || hasWord(feedRate, Word::IPM);
+  const bool perTurn = hasWord(feedRate, Word::IPR) || hasWord(feedRate, Word::MMPR);
+  if (!value || !(*value > 0.0) || (perTurn && !(turns > 0.0)) || hasWord(feedRate, Word::INVERS)) {
+    return std::nullopt;
+  }
+  if (hasWord(feedRate, Word::MMPS)) {
+    return *value;
+  }
+  const bool named = inches || perTurn || hasWord(feedRate, Word::MMPM);
+  const double unit = inches ? millimetersOfAnInch : named ? 1.0 : millimeters;
+  return *value * unit * (perTurn ? turns : 1.0) / secondsOfAMinute;
+}
+
+Result<double> neededSpeed(const cl::Post& feedRate, double millimeters, double turns) {
+  if (const std::optional<double> speed = speedOf(feedRate, millimeters, turns)) {
     return *speed;
   }
-  const double* value = numberAt(feedRate, 0);
-  return fail(diag::VplusFeed, value == nullptr ? 0.0 : *value);
+  return fail(diag::RobotFeed, numberOf(feedRate).value_or(0.0));
+}
+
+Result<double> secondsOf(const cl::Post& delay, double turns) {
+  const std::optional<double> value = numberOf(delay);
+  const bool counts = hasWord(delay, Word::REV);
+  if (!value || *value < 0.0 || (counts && !(turns > 0.0))) {
+    return fail(diag::RobotDelay, value.value_or(0.0), counts ? " turns" : " s");
+  }
+  return counts ? *value * secondsOfAMinute / turns : *value;
 }
 
 }  // namespace arelem::robot

@@ -11,10 +11,23 @@ namespace arelem::robot {
 /// Whether the word stands in it.
 [[nodiscard]] bool hasWord(const cl::Post& post, Word word);
 
+/// The first number of a postprocessor word, wherever it stands.
+[[nodiscard]] std::optional<double> numberOf(const cl::Post& post);
+/// Turns a minute of SPINDL; none where it has no number.
+[[nodiscard]] std::optional<double> turnsOf(const cl::Post& spindle);
+
 /// The speed of a FEDRAT in mm/s: without a unit its number is lengths of `millimeters` per minute.
-/// None where it is not positive or per revolution.
-[[nodiscard]] std::optional<double> speedOf(const cl::Post& feedRate, double millimeters);
+/// A feed per turn needs the spindle's `turns` a minute. None where it is not positive, per turn of
+/// a spindle that stands, or an inverse time.
+[[nodiscard]] std::optional<double> speedOf(const cl::Post& feedRate,
+                                            double millimeters,
+                                            double turns = 0.0);
 /// The same for a robot that must have one. Errors: E0621.
-[[nodiscard]] Result<double> neededSpeed(const cl::Post& feedRate, double millimeters);
+[[nodiscard]] Result<double> neededSpeed(const cl::Post& feedRate,
+                                         double millimeters,
+                                         double turns = 0.0);
+/// The seconds of a DELAY; with REV of a spindle with `turns` a minute. Error E0625: it has no
+/// number, a negative one, or counts the turns of a spindle that stands.
+[[nodiscard]] Result<double> secondsOf(const cl::Post& delay, double turns);
 
 }  // namespace arelem::robot

@@ -13,14 +13,16 @@ namespace {
 constexpr double radian = std::numbers::pi / 180.0;
 constexpr double rounding = 1e-9;  // mm and degrees
 
-std::optional<Failure> outside(const Range& range,
-                               double value,
-                               int joint,
-                               std::string_view place) {
+std::optional<Objection> outside(const Range& range,
+                                 double value,
+                                 int joint,
+                                 std::string_view place) {
   if (value >= range.low - rounding && value <= range.high + rounding) {
     return std::nullopt;
   }
-  return fail(diag::JointRange, place, joint, value, range.low, range.high);
+  const double excess = std::max(value - range.high, range.low - value);
+  return Objection{fail(diag::JointRange, place, joint, value, range.low, range.high, excess),
+                   excess};
 }
 
 /// Joints 1 and 2 of a place in the reach.
@@ -40,10 +42,10 @@ ScaraJoints armAt(const Scara& s, const Vec3& point) {
 }
 
 /// The arm may have to pass a limit between two places that it can take.
-std::optional<Failure> objectionOnTheWay(const Scara& s,
-                                         const Vec3& from,
-                                         const Vec3& to,
-                                         std::string_view place) {
+std::optional<Objection> objectionOnTheWay(const Scara& s,
+                                           const Vec3& from,
+                                           const Vec3& to,
+                                           std::string_view place) {
   constexpr double step = 10.0;  // mm
   constexpr double mostSteps = 1000.0;
   const int steps = static_cast<int>(std::min(mostSteps, std::ceil((to - from).norm() / step)));
@@ -55,11 +57,11 @@ std::optional<Failure> objectionOnTheWay(const Scara& s,
     constexpr double turn = 360.0;
     joints.joint1 += turn * std::round((before - joints.joint1) / turn);
     before = joints.joint1;
-    if (auto failure = outside(s.joint1, joints.joint1, 1, way)) {
-      return failure;
+    if (auto objection = outside(s.joint1, joints.joint1, 1, way)) {
+      return objection;
     }
-    if (auto failure = outside(s.joint2, joints.joint2, 2, way)) {
-      return failure;
+    if (auto objection = outside(s.joint2, joints.joint2, 2, way)) {
+      return objection;
     }
   }
   return std::nullopt;
@@ -73,33 +75,45 @@ Range reachOf(const Scara& s) {
   return {std::sqrt(std::max(0.0, inner)), s.stretch * (s.link1 + s.link2)};
 }
 
-Result<ScaraJoints> jointsOf(const Scara& s,
-                             const Vec3& point,
-                             double heading,
-                             double joint4Before,
-                             std::string_view place) {
+ScaraJoints jointsOf(const Scara& s, const Vec3& point, double heading, double joint4Before) {
+  ScaraJoints joints = armAt(s, point);
+  const double plain = heading - joints.joint1 - joints.joint2;
+  constexpr double turn = 360.0;
+  joints.joint4 = plain + turn * std::round((joint4Before - plain) / turn);
+  return joints;
+}
+
+std::optional<Objection> objectionToPlace(const Scara& s,
+                                          const Vec3& point,
+                                          double heading,
+                                          double joint4Before,
+                                          std::string_view place) {
   const double radius = std::hypot(point.x(), point.y());
   const Range reach = reachOf(s);
   if (!reach.has(radius)) {
     const bool far = radius > reach.high;
-    return fail(diag::OutOfReach, place, point.x(), point.y(), radius,
-                far ? radius - reach.high : reach.low - radius, far ? "outside" : "inside",
-                far ? reach.high : reach.low);
+    const double excess = far ? radius - reach.high : reach.low - radius;
+    return Objection{fail(diag::OutOfReach, place, point.x(), point.y(), radius, excess,
+                          far ? "outside" : "inside", far ? reach.high : reach.low),
+                     excess};
   }
   if (!s.height.has(point.z())) {
-    return fail(diag::HeightRange, place, point.z(), s.height.low, s.height.high);
+    const bool high = point.z() > s.height.high;
+    const double excess = high ? point.z() - s.height.high : s.height.low - point.z();
+    return Objection{
+        fail(diag::HeightRange, place, point.z(), excess,
+             high ? "above the highest" : "below the lowest", s.height.low, s.height.high),
+        excess};
   }
-  ScaraJoints joints = armAt(s, point);
-  const double plain = heading - joints.joint1 - joints.joint2;
-  joints.joint4 = plain + 360.0 * std::round((joint4Before - plain) / 360.0);
+  const ScaraJoints joints = jointsOf(s, point, heading, joint4Before);
   for (const auto& [number, range, value] : {std::tuple{1, s.joint1, joints.joint1},
                                              {2, s.joint2, joints.joint2},
                                              {4, s.joint4, joints.joint4}}) {
-    if (std::optional<Failure> failure = outside(range, value, number, place)) {
-      return *std::move(failure);
+    if (std::optional<Objection> objection = outside(range, value, number, place)) {
+      return objection;
     }
   }
-  return joints;
+  return std::nullopt;
 }
 
 Vec3 pointOf(const Scara& s, const ScaraJoints& j) {
@@ -109,10 +123,10 @@ Vec3 pointOf(const Scara& s, const ScaraJoints& j) {
           s.link1 * std::sin(a) + s.link2 * std::sin(b), j.height};
 }
 
-std::optional<Failure> objectionToLine(const Scara& s,
-                                       const Vec3& from,
-                                       const Vec3& to,
-                                       std::string_view place) {
+std::optional<Objection> objectionToLine(const Scara& s,
+                                         const Vec3& from,
+                                         const Vec3& to,
+                                         std::string_view place) {
   const Eigen::Vector2d a = from.head<2>();
   const Eigen::Vector2d way = to.head<2>() - a;
   const double square = way.squaredNorm();
@@ -122,7 +136,8 @@ std::optional<Failure> objectionToLine(const Scara& s,
   if (nearest >= reach.low - rounding) {
     return objectionOnTheWay(s, from, to, place);
   }
-  return fail(diag::LineThroughBase, place, nearest, reach.low, reach.low - nearest);
+  const double excess = reach.low - nearest;
+  return Objection{fail(diag::LineThroughBase, place, nearest, reach.low, excess), excess};
 }
 
 }  // namespace arelem::robot

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <set>
 
+#include "backend/hole/cycle.h"
 #include "backend/robot/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
@@ -16,8 +17,8 @@ namespace arelem::backend {
 namespace {
 class BlankWriter : public Writer {
  public:
-  BlankWriter(std::ostream& out, robot::VplusStyle::Format format, DiagnosticSink& sink)
-      : out_(out), format_(format), sink_(sink) {}
+  BlankWriter(std::ostream& out, const robot::Machine& machine, DiagnosticSink& sink)
+      : out_(out), format_(machine.vplus.format), sink_(sink), rapidSpeed_(machine.rapid) {}
 
   void accept(const cl::Record& record) override {
     if (const auto* motion = std::get_if<cl::Motion>(&record.body)) {
@@ -53,7 +54,15 @@ class BlankWriter : public Writer {
       case Word::FEDRAT:
         return feed(post, origin);
       case Word::RAPID:
-      case Word::SPRAY:  // these lines have moves and speeds only, the gun is the robot's own
+        rapid_ = true;
+        return;
+      case Word::SPRAY:
+        return without("SPRAY, the robot switches its gun by itself,", origin);
+      case Word::CYCLE:
+        if (auto failure = backend::hole::objectionToDrilling(post)) {
+          sink_.accept(at(origin, *std::move(failure)));
+        }
+        return;
       case Word::TRACUT:
       case Word::COPY:
       case Word::INDEX:
@@ -92,12 +101,14 @@ class BlankWriter : public Writer {
   }
   void speed() {
     if (moved_) {
-      if (speed_ <= 0.0 && !slow_) {
+      const double speed = rapid_ ? rapidSpeed_ : speed_;
+      if (speed <= 0.0 && !slow_) {
         sink_.accept(diagnose(origin_, diag::NgcFeedMissing, place_.x(), place_.y(), place_.z()));
         slow_ = true;
       }
-      text_ += fmt::format("speed ({:5.1f}*scale), rotate MMPS \n", speed_);
+      text_ += fmt::format("speed ({:5.1f}*scale), rotate MMPS \n", speed);
     }
+    rapid_ = false;
   }
 
   std::ostream& out_;
@@ -105,6 +116,8 @@ class BlankWriter : public Writer {
   DiagnosticSink& sink_;
   std::string text_;
   double speed_ = 0.0;
+  double rapidSpeed_;
+  bool rapid_ = false;
   double millimeters_ = 1.0;
   Vec3 place_ = Vec3::Zero();
   Span origin_;
@@ -118,7 +131,7 @@ class BlankWriter : public Writer {
 std::unique_ptr<Writer> makeBlankWriter(std::ostream& out,
                                         const robot::Machine& machine,
                                         DiagnosticSink& sink) {
-  return std::make_unique<BlankWriter>(out, machine.vplus.format, sink);
+  return std::make_unique<BlankWriter>(out, machine, sink);
 }
 
 }  // namespace arelem::backend

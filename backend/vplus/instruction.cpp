@@ -63,13 +63,15 @@ void Instructions::move(bool straight) {
   made.pose = leaning(*underWay_);
   made.line = line_;
   made.straight = straight;
-  made.speed = speed_;
+  made.speed = nextSpeed_.value_or(speed_);
+  nextSpeed_.reset();
   program_.moves.push_back(made);
 }
 
 /// Over a place: the move to it is to follow.
 void Instructions::approach() {
   finish();
+  nextSpeed_.reset();
   underWay_.reset();
   over_ = scope_.location();
   overLine_ = line_;
@@ -82,6 +84,7 @@ void Instructions::approach() {
 
 void Instructions::depart() {
   finish();
+  nextSpeed_.reset();
   underWay_.reset();
   const std::optional<double> away = scope_.expression();
   if (!away || *away < 0.0) {
@@ -117,8 +120,7 @@ bool Instructions::motionWord(const std::string& word) {
     depart();
   } else if (word == "DELAY") {
     scope_.next();
-    time();
-    underWay_.reset();
+    delay();
   } else if (word == "BREAK" || word == "RETURN" || word == "PAUSE" || word == "STOP" ||
              word == "LEFTY" || word == "RIGHTY" || word == "ABOVE" || word == "BELOW" ||
              word == "FLIP" || word == "NOFLIP") {
@@ -158,15 +160,7 @@ bool Instructions::settingWord(const std::string& word) {
     scope_.take("ALWAYS");
   } else if (word == "TOOL" || word == "BASE") {
     scope_.next();
-    if (word == "TOOL" && !scope_.atEnd()) {
-      scope_.location();
-    } else if (word == "BASE" && !scope_.atEnd()) {
-      const std::size_t column = scope_.column();
-      constexpr std::size_t most = 4;  // dx, dy, dz and a turn about z
-      if (scope_.list() > most) {
-        scope_.wrongAt(column, fmt::format("BASE takes {} values", most));
-      }
-    }
+    word == "TOOL" ? setTool() : setBase();
   } else if (word == "ENABLE" || word == "DISABLE") {
     scope_.next();
     scope_.anyWord("a switch");
@@ -181,11 +175,55 @@ bool Instructions::settingWord(const std::string& word) {
   return true;
 }
 
-void Instructions::time() {
+std::optional<double> Instructions::time() {
   const std::size_t column = scope_.column();
   const std::optional<double> seconds = scope_.expression();
   if (seconds && *seconds < 0.0) {
     scope_.wrongAt(column, fmt::format("the time is {:g}; it is 0 or more", *seconds));
+  }
+  return seconds;
+}
+
+void Instructions::delay() {
+  const std::optional<double> seconds = time();
+  if (!seconds) {
+    return stray("the text does not tell how long the robot waits");
+  }
+  if (!program_.moves.empty()) {
+    program_.moves.back().wait += *seconds;
+  }
+  underWay_.reset();
+}
+
+void Instructions::setTool() {
+  const Place tool = scope_.atEnd() ? Place{} : scope_.location();
+  if (!tool.known) {
+    return stray("the text does not tell this tool");
+  }
+  const bool other =
+      !program_.toolShift || !isSame({*program_.toolShift, program_.toolTurn, true}, tool);
+  if (other && !program_.moves.empty()) {
+    stray("the tool changes between two moves");
+  }
+  program_.toolShift = tool.shift;
+  program_.toolTurn = tool.turn;
+}
+
+void Instructions::setBase() {
+  const std::size_t column = scope_.column();
+  for (std::size_t i = 0; !scope_.error() && (i == 0 || scope_.takeSign(",")); ++i) {
+    if (i == program_.base.size()) {
+      return scope_.wrongAt(column, fmt::format("BASE takes {} values", program_.base.size()));
+    }
+    const bool given = !scope_.isSign(",") && !scope_.atEnd();
+    const std::optional<double> value = given ? scope_.expression() : 0.0;
+    if (!value) {
+      return stray("the text does not tell where this base lies");
+    }
+    if (program_.base[i] != *value && !program_.moves.empty()) {
+      stray("the base moves between two moves");
+    }
+    program_.base[i] = *value;
   }
 }
 
@@ -198,13 +236,14 @@ void Instructions::setSpeed() {
   const bool millimeters = scope_.take("MMPS");
   const bool inches = !millimeters && scope_.take("IPS");
   const bool monitor = !millimeters && !inches && scope_.take("MONITOR");
-  scope_.take("ALWAYS");
+  const bool always = scope_.take("ALWAYS");
   if (value && !(*value > 0.0)) {
     return scope_.wrongAt(column, fmt::format("the speed is {:g}; it is above 0", *value));
   }
   if (!monitor) {
     constexpr double inch = 25.4;
-    speed_ = value && millimeters ? *value : value && inches ? *value * inch : 0.0;
+    const double speed = value && millimeters ? *value : value && inches ? *value * inch : 0.0;
+    always ? void(speed_ = speed) : void(nextSpeed_ = speed);
   }
 }
 
@@ -239,7 +278,8 @@ void Instructions::signal() {
                                       "and 3001 to 4999",
                                       output));
   }
-  program_.signals.push_back({program_.moves.size(), output, *value > 0.0});
+  const std::size_t underWay = underWay_ && !program_.moves.empty() ? 1 : 0;
+  program_.signals.push_back({program_.moves.size() - underWay, output, *value > 0.0});
 }
 
 void Instructions::bits() {

@@ -33,7 +33,10 @@ class Instructions {
   void stray(std::string what);
   [[nodiscard]] robot::Pose leaning(robot::Pose pose) const;
   void setSpeed();
-  void time();
+  void setTool();
+  void setBase();
+  void delay();
+  std::optional<double> time();
   void signal();
   void bits();
   void open(const std::string& word);
@@ -49,6 +52,7 @@ class Instructions {
   std::size_t overLine_ = 0;
   std::optional<robot::Pose> underWay_;  // upright pose of a move that has begun
   double speed_ = 0.0;
+  std::optional<double> nextSpeed_;  // of the next motion only
   double tiltDegrees_ = 0.0;
 };
 

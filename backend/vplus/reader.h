@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +16,11 @@ struct Move {
   std::size_t line = 0;
   bool straight = false;
   double speed = 0.0;  ///< mm/s in force, 0: in percent or none
+  double wait = 0.0;   ///< of a DELAY behind it, s
 };
 
-/// A switch of outputs: where in the sequence of moves, which, on or off.
+/// A switch of outputs: where in the sequence of moves, which, on or off. An output that changes
+/// while a move is under way does so as that begins, behind the moves before it.
 struct Switched {
   std::size_t afterMoves = 0;
   int output = 0;
@@ -34,6 +38,10 @@ struct ProgramText {
   /// The location that the program sets first: its coordinates are seen from there.
   Vec3 frameShift = Vec3::Zero();
   robot::Matrix3 frameTurn = robot::Matrix3::Identity();
+  /// From the flange to the tool point, where the program sets it; what BASE moves.
+  std::optional<Vec3> toolShift;
+  robot::Matrix3 toolTurn = robot::Matrix3::Identity();
+  std::array<double, 4> base{};  ///< mm, and degrees about z
   std::vector<Stray> strays;
   std::vector<Move> moves;
   std::vector<Switched> signals;

@@ -5,36 +5,26 @@
 #include <ostream>
 #include <set>
 
-#include "backend/robot/envelope.h"
+#include "backend/hole/steps.h"
 #include "backend/robot/feed.h"
-#include "backend/robot/machine.h"
-#include "backend/robot/reach.h"
+#include "backend/robot/reach_check.h"
 #include "backend/text/clean.h"
 #include "backend/vplus/blank.h"
-#include "backend/vplus/name.h"
+#include "backend/vplus/program_lines.h"
 #include "backend/vplus/reader.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 
 namespace arelem::backend {
 
 namespace {
 using namespace robot;
+using vplus::numberText;
+using vplus::transText;
 
 constexpr int bitsOfTilt = 8;
-constexpr std::size_t indent = 2;
-
-/// Numbers as V+ takes them, three decimals, never "-0.000".
-std::string number(double value) {
-  const double rounded = std::round(value * 1e3) / 1e3;
-  return fmt::format("{:.3f}", rounded == 0.0 ? 0.0 : rounded);
-}
-
-std::string trans(const std::array<double, 6>& v) {
-  return fmt::format("TRANS({}, {}, {}, {}, {}, {})", number(v[0]), number(v[1]), number(v[2]),
-                     number(v[3]), number(v[4]), number(v[5]));
-}
 
 class VplusWriter : public Writer {
  public:
@@ -57,41 +47,26 @@ class VplusWriter : public Writer {
       sink_.accept(diagnose(fastest_.origin, diag::RobotSpeed, fastest_.place, fastest_.speed,
                             machine_.speed, machine_.speed / fastest_.speed));
     }
-    const std::string end = machine_.vplus.crlf ? "\r\n" : "\n";
-    std::string text = ".PROGRAM " + vplus::programName(name_) + "()" + end;
-    text += "  ; made by arelem from CL data" + end;
-    text += "  AUTO f" + end;
-    const Frame& f = machine_.frame;
-    text += "  SET f = " +
-            trans({f.shift.x(), f.shift.y(), f.shift.z(), f.angles[0], f.angles[1], f.angles[2]}) +
-            end;
-    if (machine_.vplus.tool) {
-      text += "  TOOL " + trans(*machine_.vplus.tool) + end;
-    }
-    text += "  ACCEL 100, 100" + end;
-    for (const std::string& line : lines_) {
-      text += "  " + line + end;
-    }
-    if (machine_.vplus.approach > 0.0 && before_) {
-      text += "  DEPARTS " + number(machine_.vplus.approach) + end;
+    reach_.report(sink_);
+    if (machine_.vplus.approach > 0.0 && here_) {
+      line("DEPARTS " + numberText(machine_.vplus.approach));
     } else if (!signalsAfterMove_.empty()) {
-      text += "  BREAK" + end;
+      line("BREAK");
     }
-    for (const std::string& line : signalsAfterMove_) {
-      text += "  " + line + end;
-    }
-    text += "  BREAK" + end + "  RETURN" + end + ".END" + end;
-    if (machine_.vplus.controlZ) {
-      text += "\f\x1a";
-    }
-    out_ << text;
+    switchOutputs();
+    out_ << program_.text(name_, machine_.frame);
     out_.flush();
   }
 
   void operator()(const cl::Motion& motion) {
     for (const Pose& pose : posesOf(motion, millimeters_)) {
       ++location_;
-      moveTo(pose, motion.kind == cl::Motion::Kind::from);
+      reach_.begin(record_->origin);
+      if (cycles_.now() != nullptr && motion.kind != cl::Motion::Kind::from) {
+        drill(pose, *cycles_.now());
+      } else {
+        moveTo(pose, motion.kind == cl::Motion::Kind::from);
+      }
     }
   }
   void operator()(const cl::Post& post) {
@@ -121,8 +96,10 @@ class VplusWriter : public Writer {
       case Word::END:
         return;  // done already, or said by the program itself
       case Word::CYCLE:
-        cycle_ = !hasWord(post, Word::OFF);
-        return without("CYCLE");
+        return cycle(post);
+      case Word::SPINDL:
+        turns_ = hasWord(post, Word::OFF) ? 0.0 : turnsOf(post).value_or(turns_);
+        return without("SPINDL");
       default:
         without(spell(post.word));
     }
@@ -135,7 +112,7 @@ class VplusWriter : public Writer {
       return without("INSERT");
     }
     std::string clean = printableAscii(trimmed(text.text));
-    comment(std::move(clean));
+    program_.comment(std::move(clean));
   }
   void operator()(const cl::Units& units) { millimeters_ = millimetersOf(units.unit); }
   template <class Other>
@@ -143,18 +120,10 @@ class VplusWriter : public Writer {
   }  // what tells of surfaces, tolerances and the cutter moves nothing
 
  private:
-  /// An instruction. V+ has no way to go on with one on a further line.
   void line(std::string text) {
-    const std::size_t columns = indent + text.size();
-    if (columns > vplus::longestLine) {
-      return report(fail(diag::VplusLineLength, columns, vplus::longestLine));
+    if (auto failure = program_.add(std::move(text))) {
+      report(*std::move(failure));
     }
-    lines_.push_back(std::move(text));
-  }
-  void comment(std::string text) {
-    text.resize(
-        std::min(text.size(), static_cast<std::size_t>(machine_.vplus.columns) - indent - 2));
-    lines_.push_back("; " + std::move(text));
   }
   void report(Failure failure) {
     if (reported_++ < mostReports) {
@@ -166,11 +135,11 @@ class VplusWriter : public Writer {
     if (told_.insert(std::string(word)).second) {
       sink_.accept(diagnose(record_->origin, diag::VplusWithout, word));
     }
-    comment(fmt::format("{} is left out", printableAscii(word)));
+    program_.comment(fmt::format("{} is left out", printableAscii(word)));
   }
 
   void feed(const cl::Post& post) {
-    Result<double> speed = robot::neededSpeed(post, millimeters_);
+    Result<double> speed = robot::neededSpeed(post, millimeters_, turns_);
     if (!speed) {
       return report(speed.takeFailure());
     }
@@ -179,17 +148,16 @@ class VplusWriter : public Writer {
   }
 
   void delay(const cl::Post& post) {
-    const double* seconds = numberAt(post, 0);
-    if (seconds == nullptr || *seconds < 0.0 || hasWord(post, Word::REV)) {
-      return report(fail(diag::VplusDelay, seconds == nullptr ? 0.0 : *seconds,
-                         hasWord(post, Word::REV) ? " turns" : " s"));
+    Result<double> seconds = secondsOf(post, turns_);
+    if (!seconds) {
+      return report(seconds.takeFailure());
     }
     // The robot stands while it waits: what is to change at this place does so before.
     if (!signalsAfterMove_.empty()) {
       line("BREAK");
       switchOutputs();
     }
-    line(fmt::format("DELAY {}", number(*seconds)));
+    line(fmt::format("DELAY {}", numberText(*seconds)));
   }
 
   /// SPRAY/ON, n and SPRAY/OFF, n: at the location before, or on the way from it.
@@ -210,6 +178,64 @@ class VplusWriter : public Writer {
     line(signal);
   }
 
+  void cycle(const cl::Post& post) {
+    const auto change = cycles_.read(post);
+    if (!change) {
+      return report(change.failure());
+    }
+    if (*change != hole::Cycles::Change::begun) {
+      return;
+    }
+    if (const auto own = hole::feedOf(*cycles_.now())) {
+      feed(*own);
+    }
+    if (const auto steps = hole::stepsOf(*cycles_.now()); !steps) {
+      report(steps.failure());
+    }
+  }
+
+  /// A location under a cycle: over the hole, down and up again along the tool, move by move.
+  void drill(const Pose& pose, const hole::Cycle& cycle) {
+    const auto steps = hole::stepsOf(cycle);
+    if (!steps || !feedIsKnown(pose)) {
+      return;
+    }
+    const auto go = [&](const Vec3& point, bool rapid) {
+      Pose at = pose;
+      at.point = point;
+      const bool stands = here_ && (here_->point - point).norm() <= tolerance::symmetric &&
+                          (here_->axis - pose.axis).norm() <= tolerance::symmetric;
+      if (!stands) {
+        rapid_ = rapid;
+        moveTo(at, false);
+      }
+    };
+    const Vec3 clear = pose.point + cycle.clearance * millimeters_ * pose.axis;
+    if (here_ && (here_->axis - pose.axis).norm() <= tolerance::symmetric) {
+      for (const Vec3& point : hole::wayOver(here_->point, clear, pose.axis)) {
+        go(point, true);
+      }
+    }
+    for (const hole::Step& step : *steps) {
+      if (step.kind == hole::Step::Kind::dwell) {
+        line(fmt::format("DELAY {}", numberText(step.seconds)));
+      } else {
+        go(pose.point + step.height * millimeters_ * pose.axis,
+           step.kind == hole::Step::Kind::rapid);
+      }
+    }
+    rapid_ = false;
+  }
+
+  bool feedIsKnown(const Pose& to) {
+    if (speed_ <= 0.0 && !feedMissed_) {
+      feedMissed_ = true;
+      const Vec3 place = to.point / millimeters_;
+      report(fail(diag::NgcFeedMissing, place.x(), place.y(), place.z()));
+    }
+    return speed_ > 0.0;
+  }
+
   void moveTo(const Pose& pose, bool isFrom) {
     const std::string place = fmt::format("location {}", location_);
     const Pose inRobot = inBase(machine_.frame, pose);
@@ -218,24 +244,20 @@ class VplusWriter : public Writer {
     if (upright && !standUpright(inRobot, place, written)) {
       return;
     }
-    check(inRobot, place, isFrom);
-    const bool over = rapid_ && !isFrom && machine_.vplus.approach > 0.0;
-    const bool joint = isFrom || location_ == 1;  // nothing is known of where the robot stands
-    if (!joint && !rapid_ && !cycle_ && speed_ <= 0.0 && !feedMissed_) {
-      feedMissed_ = true;
-      report(fail(diag::NgcFeedMissing, pose.point.x() / millimeters_,
-                  pose.point.y() / millimeters_, pose.point.z() / millimeters_));
+    const bool over = rapid_ && !isFrom && machine_.vplus.approach > 0.0 && !cycles_.now();
+    const bool joint = isFrom || !here_;  // nothing is known of where the robot stands
+    if (!joint && !rapid_) {
+      feedIsKnown(pose);
     }
     setSpeed(place);
-    const Euler e = eulerOf(toolFrame(written));
-    const std::string there =
-        "f:" + trans({pose.point.x(), pose.point.y(), pose.point.z(), e.yaw, e.pitch, e.roll});
+    const std::string there = "f:" + transText(pose.point, eulerOf(toolFrame(written)));
     if (over) {
       approach(inRobot, there, place, joint);
     }
+    reach_.moveTo(inRobot, place, !joint || over);
     motion((joint && !over ? "MOVE " : "MOVES ") + there);
     turnTiltAxis();
-    before_ = inRobot;
+    here_ = pose;
   }
 
   /// A motion instruction; outputs that change on the fly do so as it begins.
@@ -253,14 +275,14 @@ class VplusWriter : public Writer {
   /// Away from the place before and over the next one, along the tool.
   void approach(const Pose& pose, const std::string& there, const std::string& place, bool joint) {
     const double away = machine_.vplus.approach;
-    if (before_) {
-      motion("DEPARTS " + number(away));
+    if (here_) {
+      motion("DEPARTS " + numberText(away));
     }
-    motion(fmt::format("{} {}, {}", joint ? "APPRO" : "APPROS", there, number(away)));
+    motion(fmt::format("{} {}, {}", joint ? "APPRO" : "APPROS", there, numberText(away)));
     turnTiltAxis();
     Pose raised = pose;
     raised.point += away * pose.axis.normalized();
-    check(raised, "the approach to " + place, true);
+    reach_.moveTo(raised, "the approach to " + place, false);
   }
 
   /// Splits the pose into what the robot holds upright and what its tilt axis does.
@@ -270,13 +292,16 @@ class VplusWriter : public Writer {
         std::acos(std::clamp(inRobot.axis.normalized().z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
     constexpr double straight = 1e-4;  // degrees
     if (!upright || (!machine_.tilt && lean > straight)) {
-      report(fail(diag::ToolNotUpright, place, lean,
-                  machine_.tilt ? " but for the tilt along its side" : ""));
+      reach_.refuse(fail(diag::ToolNotUpright, place, lean,
+                         machine_.tilt ? " but for the tilt along its side" : ""),
+                    lean);
       return false;
     }
     if (machine_.tilt) {
       if (std::abs(upright->tilt) > machine_.tilt->most + straight) {
-        report(fail(diag::TiltRange, place, upright->tilt, machine_.tilt->most));
+        const double excess = std::abs(upright->tilt) - machine_.tilt->most;
+        reach_.refuse(fail(diag::TiltRange, place, upright->tilt, machine_.tilt->most, excess),
+                      excess);
         return false;
       }
       wantedTilt_ = tiltWord(*machine_.tilt, upright->tilt);
@@ -301,38 +326,14 @@ class VplusWriter : public Writer {
     }
   }
 
-  void check(const Pose& pose, const std::string& place, bool isFrom) {
-    if (machine_.envelope) {
-      if (auto failure = robot::objectionToPlace(*machine_.envelope, pose, place)) {
-        report(*std::move(failure));
-      }
-    }
-    if (!machine_.scara) {
-      return;
-    }
-    const std::optional<Upright> upright = uprightOf(pose);
-    auto joints =
-        jointsOf(*machine_.scara, pose.point, upright ? upright->heading : 0.0, joint4_, place);
-    if (!joints) {
-      report(joints.takeFailure());
-    } else {
-      joint4_ = joints->joint4;
-      if (before_ && !isFrom) {
-        if (auto failure = objectionToLine(*machine_.scara, before_->point, pose.point, place)) {
-          report(*std::move(failure));
-        }
-      }
-    }
-  }
-
   void setSpeed(const std::string& place) {
-    const double speed = rapid_ || (cycle_ && speed_ <= 0.0) ? machine_.rapid : speed_;
+    const double speed = rapid_ ? machine_.rapid : speed_;
     rapid_ = false;
     if (speed > std::max(fastest_.speed, machine_.speed)) {
       fastest_ = {speed, place, record_->origin};
     }
-    if (speed > 0.0 && number(speed) != written_) {
-      written_ = number(speed);
+    if (speed > 0.0 && numberText(speed) != written_) {
+      written_ = numberText(speed);
       line(fmt::format("SPEED {}, 100 MMPS ALWAYS", written_));
     }
   }
@@ -348,8 +349,10 @@ class VplusWriter : public Writer {
   std::ostream& out_;
   DiagnosticSink& sink_;
   Machine machine_;
+  ReachCheck reach_{machine_};
+  vplus::ProgramLines program_{machine_.vplus};
+  hole::Cycles cycles_;
   const cl::Record* record_ = nullptr;
-  std::vector<std::string> lines_;
   std::vector<std::string> signalsAfterMove_;
   std::set<std::string> told_;
   std::string name_;
@@ -357,15 +360,14 @@ class VplusWriter : public Writer {
   double millimeters_ = 1.0;
   double speed_ = 0.0;
   bool rapid_ = false;
-  bool cycle_ = false;       // between its holes the tool goes as at RAPID
+  double turns_ = 0.0;       // of a spindle that the robot carries, a minute
   bool feedMissed_ = false;  // told once
   Fastest fastest_;
-  double joint4_ = 0.0;
   int tiltWord_ = 0;    // in force
   int wantedTilt_ = 0;  // of the location under way
   std::size_t location_ = 0;
   std::size_t reported_ = 0;
-  std::optional<Pose> before_;
+  std::optional<Pose> here_;  // seen from the frame
 };
 }  // namespace
 

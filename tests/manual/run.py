@@ -43,7 +43,7 @@ REASONS = {
         "E0727 E0904 E0905 E0906 E0907 E0908 E0909 E0910 E0911 E0912 E0913 E0914 E0915 W0916",
     "a machine file or a V+ program; tests/unit/backend/robot, tests/unit/backend/vplus and tests/end_to_end/test_robots.py show them":
         "E0388 E0690 W0620 E0621 E0622 E0630 W0631 W0632 E0633 E0605 E0650 E0651 E0652 E0660 E0661 E0662 E0663 E0664 E0665 "
-        "E0666 E0634 E0635 E0680 E0681 E0682 E0683 E0684 E0685 E0686 W0687 E0689",
+        "E0666 E0634 E0635 E0636 E0637 E0922 E0923 E0924 E0680 E0681 E0682 E0683 E0684 E0685 E0686 W0687 E0689",
     "a machine file or a G97 program; tests/unit/backend/g97 and tests/end_to_end/test_g97.py show them":
         "E0640 E0641 E0642 E0643 E0644 E0645 E0646 W0640 W0641 W0642 W0643 W0644 E0667 E0921",
     "a signal; tests/end_to_end/test_faults.py sends it": "E0810 E0811 E0890",

@@ -1,13 +1,15 @@
-#include "backend/ngc/cycle.h"
+#include "backend/hole/cycle.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "ir/diag/ngc.h"
 
-namespace arelem::backend::ngc {
+namespace arelem::backend::hole {
 
 namespace {
+/// A cycle has at most so many pecks a hole: each is several moves where they are written out.
+constexpr double mostPecks = 10000.0;
 
 class Reader {
  public:
@@ -153,6 +155,10 @@ class Reader {
       return fail(diag::NgcCycle,
                   fmt::format("has a step of {}; STEP above 0 is needed", cycle_.step));
     }
+    if (pecks && cycle_.depth / cycle_.step > mostPecks) {
+      return fail(diag::NgcCycle, fmt::format("has {:.6g} pecks a hole; {:.6g} is the most",
+                                              cycle_.depth / cycle_.step, mostPecks));
+    }
     if (pecks ? hasDwell_ : cycle_.step != 0.0) {
       return fail(diag::NgcCycle, pecks
                                       ? std::string("has DWELL, which no cycle of pecks takes")
@@ -187,4 +193,63 @@ Result<Cycle> readCycle(const cl::Post& post) {
   return Reader(post).read();
 }
 
-}  // namespace arelem::backend::ngc
+namespace {
+const Word* firstWord(const cl::Post& post) {
+  return post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
+}
+bool ends(const cl::Post& post) {
+  const Word* first = firstWord(post);
+  const bool clears =  // SolidWorks CAM, before a cycle
+      post.arguments.size() == 1 && std::get_if<std::string>(&post.arguments[0]) != nullptr &&
+      std::get<std::string>(post.arguments[0]) == "CLEAR";
+  return clears || (first != nullptr && (*first == Word::OFF || *first == Word::NOMORE));
+}
+}  // namespace
+
+std::optional<Failure> objectionToDrilling(const cl::Post& post) {
+  if (ends(post)) {
+    return std::nullopt;
+  }
+  return fail(diag::NgcCycle,
+              std::string("drills, which this output has no moves for: its holes would be lost"));
+}
+
+Result<Cycles::Change> Cycles::read(const cl::Post& post) {
+  const Word* first = firstWord(post);
+  if (ends(post)) {
+    on_ = false;
+    return Change::ended;
+  }
+  if (first != nullptr && *first == Word::ON) {
+    if (!last_) {
+      return fail(diag::NgcCycle, std::string("/ON has no cycle before it"));
+    }
+    on_ = true;
+    return Change::resumed;
+  }
+  const auto* text =
+      post.arguments.empty() ? nullptr : std::get_if<std::string>(&post.arguments[0]);
+  if (text != nullptr && *text == "INIT") {
+    return Change::none;  // Fusion's head of a cycle that follows
+  }
+  Result<Cycle> cycle = readCycle(post);
+  if (!cycle) {
+    return cycle.takeFailure();
+  }
+  last_ = *cycle;
+  on_ = true;
+  return Change::begun;
+}
+
+std::optional<cl::Post> feedOf(const Cycle& cycle) {
+  if (!cycle.feed) {
+    return std::nullopt;
+  }
+  cl::Post feed{Word::FEDRAT, "", {*cycle.feed}};
+  if (cycle.feedHasUnit) {
+    feed.arguments.emplace_back(cycle.feedUnit);
+  }
+  return feed;
+}
+
+}  // namespace arelem::backend::hole

@@ -4,7 +4,7 @@
 #include "ir/cl/record.h"
 #include "ir/diag/result.h"
 
-namespace arelem::backend::ngc {
+namespace arelem::backend::hole {
 
 /// A canned cycle of CYCLE/ type, depth, unit, feed, clearance, modifiers. Lengths in the part
 /// unit.
@@ -27,4 +27,29 @@ struct Cycle {
 /// SolidWorks CAM, CAMWorks, Creo and CATIA. Errors: other cycles, a number that is missing.
 [[nodiscard]] Result<Cycle> readCycle(const cl::Post& post);
 
-}  // namespace arelem::backend::ngc
+/// What the words CYCLE of a program leave in force.
+class Cycles {
+ public:
+  enum class Change : std::uint8_t {
+    none,   ///< a head without a meaning of its own
+    ended,  ///< OFF, NOMORE, CLEAR alone
+    resumed,
+    begun
+  };
+  /// Errors: as readCycle; ON without a cycle before it; more pecks than a hole may have.
+  [[nodiscard]] Result<Change> read(const cl::Post& post);
+  /// Null between OFF and the next cycle.
+  [[nodiscard]] const Cycle* now() const { return on_ && last_ ? &*last_ : nullptr; }
+
+ private:
+  std::optional<Cycle> last_;
+  bool on_ = false;
+};
+
+/// What a machine that does not drill has against a word CYCLE: E0673, but for those that end one.
+[[nodiscard]] std::optional<Failure> objectionToDrilling(const cl::Post& post);
+
+/// FEDRAT with the feed that a cycle brings; none where it has the feed before it.
+[[nodiscard]] std::optional<cl::Post> feedOf(const Cycle& cycle);
+
+}  // namespace arelem::backend::hole

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/messages.h"
+#include "app/verify_path.h"
+
+#include "backend/robot/machine.h"
+
+namespace arelem::app {
+
+/// Compares a V+ program with the path of its part program: poses, speeds, waits and outputs of
+/// every location, the moves of every hole, and frame, TOOL and BASE with the machine file. How
+/// many locations agree; none after an error, which goes to the log.
+[[nodiscard]] std::optional<std::size_t> verifyVplus(std::string_view text,
+                                                     const std::string& name,
+                                                     const robot::Machine& machine,
+                                                     const Path& wanted,
+                                                     const Allowed& given,
+                                                     DiagnosticLog& log);
+
+}  // namespace arelem::app
