@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
+#include <optional>
+#include <set>
 
 #include "app/command.h"
 #include "app/library_file.h"
@@ -27,6 +30,7 @@ struct AlphabetOptions {
   double speed = 600.0;
   bool plain = false;
   bool pens = false;
+  int primitive = 0;  ///< that alone; 0: all symbols
 };
 
 backend::Chart chartOf(const stencil::Alphabet& alphabet, bool plain) {
@@ -100,15 +104,67 @@ void writeTo(DiagnosticLog& log, const std::string& path, const backend::Chart& 
   }
 }
 
-/// Film of every symbol by every rule of tilt.
-void printFilms(const stencil::Alphabet& alphabet, const AlphabetOptions& options) {
-  constexpr std::array rules = {stencil::TiltRule::off, stencil::TiltRule::trapezoid,
-                                stencil::TiltRule::quadrilateral, stencil::TiltRule::best};
+/// What a symbol comes to by every rule of tilt; none where no text can hold it.
+constexpr std::array rules = {stencil::TiltRule::off, stencil::TiltRule::trapezoid,
+                              stencil::TiltRule::quadrilateral, stencil::TiltRule::best};
+std::array<std::optional<stencil::Evenness>, rules.size()> byRules(
+    const std::string& symbol, const stencil::Alphabet& alphabet, const AlphabetOptions& options) {
+  std::array<std::optional<stencil::Evenness>, rules.size()> all;
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    stencil::Statement statement;
+    statement.placement.height = options.height;
+    statement.speed = options.speed;
+    statement.job.gun.fan = options.fan;
+    statement.job.tilt = rules.at(i);
+    statement.job.limits.most = options.most;
+    statement.job.limits.rate = options.rate;
+    statement.text = symbol;
+    const Result<stencil::Painted> painted =
+        stencil::paint(statement, alphabet, options.settings.limits, stencil::Vec2::Zero());
+    if (painted) {
+      all.at(i) = stencil::evennessOf(painted->tracks, statement.job.gun);
+    }
+  }
+  return all;
+}
+
+void printHead(const stencil::Alphabet& alphabet, const AlphabetOptions& options) {
   std::cout << fmt::format(
       "{}: grid {:g} by {:g}, {} symbols; fan {:g} degrees, height {:g} mm, {:g} mm/s over a grid "
       "unit, tilt up to {:g}, turning by up to {:g} a second\n",
       alphabet.file, alphabet.width, alphabet.height, alphabet.symbols.size(), options.fan,
       options.height, options.speed, options.most, options.rate);
+}
+
+/// One primitive alone, not mirrored or moved: each form that strokes of that number have, and the
+/// first symbol that has it.
+stencil::Alphabet primitivesOf(const stencil::Alphabet& alphabet,
+                               int number,
+                               std::vector<std::string>& users) {
+  stencil::Alphabet alone = alphabet;
+  alone.symbols.clear();
+  std::set<const stencil::Shape*> seen;
+  for (const stencil::Symbol& symbol : alphabet.symbols) {
+    for (const stencil::Stroke& stroke : symbol.strokes) {
+      if (stroke.primitive != number || !seen.insert(stroke.shape.get()).second) {
+        continue;
+      }
+      stencil::Symbol& one = alone.symbols.emplace_back();
+      one.name = fmt::format("<{}>", alone.symbols.size());
+      one.width = symbol.width;
+      one.strokes.emplace_back();
+      one.strokes.back().primitive = number;
+      one.strokes.back().shape = stroke.shape;
+      one.strokes.back().cells = stroke.cells;
+      users.push_back(symbol.name);
+    }
+  }
+  return alone;
+}
+
+/// Film of every symbol by every rule of tilt.
+void printFilms(const stencil::Alphabet& alphabet, const AlphabetOptions& options) {
+  printHead(alphabet, options);
   std::cout
       << "film over the mean film, smallest and largest: all of its cells in ten strips each\n";
   std::cout << fmt::format("{:<10}{:>7}{:>8}{:>7}{:>16}{:>16}{:>16}{:>16}\n", "symbol", "strokes",
@@ -116,28 +172,46 @@ void printFilms(const stencil::Alphabet& alphabet, const AlphabetOptions& option
   for (const stencil::Symbol& symbol : alphabet.symbols) {
     std::string row;
     stencil::Evenness even;
-    for (const stencil::TiltRule rule : rules) {
-      stencil::Statement statement;
-      statement.placement.height = options.height;
-      statement.speed = options.speed;
-      statement.job.gun.fan = options.fan;
-      statement.job.tilt = rule;
-      statement.job.limits.most = options.most;
-      statement.job.limits.rate = options.rate;
-      statement.text = symbol.name;
-      const Result<stencil::Painted> painted =
-          stencil::paint(statement, alphabet, options.settings.limits, stencil::Vec2::Zero());
-      if (!painted) {
-        row += fmt::format("{:>16}", "-");
-        continue;
-      }
-      even = stencil::evennessOf(painted->tracks, statement.job.gun);
-      row += fmt::format("{:>10.3f} {:<5.3f}", even.film.least, even.film.most);
+    for (const auto& one : byRules(symbol.name, alphabet, options)) {
+      even = one.value_or(even);
+      row += one ? fmt::format("{:>10.3f} {:<5.3f}", one->film.least, one->film.most)
+                 : fmt::format("{:>16}", "-");
     }
     const double unit = options.height / alphabet.height;
     std::cout << fmt::format("{:<10}{:>7}{:>8}{:>7.2f}{}\n", symbol.name, symbol.strokes.size(),
                              even.cells, even.area / (unit * unit), row);
   }
+}
+
+/// How the halves of the paint share the cells of one primitive, and its film, by every rule.
+bool printPrimitive(const stencil::Alphabet& alphabet, const AlphabetOptions& options) {
+  std::vector<std::string> users;
+  const stencil::Alphabet alone = primitivesOf(alphabet, options.primitive, users);
+  if (users.empty()) {
+    return false;
+  }
+  printHead(alphabet, options);
+  std::cout << fmt::format(
+      "primitive {} alone: percent of a cell's area that half of its paint falls on, least and "
+      "most; film over the mean film\n",
+      options.primitive);
+  std::cout << fmt::format("{:<10}{:>7}  {:<10}{:>16}{:>16}{:>16}{:>16}\n", "as in", "cells", "",
+                           "OFF", "TRAPZ", "QUADR", "BEST");
+  for (std::size_t i = 0; i < users.size(); ++i) {
+    std::string shares;
+    std::string films;
+    std::size_t cells = 0;
+    for (const auto& one : byRules(alone.symbols[i].name, alone, options)) {
+      if (one) {
+        cells = std::max(cells, one->cells);
+        shares += fmt::format("{:>8.1f} to {:<4.1f}", one->leastShare, one->mostShare);
+        films += fmt::format("{:>7.3f} to {:<5.3f}", one->film.least, one->film.most);
+      }
+    }
+    std::cout << fmt::format("{:<10}{:>7}  {:<10}{}\n{:<10}{:>7}  {:<10}{}\n", users[i], cells,
+                             "shares, %", shares, "", "", "film", films);
+  }
+  return true;
 }
 }  // namespace
 
@@ -159,7 +233,11 @@ int runAlphabet(const Invocation& invocation) {
         ->type_name("N")
         ->capture_default_str();
   };
-  number("--fan", options.fan, 1.0, 179.0, "full angle of the gun's fan, degrees");
+  app.add_option("--primitive", options.primitive,
+                 "a primitive alone: how the halves of the paint share its cells")
+      ->check(CLI::Range(1, 999))
+      ->type_name("N");
+  number("--fan", options.fan, 5.0, 165.0, "full angle of the gun's fan, degrees");
   number("--tilt", options.most, 0.1, 89.0, "largest tilt, degrees");
   number("--rate", options.rate, 0.1, 1e6, "largest turn of the tilt, degrees a second");
   number("--height", options.height, 1.0, 1e6, "height of the symbols, mm");
@@ -178,8 +256,12 @@ int runAlphabet(const Invocation& invocation) {
     writeTo(
         log, options.output,
         options.pens ? penChartOf(*alphabet, options.plain) : chartOf(*alphabet, options.plain));
-  } else {
+  } else if (options.primitive == 0) {
     printFilms(*alphabet, options);
+  } else if (!printPrimitive(*alphabet, options)) {
+    printUsageError("alphabet", fmt::format("no stroke of `{}` is of primitive {}", alphabet->file,
+                                            options.primitive));
+    return static_cast<int>(ExitCode::wrongUse);
   }
   const SourceMap sources;
   log.print(sources, BufferId{}, options.settings);

@@ -1,11 +1,14 @@
 #include "app/stencil_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
+
+#include "runtime/stencil/overlap.h"
 
 namespace arelem::app {
 
@@ -71,6 +74,7 @@ Totals totalsOf(const Painted& painted) {
 struct Letter {
   std::string name;
   Evenness even;
+  double twice = 0.0;  ///< area that is painted more than once, mm2
 };
 std::vector<Letter> lettersOf(const Painted& painted) {
   std::map<std::size_t, std::vector<Track>> byPosition;
@@ -79,26 +83,57 @@ std::vector<Letter> lettersOf(const Painted& painted) {
   }
   std::vector<Letter> letters;
   for (const auto& [position, tracks] : byPosition) {
-    letters.push_back(
-        {tracks.front().symbol, stencil::evennessOf(tracks, painted.statement.job.gun)});
+    letters.push_back({tracks.front().symbol,
+                       stencil::evennessOf(tracks, painted.statement.job.gun),
+                       stencil::overlapOf(tracks)});
   }
   return letters;
 }
 
-void printEvenness(std::ostream& out, const std::string& name, const Evenness& even) {
+Letter allOf(const Painted& painted) {
+  return {"all", stencil::evennessOf(painted.tracks, painted.statement.job.gun),
+          stencil::overlapOf(painted.tracks)};
+}
+
+/// In which the areas of a text are told.
+struct AreaUnit {
+  std::string_view name;
+  double squareMillimeters;
+};
+AreaUnit areaUnitOf(double area) {
+  constexpr std::array<AreaUnit, 3> units = {{{"m2", 1e6}, {"cm2", 1e2}, {"mm2", 1.0}}};
+  constexpr double least = 0.1;
+  const auto fits = std::find_if(units.begin(), units.end(), [&](const AreaUnit& unit) {
+    return area >= least * unit.squareMillimeters;
+  });
+  return fits == units.end() ? units.back() : *fits;
+}
+
+/// Four digits, as they are read best: 0.0123, 12.34, 1234.
+std::string fourDigits(double value) {
+  constexpr double nothing = 1e-9;
+  return value < nothing ? "0" : fmt::format("{:.4g}", value);
+}
+
+void printLetter(std::ostream& out, const Letter& letter, const AreaUnit& unit) {
   constexpr double percent = 100.0;
-  out << fmt::format("  {:<9}{:>6}{:>10.4f}{:>9.1f} to {:<5.1f}{:>8.3f} to {:<6.3f}{:>8.1f} %\n",
-                     name, even.cells, even.area * meters * meters, even.leastShare, even.mostShare,
-                     even.film.least, even.film.most, percent * even.withinTenPercent);
+  const Evenness& even = letter.even;
+  out << fmt::format("  {:<9}{:>6}{:>10}{:>9}{:>9.1f} to {:<5.1f}{:>8.3f} to {:<6.3f}{:>8.1f} %\n",
+                     letter.name, even.cells, fourDigits(even.area / unit.squareMillimeters),
+                     fourDigits(letter.twice / unit.squareMillimeters), even.leastShare,
+                     even.mostShare, even.film.least, even.film.most,
+                     percent * even.withinTenPercent);
 }
 
 std::size_t lineOf(const Compilation& job, const Painted& painted) {
   return job.sources.locate(painted.origin.buffer, painted.origin.begin).line;
 }
 
-nlohmann::ordered_json jsonOf(const Evenness& even) {
+nlohmann::ordered_json jsonOf(const Letter& letter) {
+  const Evenness& even = letter.even;
   return {{"cells", even.cells},
           {"area", even.area},
+          {"paintedTwice", letter.twice},
           {"shares", {even.leastShare, even.mostShare}},
           {"film", {even.film.least, even.film.most}},
           {"within10", even.withinTenPercent}};
@@ -124,11 +159,15 @@ void printStencil(std::ostream& out, const Compilation& job, const Painted& pain
     constexpr double micrometers = 1e3;
     out << fmt::format("  mean film {:.4g} um\n", film * micrometers);
   }
-  out << "  symbol    cells  area, m2  shares of cells, %   film over the mean  within 10 %\n";
+  const Letter all = allOf(painted);
+  const AreaUnit unit = areaUnitOf(all.even.area);
+  out << fmt::format(
+      "  symbol    cells{:>10}    twice  shares of cells, %   film over the mean  within 10 %\n",
+      fmt::format("area, {}", unit.name));
   for (const Letter& letter : lettersOf(painted)) {
-    printEvenness(out, letter.name, letter.even);
+    printLetter(out, letter, unit);
   }
-  printEvenness(out, "all", stencil::evennessOf(painted.tracks, s.job.gun));
+  printLetter(out, all, unit);
 }
 
 void printStencilsJson(std::ostream& out, const Compilation& job) {
@@ -153,10 +192,10 @@ void printStencilsJson(std::ostream& out, const Compilation& job) {
                                   {"tilt", {t.leastTilt, t.mostTilt}},
                                   {"tiltRate", t.tiltRate},
                                   {"meanFilm", painted->meanFilm()},
-                                  {"all", jsonOf(stencil::evennessOf(painted->tracks, s.job.gun))}};
+                                  {"all", jsonOf(allOf(*painted))}};
     for (const Letter& letter : lettersOf(*painted)) {
       nlohmann::ordered_json row = {{"symbol", letter.name}};
-      row.update(jsonOf(letter.even));
+      row.update(jsonOf(letter));
       one["symbols"].push_back(std::move(row));
     }
     all.push_back(std::move(one));

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "backend/robot/speed_tolerance.h"
+#include "ir/space/robot_tolerance.h"
 
 namespace arelem::app {
 

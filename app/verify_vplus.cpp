@@ -7,10 +7,11 @@
 #include "app/verify_hole.h"
 
 #include "backend/robot/pose.h"
-#include "backend/robot/speed_tolerance.h"
 #include "backend/vplus/reader.h"
+#include "ir/diag/render_text.h"
 #include "ir/diag/robot.h"
 #include "ir/diag/verify.h"
+#include "ir/space/robot_tolerance.h"
 
 namespace arelem::app {
 

@@ -11,6 +11,7 @@
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/space/robot_tolerance.h"
 #include "ir/words/units.h"
 
 namespace arelem::joints {
@@ -86,11 +87,10 @@ void KnotReader::location(const robot::Pose& pose, const Span& origin) {
 
 std::optional<robot::Objection> KnotReader::objectionToTilt(double tilt,
                                                             const std::string& place) const {
-  constexpr double straight = 1e-4;  // degrees
   const double most = machine_.tilt ? machine_.tilt->most : 0.0;
   const bool arm = machine_.pantograph || machine_.elbow;  // without one nothing is planned
   const double excess = std::abs(tilt) - most;
-  if (!arm || excess <= straight) {
+  if (!arm || excess <= tolerance::uprightLean) {
     return std::nullopt;
   }
   return robot::Objection{machine_.tilt ? fail(diag::TiltRange, place, tilt, most, excess)

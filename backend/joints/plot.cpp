@@ -6,6 +6,7 @@
 
 #include "backend/svg/canvas.h"
 #include "backend/svg/scale.h"
+#include "ir/space/robot_tolerance.h"
 
 namespace arelem::joints {
 
@@ -41,12 +42,12 @@ class Panel {
   void axes(std::string_view title, std::string_view below) {
     canvas_.rectangle(box_, "fill=\"none\" stroke=\"#888\"");
     canvas_.text({box_.left, box_.top - 8.0}, title, "style=\"font-size:13px;font-weight:bold\"");
-    for (double v = x_.firstTick(); v <= x_.high + 1e-9; v += x_.step) {
+    for (double v = x_.firstTick(); v <= x_.high + tolerance::plotTick; v += x_.step) {
       const Pixel p = at(v, y_.low);
       canvas_.line({p.x, box_.top}, p, "stroke=\"#e4e4e4\"");
       canvas_.text({p.x, p.y + 14.0}, x_.text(v), "text-anchor=\"middle\"");
     }
-    for (double v = y_.firstTick(); v <= y_.high + 1e-9; v += y_.step) {
+    for (double v = y_.firstTick(); v <= y_.high + tolerance::plotTick; v += y_.step) {
       const Pixel p = at(x_.low, v);
       canvas_.line(p, {right(box_), p.y}, "stroke=\"#e4e4e4\"");
       canvas_.text({p.x - 5.0, p.y + 3.5}, y_.text(v), "text-anchor=\"end\"");
@@ -133,15 +134,15 @@ Span spanOf(const Table& table) {
 /// As wide as the path needs at this height: half of the sheet or more.
 double groundWidth(const Table& table, double height, double most) {
   const Span span = spanOf(table);
-  const double tall = std::max(span.highY - span.lowY, 1e-6);
+  const double tall = std::max(span.highY - span.lowY, tolerance::plotRange);
   return std::clamp(height * (span.highX - span.lowX) / tall, panelWidth, most);
 }
 
 /// The path on the ground, to one scale in x and y.
 void ground(Canvas& canvas, const Box& box, const Table& table) {
   const auto [lowX, highX, lowY, highY] = spanOf(table);
-  const double perPixel =
-      1.08 * std::max({(highX - lowX) / box.width, (highY - lowY) / box.height, 1e-6});
+  const double perPixel = 1.08 * std::max({(highX - lowX) / box.width, (highY - lowY) / box.height,
+                                           tolerance::plotRange});
   const double halfX = 0.5 * perPixel * box.width;
   const double halfY = 0.5 * perPixel * box.height;
   const double x = 0.5 * (lowX + highX);

@@ -6,12 +6,11 @@
 #include <optional>
 
 #include "ir/diag/robot.h"
+#include "ir/space/robot_tolerance.h"
 
 namespace arelem::joints {
 
 namespace {
-constexpr double rounding = 1e-9;  // mm, degrees
-
 /// The worst of many departures from a limit.
 struct Worst {
   double excess = 0.0;
@@ -19,7 +18,7 @@ struct Worst {
   std::size_t count = 0;
 
   void add(double by, std::size_t at) {
-    if (by > rounding) {
+    if (by > tolerance::jointLimit) {
       ++count;
       knot = by > excess ? at : knot;
       excess = std::max(excess, by);
@@ -100,7 +99,8 @@ bool withinTurn(const Arm& arm, const std::vector<Knot>& knots, DiagnosticSink& 
 bool withinSpeed(double most, const std::vector<Knot>& knots, DiagnosticSink& sink) {
   const auto fastest = std::max_element(
       knots.begin(), knots.end(), [](const Knot& a, const Knot& b) { return a.speed < b.speed; });
-  if (most <= 0.0 || fastest == knots.end() || fastest->speed <= most * (1.0 + rounding)) {
+  if (most <= 0.0 || fastest == knots.end() ||
+      fastest->speed <= most * (1.0 + tolerance::jointLimit)) {
     return true;
   }
   sink.accept(diagnose(fastest->origin, diag::RobotSpeed,
@@ -135,8 +135,7 @@ class Peaks {
                                        "a bound")));
     }
     for (std::size_t j = 0; j < 2; ++j) {
-      constexpr double small = 1e-6;  // mm, degrees: rounding of the mean over the path
-      if (const Peak& peak = beyond_[j]; peak.value > small) {
+      if (const Peak& peak = beyond_[j]; peak.value > tolerance::meanJointLimit) {
         const Knot& knot = knots[path.knotAt(peak.time)];
         const robot::Range range = arm.range(j);
         sink.accept(diagnose(
@@ -151,10 +150,10 @@ class Peaks {
       };
       const double fast = arm.mostSpeed(j);
       const double hard = arm.mostAcceleration(j);
-      if (speed_[j].value > fast * (1.0 + rounding)) {
+      if (speed_[j].value > fast * (1.0 + tolerance::jointLimit)) {
         told(diag::JointsSpeed, speed_[j], fast, fast / speed_[j].value);
       }
-      if (acceleration_[j].value > hard * (1.0 + rounding)) {
+      if (acceleration_[j].value > hard * (1.0 + tolerance::jointLimit)) {
         // Times stretched by f divide accelerations by f squared.
         told(diag::JointsAcceleration, acceleration_[j], hard,
              std::sqrt(hard / acceleration_[j].value));
@@ -192,7 +191,7 @@ Table tableOf(const Arm& arm,
   Table table;
   table.interval = machine.interval;
   const Trajectory path(knots, machine.acceleration, machine.blend);
-  const double count = std::ceil(path.duration() / machine.interval - rounding);
+  const double count = std::ceil(path.duration() / machine.interval - tolerance::jointLimit);
   if (!(count < mostRows)) {
     sink.accept(diagnose(knots.back().origin, diag::JointsSize, path.duration(), machine.interval,
                          mostRows));

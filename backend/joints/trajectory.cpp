@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/robot_tolerance.h"
+
 namespace arelem::joints {
 
 namespace {
@@ -23,8 +25,7 @@ Place placeOf(const Knot& knot) {
 
 /// The moves; those without any change have length 0.
 std::vector<Leg> legsOf(const std::vector<Knot>& knots) {
-  constexpr double turnRate = 90.0;   // deg/s of a tool that turns on the spot
-  constexpr double onTheSpot = 1e-6;  // mm
+  constexpr double turnRate = 90.0;  // deg/s of a tool that turns on the spot
   std::vector<Leg> legs;
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     Leg leg;
@@ -33,10 +34,10 @@ std::vector<Leg> legsOf(const std::vector<Knot>& knots) {
     const Place way = placeOf(knots[i + 1]) - leg.from;
     const double turn = way.tail<2>().cwiseAbs().maxCoeff();
     leg.length = way.head<3>().norm();
-    if (leg.length <= onTheSpot) {
+    if (leg.length <= tolerance::onTheSpot) {
       leg.length = leg.speed * turn / turnRate;
     }
-    if (leg.length > onTheSpot) {
+    if (leg.length > tolerance::onTheSpot) {
       leg.direction = way / leg.length;
     }
     legs.push_back(leg);

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/space/robot_tolerance.h"
+
 namespace arelem::robot {
 
 namespace {
 constexpr double radian = std::numbers::pi / 180.0;
-constexpr double singular = 1e-9;     // sine of the pitch
-constexpr double uprightTilt = 1e-6;  // how far a side may lean out of the plane of the tilt
 
 Matrix3 about(const Vec3& axis, double degrees) {
   return Eigen::AngleAxisd(degrees * radian, axis).toRotationMatrix();
@@ -43,7 +43,7 @@ Matrix3 matrixOf(const Euler& e) {
 
 Euler eulerOf(const Matrix3& r) {
   const double s = std::hypot(r(0, 2), r(1, 2));
-  if (s < singular) {
+  if (s < tolerance::singularPitch) {
     const bool up = r(2, 2) > 0.0;
     return {0.0, up ? 0.0 : 180.0, degrees(r(1, 0), up ? r(0, 0) : -r(0, 0))};
   }
@@ -54,8 +54,8 @@ Matrix3 toolFrame(const Pose& pose) {
   const Vec3 z = -pose.axis.normalized();
   if (!pose.side) {
     const double lean = std::hypot(z.x(), z.y());
-    return matrixOf(
-        {lean < singular ? 0.0 : degrees(z.y(), z.x()), std::atan2(lean, z.z()) / radian, 0.0});
+    return matrixOf({lean < tolerance::singularPitch ? 0.0 : degrees(z.y(), z.x()),
+                     std::atan2(lean, z.z()) / radian, 0.0});
   }
   const Vec3 x = (*pose.side - pose.side->dot(z) * z).normalized();
   Matrix3 frame;
@@ -70,17 +70,17 @@ Pose poseOf(const Vec3& point, const Matrix3& frame) {
 std::optional<Upright> uprightOf(const Pose& pose) {
   const Vec3 axis = pose.axis.normalized();
   if (!pose.side) {
-    return std::hypot(axis.x(), axis.y()) < singular && axis.z() > 0.0
+    return std::hypot(axis.x(), axis.y()) < tolerance::singularPitch && axis.z() > 0.0
                ? std::optional<Upright>({0.0, 0.0})
                : std::nullopt;
   }
   const Vec3 side = pose.side->normalized();
   const double across = axis.cross(side).z();  // the third axis must be level
-  if (axis.z() <= 0.0 || std::abs(across) > uprightTilt) {
+  if (axis.z() <= 0.0 || std::abs(across) > tolerance::sideOfTilt) {
     return std::nullopt;
   }
   const double level = std::hypot(side.x(), side.y());
-  if (level < singular) {
+  if (level < tolerance::singularPitch) {
     return std::nullopt;
   }
   return Upright{degrees(-side.z(), level), degrees(side.y(), side.x())};

@@ -6,18 +6,18 @@
 #include <tuple>
 
 #include "ir/diag/robot.h"
+#include "ir/space/robot_tolerance.h"
 
 namespace arelem::robot {
 
 namespace {
 constexpr double radian = std::numbers::pi / 180.0;
-constexpr double rounding = 1e-9;  // mm and degrees
 
 std::optional<Objection> outside(const Range& range,
                                  double value,
                                  int joint,
                                  std::string_view place) {
-  if (value >= range.low - rounding && value <= range.high + rounding) {
+  if (value >= range.low - tolerance::jointLimit && value <= range.high + tolerance::jointLimit) {
     return std::nullopt;
   }
   const double excess = std::max(value - range.high, range.low - value);
@@ -133,7 +133,7 @@ std::optional<Objection> objectionToLine(const Scara& s,
   const double t = square > 0.0 ? std::clamp(-a.dot(way) / square, 0.0, 1.0) : 0.0;
   const double nearest = (a + t * way).norm();
   const Range reach = reachOf(s);
-  if (nearest >= reach.low - rounding) {
+  if (nearest >= reach.low - tolerance::jointLimit) {
     return objectionOnTheWay(s, from, to, place);
   }
   const double excess = reach.low - nearest;

@@ -10,6 +10,7 @@
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/space/robot_tolerance.h"
 #include "ir/words/units.h"
 
 namespace arelem::backend {
@@ -88,8 +89,7 @@ class BlankWriter : public Writer {
 
   void move(const double* c) {
     const double angle = plain(std::atan2(c[7], c[6]) * 180.0 / std::numbers::pi);
-    constexpr double upright = 1e-6;
-    if (std::hypot(c[3], c[4]) > upright) {
+    if (std::hypot(c[3], c[4]) > tolerance::uprightAxis) {
       without("the tilt of the tool", origin_);
     }
     text_ += fmt::format("move trans({:5.1f},{:5.1f},({:5.1f}+offset),", plain(millimeters_ * c[0]),

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "backend/vplus/name.h"
+#include "ir/space/robot_tolerance.h"
 
 namespace arelem::vplus {
 
@@ -14,9 +15,8 @@ constexpr std::size_t deepestBlock = 64;
 
 /// Whether both are one place, but for the rounding of sums.
 bool isSame(const Place& a, const Place& b) {
-  constexpr double rounding = 1e-6;  // mm, and of a direction
-  return a.known && b.known && (a.shift - b.shift).norm() < rounding &&
-         (a.turn - b.turn).norm() < rounding;
+  return a.known && b.known && (a.shift - b.shift).norm() < tolerance::writtenPlace &&
+         (a.turn - b.turn).norm() < tolerance::writtenPlace;
 }
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "backend/vplus/reader.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/space/robot_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 
@@ -43,11 +44,11 @@ class VplusWriter : public Writer {
   }
 
   void finish() override {
+    reach_.report(sink_);
     if (machine_.speed > 0.0 && fastest_.speed > machine_.speed) {
       sink_.accept(diagnose(fastest_.origin, diag::RobotSpeed, fastest_.place, fastest_.speed,
                             machine_.speed, machine_.speed / fastest_.speed));
     }
-    reach_.report(sink_);
     if (machine_.vplus.approach > 0.0 && here_) {
       line("DEPARTS " + numberText(machine_.vplus.approach));
     } else if (!signalsAfterMove_.empty()) {
@@ -290,15 +291,14 @@ class VplusWriter : public Writer {
     const std::optional<Upright> upright = uprightOf(inRobot);
     const double lean =
         std::acos(std::clamp(inRobot.axis.normalized().z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
-    constexpr double straight = 1e-4;  // degrees
-    if (!upright || (!machine_.tilt && lean > straight)) {
+    if (!upright || (!machine_.tilt && lean > tolerance::uprightLean)) {
       reach_.refuse(fail(diag::ToolNotUpright, place, lean,
                          machine_.tilt ? " but for the tilt along its side" : ""),
                     lean);
       return false;
     }
     if (machine_.tilt) {
-      if (std::abs(upright->tilt) > machine_.tilt->most + straight) {
+      if (std::abs(upright->tilt) > machine_.tilt->most + tolerance::uprightLean) {
         const double excess = std::abs(upright->tilt) - machine_.tilt->most;
         reach_.refuse(fail(diag::TiltRange, place, upright->tilt, machine_.tilt->most, excess),
                       excess);

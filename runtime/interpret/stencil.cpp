@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ir/diag/stencil.h"
+#include "ir/space/stencil_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/angle.h"
 #include "runtime/interpret/command.h"
@@ -18,6 +19,9 @@ namespace arelem::runtime::interpret {
 namespace {
 using stencil::TiltRule;
 
+/// Degrees; nozzles of flat fans have 15 to 120.
+constexpr double narrowestFan = 5.0;
+constexpr double widestFan = 165.0;
 constexpr double radian = std::numbers::pi / 180.0;
 constexpr std::string_view form =
     "STENCL/ 'TEXT', HEIGHT, h, {GUN, gun | FAN, deg [, c0, c1]} [, SPEED, mm per second "
@@ -61,6 +65,12 @@ class Reader : private WordedReader {
                             : wrong("no GUN and no FAN", "one of them is needed");
     }
     const stencil::FanGun& gun = made_.job.gun;
+    if (!(gun.fan >= narrowestFan && gun.fan <= widestFan)) {
+      return refused(
+          "the angle of the fan", gun.fan,
+          "5 to 165 degrees: a narrower fan would stand more than eleven widths over its "
+          "line, a wider one on the ground");
+    }
     if (has(Word::FILM)) {
       if (has(Word::SPEED)) {
         return wrong("both SPEED and FILM", "one follows from the other");
@@ -104,7 +114,7 @@ class Reader : private WordedReader {
       case Word::ATANGL:
         return number(word, made_.placement.angle);
       case Word::SPACE:
-        return number(word, made_.placement.space.emplace(), unit_);
+        return space();
       case Word::TILT:
         return tilt();
       case Word::NUMPTS:
@@ -127,17 +137,19 @@ class Reader : private WordedReader {
     if (auto failure = number(Word::FAN, fan.fan)) {
       return failure;
     }
-    if (!(fan.fan > 0.0 && fan.fan < 180.0)) {
-      return fail(diag::StencilNumber, "the angle of the fan", fan.fan,
-                  "above 0 and below 180 degrees");
-    }
     if (!more()) {
       return std::nullopt;
     }
     if (auto failure = number(Word::FAN, fan.heightAtZero, unit_)) {
       return failure;
     }
-    return positive(Word::FAN, fan.heightSlope);
+    if (auto failure = number(Word::FAN, fan.heightSlope)) {
+      return failure;
+    }
+    return fan.heightSlope > 0.0
+               ? std::nullopt
+               : std::optional(refused("the second number of the height of FAN", fan.heightSlope,
+                                       "positive: wider lines need a higher nozzle"));
   }
   /// GUN, a gun with a flat fan.
   std::optional<Failure> gun() {
@@ -166,7 +178,24 @@ class Reader : private WordedReader {
     if (auto failure = positive(Word::SPEED, made_.speed)) {
       return failure;
     }
-    return more() ? positive(Word::SPEED, largest_) : std::nullopt;
+    if (!more()) {
+      return std::nullopt;
+    }
+    if (auto failure = number(Word::SPEED, largest_)) {
+      return failure;
+    }
+    return largest_ > 0.0
+               ? std::nullopt
+               : std::optional(refused("the largest speed of SPEED", largest_, "positive"));
+  }
+  std::optional<Failure> space() {
+    double& space = made_.placement.space.emplace();
+    if (auto failure = number(Word::SPACE, space, unit_)) {
+      return failure;
+    }
+    return space >= 0.0 ? std::nullopt
+                        : std::optional(refused("SPACE", space / unit_,
+                                                "0 or more: symbols would cover each other"));
   }
   std::optional<Failure> lead() {
     if (auto failure = number(Word::LEAD, leadOn_)) {
@@ -216,14 +245,22 @@ class Reader : private WordedReader {
     skip();
     stencil::TiltLimits& limits = made_.job.limits;
     if (more()) {
-      if (auto failure = positive(Word::TILT, limits.most)) {
+      if (auto failure = number(Word::TILT, limits.most)) {
         return failure;
       }
-      if (limits.most >= 90.0) {
-        return fail(diag::StencilNumber, "the largest tilt", limits.most, "below 90 degrees");
+      if (!(limits.most > 0.0 && limits.most < 90.0)) {
+        return refused("the largest tilt of TILT", limits.most, "above 0 and below 90 degrees");
       }
     }
-    return more() ? positive(Word::TILT, limits.rate) : std::nullopt;
+    if (!more()) {
+      return std::nullopt;
+    }
+    if (auto failure = number(Word::TILT, limits.rate)) {
+      return failure;
+    }
+    return limits.rate > 0.0 ? std::nullopt
+                             : std::optional(refused("the rate of TILT, in degrees a second,",
+                                                     limits.rate, "positive"));
   }
 
   std::optional<Failure> points() {
@@ -310,8 +347,7 @@ void stencil(State& state, const ir::Command& command) {
   }
   const Vec3 up = state.systems.vectorToBase(Vec3::UnitZ()).normalized();
   const double lean = std::acos(std::clamp(up.z(), -1.0, 1.0)) / radian;
-  constexpr double level = 1e-6;  // degrees
-  if (lean > level) {
+  if (lean > tolerance::levelGround) {
     reportAt(state, state.statement->span, fail(diag::StencilSystem, state.systems.current(), lean),
              *items);
     return;

@@ -37,6 +37,7 @@ class Reader : private AlphabetLine {
       wrongAt(1, "the file ends without GRID: an alphabet begins with GRID width height");
     }
     finishShape();
+    finishSymbol();
     if (!failure_ && alphabet_.symbols.empty()) {
       wrongAt(1, "the file ends without a SYMBOL");
     }
@@ -199,8 +200,24 @@ class Reader : private AlphabetLine {
     open_.reset();
   }
 
+  /// A symbol that nothing paints or cuts would vanish from a text.
+  void finishSymbol() {
+    if (failure_ || alphabet_.symbols.empty()) {
+      return;
+    }
+    const Symbol& last = alphabet_.symbols.back();
+    if (last.strokes.empty() && last.pens.empty()) {
+      wrongAt(1, "the symbol `" + shown(last.name) +
+                     "` before this line needs a STROKE or a PEN; a blank is written as such");
+    }
+  }
+
   void symbol() {
     finishShape();
+    finishSymbol();
+    if (failure_) {
+      return;
+    }
     if (!more()) {
       wrong("a character or a name such as <RIGHT>");
       return;

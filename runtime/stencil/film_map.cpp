@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/stencil_tolerance.h"
 #include "runtime/stencil/film.h"
 
 namespace arelem::stencil {
@@ -29,9 +30,8 @@ std::optional<Vec2> insideOf(const FilmPatch& patch, const Vec2& place) {
     t.x() -= cross(off, alongY) / determinant;
     t.y() -= cross(alongX, off) / determinant;
   }
-  constexpr double rounding = 1e-9;
-  const bool inside =
-      t.minCoeff() >= -rounding && t.maxCoeff() < 1.0 - rounding && std::isfinite(t.sum());
+  const bool inside = t.minCoeff() >= -tolerance::patchEdge &&
+                      t.maxCoeff() < 1.0 - tolerance::patchEdge && std::isfinite(t.sum());
   return inside ? std::optional(t) : std::nullopt;
 }
 
@@ -75,7 +75,7 @@ film::Map filmMap(const std::vector<FilmPatch>& patches, double cell, double mea
     }
   }
   const Vec2 size = high - low;
-  map.cell = cell > 0.0 ? cell : std::max(size.maxCoeff(), 1e-9) / filmCells;
+  map.cell = cell > 0.0 ? cell : std::max(size.maxCoeff(), tolerance::mapExtent) / filmCells;
   const double cells = (size.x() / map.cell + 2.0) * (size.y() / map.cell + 2.0);
   if (cells > static_cast<double>(film::mostCells)) {
     map.cell *= std::sqrt(cells / static_cast<double>(film::mostCells));

@@ -165,6 +165,9 @@ Result<std::vector<Run>> runsOf(std::string_view text,
   for (std::size_t position = 0; position < symbols->size(); ++position) {
     const Symbol* symbol = (*symbols)[position];
     if (symbol != nullptr) {
+      if (symbol->strokes.empty()) {
+        return fail(diag::StencilStroke, position + 1, symbol->name, alphabet.file);
+      }
       const auto [entry, isNew] = known.try_emplace(symbol);
       if (isNew) {
         entry->second = grid.runs(*symbol);

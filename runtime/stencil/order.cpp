@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ir/space/stencil_tolerance.h"
 #include "runtime/stencil/message.h"
 
 namespace arelem::stencil {
@@ -57,8 +58,7 @@ bool turnPart(std::vector<Visit>& v, std::size_t i, std::size_t k, const Vec2& s
     old += (v[k + 1].begin - v[k].end).norm();
     made += (v[k + 1].begin - v[i].begin).norm();
   }
-  constexpr double gain = 1.0 - 1e-12;
-  if (!(made < old * gain)) {
+  if (!(made < old * (1.0 - tolerance::shorterTravel))) {
     return false;
   }
   std::reverse(v.begin() + static_cast<std::ptrdiff_t>(i),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/diag/stencil.h"
+#include "ir/space/stencil_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/angle.h"
 
@@ -49,8 +50,7 @@ std::optional<Failure> objectionTo(const Track& track, const Job& job) {
   const auto fastest =
       std::max_element(track.poses.begin(), track.poses.end(),
                        [](const Pose& a, const Pose& b) { return a.speed < b.speed; });
-  constexpr double rounding = 1.0 + 1e-9;
-  if (fastest->speed <= job.gun.speed * rounding) {
+  if (fastest->speed <= job.gun.speed * (1.0 + tolerance::gunSpeed)) {
     return std::nullopt;
   }
   return fail(diag::StencilSpeed, track.stroke, track.symbol, fastest->speed, fastest->place.x(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/stencil_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/stencil/cell.h"
 #include "runtime/stencil/divide.h"
@@ -24,8 +25,7 @@ class Search {
   }
 
   std::vector<Line> run() {
-    constexpr double even = 1e-16;  // a lean of 0.01: a film within 1 / 20000
-    if (lines_.size() < 3 || *std::max_element(cost_.begin(), cost_.end()) < even) {
+    if (lines_.size() < 3 || *std::max_element(cost_.begin(), cost_.end()) < tolerance::evenLean) {
       return std::move(lines_);
     }
     double step = 1.0;  // in mean cells
@@ -92,7 +92,7 @@ class Search {
       return side.change(i - 1, side.places[i - 1], at) + side.change(i, at, side.places[i + 1]);
     };
     const double gain = cost_[i - 1] + cost_[i] - before - behind;
-    if (!(gain > evenness * (changes(place) - changes(side.places[i])))) {
+    if (!(gain > tolerance::unevenDivision * (changes(place) - changes(side.places[i])))) {
       return false;
     }
     const auto bowTo = [&](std::size_t other, const Line& line, double at) {
@@ -110,10 +110,6 @@ class Search {
     cost_[i] = behind;
     return true;
   }
-
-  /// What an uneven division costs against a lean: enough to keep neighbors alike where leans are
-  /// small.
-  static constexpr double evenness = 1e-4;
 
   std::array<Side, 2> sides_;
   std::vector<Line> lines_;

@@ -8,6 +8,8 @@
 #include <string>
 #include <tuple>
 
+#include "ir/space/stencil_tolerance.h"
+
 namespace arelem::stencil {
 
 namespace {
@@ -68,13 +70,12 @@ double fastestJob(const std::vector<Run>& runs, Job job) {
   std::copy_if(runs.begin(), runs.end(), std::back_inserter(kinds),
                [&](const Run& run) { return known.insert(kindOf(run)).second; });
   constexpr int rounds = 6;
-  constexpr double same = 1e-4;
   for (int i = 0; i < rounds; ++i) {
     const Result<std::vector<Track>> tracks = planAll(kinds, job);
     const double fastest = fastestOf(*tracks);
     const double factor = fastest > 0.0 ? most / fastest : 1.0;
     job.speedTimesWidth *= factor;
-    if (std::abs(factor - 1.0) < same) {
+    if (std::abs(factor - 1.0) < tolerance::fastestJob) {
       break;
     }
   }

@@ -1,4 +1,5 @@
 """STENCL and V+ through the whole command: the letters of 1996 byte for byte, read back, limits, nothing written on errors."""
+import json
 import math
 import pathlib
 import re
@@ -21,7 +22,11 @@ class Robots(ArelemCase):
         for letter, program in (("S", S), ("B", B)):
             self.write("l.apt", program)
             self.assertExit(0, "l.apt", "-o", "l.v2", "--machine", f"path_{letter.lower()}.machine.toml")
-            self.assertEqual((self.folder / "l.v2").read_bytes(), (DATA / f"letter{letter}_vplus.txt").read_bytes(), letter)
+            made = (self.folder / "l.v2").read_bytes()
+            self.assertEqual(made, (DATA / f"letter{letter}_vplus.txt").read_bytes(), letter)
+            cases = {case["id"]: case for case in json.loads((DATA / "cases_blank.json").read_text())}
+            self.assertEqual(made.decode().splitlines(), cases[f"BLANK-{letter}-vplus"]["expected"]["lines"])
+            self.assertEqual(self.err.count("W0620"), 1)  # these lines have nothing for SPRAY
 
     def test_program_is_read_back(self):
         self.write("stop.apt", STOP)
@@ -58,10 +63,73 @@ class Robots(ArelemCase):
             self.assertExit(6, "verify", "m.v2", "--with", "m.apt")
             self.assertIn(code, self.err)
 
+    DRILLS = ("UNITS/MM\nSPINDL/1000,CLW\nFROM/0,0,50\nRAPID\nGOTO/0,0,20\nCYCLE/DRILL,8,MMPM,90,2\nGOTO/10,0,0\nGOTO/20,5,-3\n"
+              "CYCLE/OFF\nCYCLE/DRILL,4,MMPM,80,2,DWELL,.5\nGOTO/30,0,0\nCYCLE/OFF\nCYCLE/DEEP,9,MMPR,.1,2,STEP,4\nGOTO/40,0,0\n"
+              "DELAY/1\nCYCLE/OFF\nCYCLE/BRKCHP,9,MMPM,60,2,STEP,4\nGOTO/50,0,0\nCYCLE/OFF\nCYCLE/BORE,6,MMPM,50,2\nGOTO/60,0,0\n"
+              "CYCLE/OFF\nRAPID\nGOTO/0,0,50\nFINI\n")
+
+    def test_holes_are_drilled_and_compared(self):
+        self.write("d.apt", self.DRILLS)
+        self.assertExit(0, "d.apt", "-o", "d.v2")
+        self.assertNotIn("CYCLE", self.err)
+        self.assertExit(0, "verify", "d.v2", "--with", "d.apt")
+        self.assertIn("the 9 locations", self.err)
+        text = (self.folder / "d.v2").read_bytes().decode()
+        bottom = "  MOVES f:TRANS(10.000, 0.000, -8.000, 0.000, 180.000, 0.000)\r\n"
+        for old, new in ((bottom, ""),  # not drilled at all
+                         (bottom, bottom.replace("-8", "-7")), (bottom, bottom.replace("-8", "-9")), (bottom, bottom.replace("10", "11")),
+                         ("SPEED 1.500, 100 MMPS ALWAYS\r\n" + bottom, "SPEED 15, 100 MMPS ALWAYS\r\n" + bottom),
+                         ("DELAY 0.500", "DELAY 0.100"),
+                         ("MOVES f:TRANS(40.000, 0.000, -4.000,", "MOVES f:TRANS(40.000, 0.000, -5.000,"),  # a peck of 5
+                         ("f:TRANS(30.000, 0.000, 2.000,", "f:TRANS(30.000, 0.000, 1.000,")):  # below the clearance
+            with self.subTest(new=new):
+                self.assertIn(old, text)
+                self.write("d.v2", text.replace(old, new))
+                self.assertExit(5, "verify", "d.v2", "--with", "d.apt")
+                self.assertIn("E0923", self.err)
+
+    def test_holes_that_cannot_be_written(self):
+        for program, name, options in ((self.DRILLS.replace("BORE", "TAP"), "d.v2", ()),
+                                       (self.DRILLS, "d.joints.csv", ("--machine", "stencil_robot.machine.toml")),
+                                       (self.DRILLS, "d.v2", ("--machine", "path_s.machine.toml"))):
+            self.write("d.apt", program)
+            self.assertExit(6, "d.apt", "-o", name, *options)
+            self.assertIn("E0673", self.err)
+            self.assertFalse((self.folder / name).exists())
+
+    def test_speeds_waits_outputs_tool_and_base_are_compared(self):
+        self.write("m.apt", "UNITS/MM\nFROM/0,0,50\nFEDRAT/600\nGOTO/10,20,5\nSPRAY/ON,3\nGOTO/90,20,5\nSPRAY/OFF,3\nDELAY/2\nFINI\n")
+        for signal in ("stop", "fly"):
+            self.write("tool.toml", f"[vplus]\nsignal = '{signal}'\ntool = [0, 0, 180, 0, 0, 0]\n")
+            self.assertExit(0, "m.apt", "-o", "m.v2", "--machine", "tool.toml")
+            self.assertExit(0, "verify", "m.v2", "--with", "m.apt", "--machine", "tool.toml")
+            text = (self.folder / "m.v2").read_bytes().decode()
+            for old, new, code, result in (("SPEED 10.000", "SPEED 20.000", "E0922", 5), ("DELAY 2.000", "DELAY 3.000", "E0924", 5),
+                                           ("  SIGNAL 3\r\n", "", "E0921", 5), ("SIGNAL -3", "SIGNAL -4", "E0921", 5),
+                                           ("TOOL TRANS(0.000, 0.000, 180", "TOOL TRANS(0.000, 0.000, 170", "E0636", 6),
+                                           ("  ACCEL", "  BASE 0, 0, 10\r\n  ACCEL", "E0637", 6)):
+                with self.subTest(new=new, signal=signal):
+                    self.assertIn(old, text)
+                    self.write("m.v2", text.replace(old, new, 1))
+                    self.assertExit(result, "verify", "m.v2", "--with", "m.apt", "--machine", "tool.toml")
+                    self.assertIn(code, self.err)
+            self.write("m.v2", text)
+            self.assertExit(6, "verify", "m.v2", "--with", "m.apt")
+            self.assertIn("E0636", self.err)
+
+    def test_waits_without_an_end(self):
+        self.write("w.apt", "UNITS/MM\nFEDRAT/900,MMPS\nGOTO/1000,0,400\nDELAY/3,REV\nGOTO/2000,0,400\nFINI\n")
+        for name in ("w.v2", "w.joints.csv"):
+            self.assertExit(6, "w.apt", "-o", name, "--machine", "stencil_robot.machine.toml")
+            self.assertIn("E0625", self.err)
+            self.assertFalse((self.folder / name).exists())
+
     def test_out_of_reach_writes_nothing(self):
         self.write("stop.apt", STOP.replace("500", "2440"))
         self.assertExit(6, "stop.apt", "-o", "far.v2", "--machine", "adept_three.machine.toml")
-        self.assertIn("E0660", self.err)
+        self.assertEqual(self.err.count("error[E0660]"), 1)
+        self.assertEqual(self.err.count("error[E0661]"), 1)
+        self.assertRegex(self.err, r"so do \d+ of \d+ locations")
         self.assertFalse((self.folder / "far.v2").exists())
 
     def test_a_program_that_is_none_is_unreadable_input(self):

@@ -39,6 +39,23 @@ class Stencil(ArelemCase):
         self.assertExit(0, "stencil", "part.apt")
         self.assertEqual(re.findall(r"^  (\S+) +\d+ +[\d.]+ +[\d.]+ to ", self.out, re.M), ["G", "O", "2", "4", "all"])
 
+    def test_areas_of_small_letters_and_what_lies_twice(self):
+        # An I of 25 mm: 1 by 25 mm; two bars of 4 by 1 units that cross in one unit.
+        self.write("x.alphabet", "GRID 4 4\nSYMBOL +\nSTROKE 5 0,1 0,2 TO 4,1 4,2\nSTROKE 5 1,0 2,0 TO 1,4 2,4\n")
+        for text, line in (("'I',HEIGHT,25,FAN,63.5,SPEED,60", r"  I +1 +25 +0 "), ("'I',HEIGHT,2500,FAN,63.5,SPEED,60", r"  I +1 +0.25 +0 "),
+                           ("'+',HEIGHT,40,FAN,63.5,SPEED,60,ALPHAB,'x.alphabet'", r"  \+ +2 +8 +1 ")):
+            self.write("part.apt", HEAD + f"STENCL/{text}\nFINI\n")
+            self.assertExit(0, "stencil", "part.apt")
+            self.assertRegex(self.out, line)
+
+    def test_symbols_without_strokes(self):
+        self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSTROKE 5 0,0 1,0 TO 0,25 1,25\nSYMBOL B\nPEN FROM 0,0 LINE 0,6\n")
+        self.refused("STENCL/'AB',HEIGHT,2500,FAN,63.5,SPEED,600,ALPHAB,'x.alphabet'", "E0743")
+        self.assertIn("symbol 2 of the text, `B`", self.err)
+        self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSYMBOL B\nPEN FROM 0,0 LINE 0,6\n")
+        self.refused("STENCL/'A',HEIGHT,2500,FAN,63.5,SPEED,600,ALPHAB,'x.alphabet'", "E0740")
+        self.assertIn("needs a STROKE or a PEN", self.err)
+
     def test_pictures(self):
         self.stencil("STENCL/'P',HEIGHT,2500,FAN,63.5,SPEED,600,TILT,TRAPZ", "--film", "f.svg", "--film", "f.png", "--film",
                      "f.csv", "--shares", "s.svg")
@@ -78,6 +95,13 @@ class Stencil(ArelemCase):
         self.assertIn("A B C", self.err)
         self.refused("STENCL/'STOP',HEIGHT,0,FAN,63.5,SPEED,600", "E0561")
         self.refused("STENCL/'STOP',HEIGHT,2500,FAN,180,SPEED,600", "E0561")
+        for words, told in (("FAN,179.999,SPEED,600", "the angle of the fan is 179.999"), ("FAN,1,SPEED,600", "the angle of the fan is 1;"),
+                            ("FAN,63.5,SPEED,600,SPACE,-500", "SPACE is -500"), ("FAN,63.5,SPEED,600,TILT,BEST,10,0", "the rate of TILT"),
+                            ("FAN,63.5,SPEED,600,TILT,BEST,0", "the largest tilt of TILT is 0"),
+                            ("FAN,63.5,SPEED,600,0", "the largest speed of SPEED is 0"),
+                            ("FAN,63.5,500,-1,SPEED,600", "the second number of the height of FAN is -1")):
+            self.refused(f"STENCL/'STOP',HEIGHT,2500,{words}", "E0561")
+            self.assertIn(told, self.err)
         self.refused("STENCL/'STOP',HEIGHT,2500,FAN,63.5,SPEED,600,300", "E0562")
         self.assertRegex(self.err, r"a SPEED 0\.\d+ times as large would do")
         self.refused("STENCL/'  ',HEIGHT,2500,FAN,63.5,SPEED,600", "E0563")
@@ -100,6 +124,20 @@ class Alphabet(ArelemCase):
         chart = (self.folder / "chart.svg").read_text()
         for name in [*"ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-", "&lt;AHEAD&gt;", "&lt;LEFT&gt;", "&lt;RIGHT&gt;"]:
             self.assertIn(f">{name}</text>", chart)
+
+    def test_shares_of_primitives(self):
+        # Blank, section 2.5: 58.5 and 41.5 without tilt, 46.7 to 53.3 by the trapezoid, better by the quadrilateral.
+        self.assertExit(0, "alphabet", "--primitive", "1")
+        least, most = zip(*re.findall(r"([\d.]+) to ([\d.]+)", next(line for line in self.out.splitlines() if "shares" in line)))
+        off, trapezoid, quadrilateral, best = [(float(a), float(b)) for a, b in zip(least, most)]
+        self.assertEqual(off, (41.5, 58.5))
+        self.assertEqual(trapezoid, (46.7, 53.3))
+        self.assertGreater(quadrilateral[0], trapezoid[0])
+        self.assertGreater(best[0], 45)
+        for primitive in (2, 3, 4, 5):
+            self.assertExit(0, "alphabet", "--primitive", str(primitive))
+            self.assertIn("shares, %", self.out)
+        self.assertExit(2, "alphabet", "--primitive", "6")
 
     def test_damaged_file(self):
         self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSTROKE 9\n")

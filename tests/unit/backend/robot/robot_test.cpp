@@ -10,6 +10,7 @@
 
 #include "backend/robot/machine.h"
 #include "backend/robot/reach.h"
+#include "backend/robot/reach_check.h"
 
 namespace arelem::robot {
 namespace {
@@ -140,15 +141,16 @@ TEST(Scara, JointsLeadBackToThePlace) {
       const double a = angle(random);
       const double r = radius(random);
       const Vec3 place(r * std::cos(a), r * std::sin(a), 5.0);
-      const auto joints = jointsOf(arm, place, 20.0, 0.0, "here");
-      if (joints) {
-        EXPECT_LT((pointOf(arm, *joints) - place).norm(), 1e-9);
-        EXPECT_EQ(joints->joint2 > 0.0, lefty);
-        EXPECT_NEAR(std::remainder(joints->joint1 + joints->joint2 + joints->joint4 - 20.0, 360.0),
-                    0.0, 1e-9);
-      } else {
-        EXPECT_EQ(joints.failure().row->code, "E0662");
+      const auto objection = objectionToPlace(arm, place, 20.0, 0.0, "here");
+      if (objection) {
+        EXPECT_EQ(objection->failure.row->code, "E0662");
+        continue;
       }
+      const ScaraJoints joints = jointsOf(arm, place, 20.0, 0.0);
+      EXPECT_LT((pointOf(arm, joints) - place).norm(), 1e-9);
+      EXPECT_EQ(joints.joint2 > 0.0, lefty);
+      EXPECT_NEAR(std::remainder(joints.joint1 + joints.joint2 + joints.joint4 - 20.0, 360.0), 0.0,
+                  1e-9);
     }
   }
 }
@@ -156,9 +158,9 @@ TEST(Scara, JointsLeadBackToThePlace) {
 TEST(Scara, RefusesWithTheMeasure) {
   const Scara arm;
   const auto message = [&](const Vec3& place) {
-    auto joints = jointsOf(arm, place, 0.0, 0.0, "location 7");
-    EXPECT_FALSE(joints.ok());
-    return joints.ok() ? "" : joints.failure().message;
+    const auto objection = objectionToPlace(arm, place, 0.0, 0.0, "location 7");
+    EXPECT_TRUE(objection);
+    return objection ? objection->failure.message : "";
   };
   // 0.99 of 1067 is 1056.33.
   EXPECT_THAT(
@@ -166,11 +168,37 @@ TEST(Scara, RefusesWithTheMeasure) {
       HasSubstr("location 7 at 1100, 0 lies 1100 mm from the axis of the robot, 43.67 mm outside"));
   // Folded to 150 degrees: sqrt(559^2 + 508^2 - 2 559 508 cos 30) = 280.5.
   EXPECT_THAT(message({200, 0, 100}), HasSubstr("mm inside its reach of 280.5"));
-  EXPECT_THAT(message({600, 0, 400}), HasSubstr("height 400 mm"));
+  EXPECT_THAT(message({600, 0, 400}),
+              HasSubstr("height 400 mm, 95 mm above the highest of the quill"));
+  EXPECT_THAT(message({600, 0, -20}), HasSubstr("height -20 mm, 20 mm below the lowest"));
   const auto line = objectionToLine(arm, {500, -500, 0}, {-500, -100, 0}, "location 8");
   ASSERT_TRUE(line);
-  EXPECT_EQ(line->row->code, "E0663");
+  EXPECT_EQ(line->failure.row->code, "E0663");
   EXPECT_FALSE(objectionToLine(arm, {500, -300, 0}, {500, 300, 0}, "location 9"));
+}
+
+/// 1100, 1200 and 1150 mm are 43.67, 143.67 and 93.67 mm too far.
+TEST(ReachCheck, TellsEachKindOnceWithItsWorst) {
+  Machine machine;
+  machine.scara.emplace();
+  ReachCheck check(machine);
+  for (const double x : {600.0, 1100.0, 1200.0, 1150.0}) {
+    Pose pose;
+    pose.point = Vec3(x, 0, x == 600.0 ? 305.5 : 100.0);
+    check.begin({});
+    check.moveTo(pose, fmt::format("place {:g}", x), false);
+    check.moveTo(pose, "again", false);  // counts once
+  }
+  CollectingSink sink;
+  check.report(sink);
+  ASSERT_EQ(sink.all().size(), 2U);
+  EXPECT_THAT(sink.all()[0].message, HasSubstr("place 600 is at height 305.5 mm, 0.5 mm above"));
+  EXPECT_TRUE(sink.all()[0].notes.empty());
+  EXPECT_THAT(sink.all()[1].message, HasSubstr("place 1200 at 1200, 0 lies 1200 mm"));
+  EXPECT_THAT(sink.all()[1].message, HasSubstr("143.7 mm outside its reach of 1056.33 mm"));
+  ASSERT_EQ(sink.all()[1].notes.size(), 1U);
+  EXPECT_THAT(sink.all()[1].notes[0], HasSubstr("3 of 4 locations"));
+  EXPECT_THAT(sink.all()[1].notes[0], HasSubstr("2, 3, 4"));
 }
 
 /// Both ends lie within the range of joint 1, the way between them behind the arm does not.
@@ -178,12 +206,12 @@ TEST(Scara, StraightMovesMayNotPassALimit) {
   const Scara arm;
   const Vec3 from(-100, 800, 100);
   const Vec3 to(-700, -100, 100);
-  EXPECT_TRUE(jointsOf(arm, from, 140.0, 0.0, "here").ok());
-  EXPECT_TRUE(jointsOf(arm, to, -130.0, 0.0, "here").ok());
+  EXPECT_FALSE(objectionToPlace(arm, from, 140.0, 0.0, "here"));
+  EXPECT_FALSE(objectionToPlace(arm, to, -130.0, 0.0, "here"));
   const auto line = objectionToLine(arm, from, to, "location 8");
   ASSERT_TRUE(line);
-  EXPECT_EQ(line->row->code, "E0662");
-  EXPECT_THAT(line->message, HasSubstr("the straight move to location 8 needs joint 1"));
+  EXPECT_EQ(line->failure.row->code, "E0662");
+  EXPECT_THAT(line->failure.message, HasSubstr("the straight move to location 8 needs joint 1"));
 }
 
 /// A joint of -180 to 180 degrees cannot go on behind its end, though -170 is within its range.
@@ -201,7 +229,7 @@ TEST(Scara, StraightMovesMayNotPassHalfATurn) {
   for (int i = 0; i < 36; ++i) {
     const auto objection = along(10.0 * i, 10.0 * i + 10.0);
     refused += objection ? 1 : 0;
-    EXPECT_TRUE(!objection || objection->row->code == "E0662");
+    EXPECT_TRUE(!objection || objection->failure.row->code == "E0662");
   }
   EXPECT_EQ(refused, 1);
 }

@@ -1,8 +1,11 @@
 #include "runtime/stencil/film.h"
 
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/stencil/overlap.h"
 #include "runtime/stencil/stencil.h"
 #include "tests/unit/runtime/stencil/alphabets.h"
 
@@ -42,23 +45,29 @@ TEST(Film, BestIsTheEvenest) {
   }
 }
 
+/// Both limits are reached, and not passed.
 TEST(Film, TiltsKeepTheirLimits) {
   const Alphabet alphabet = roadway();
   for (const TiltRule rule : {TiltRule::trapezoid, TiltRule::quadrilateral, TiltRule::best}) {
     Statement s = statementOf("SB8K", rule);
     s.job.limits = {12.0, 40.0};
+    double most = 0.0;
+    double fastest = 0.0;
     for (const Track& track : painted(s, alphabet).tracks) {
       for (std::size_t i = 0; i < track.poses.size(); ++i) {
-        EXPECT_LE(std::abs(track.poses[i].tilt), 12.0 + 1e-9);
+        most = std::max(most, std::abs(track.poses[i].tilt));
         if (i > 0) {
           const Pose& a = track.poses[i - 1];
           const Pose& b = track.poses[i];
           const double way = std::hypot((b.place - a.place).norm(), b.height - a.height);
-          // The way changes a little with the tilt that its time was planned for.
-          EXPECT_LE(std::abs(b.tilt - a.tilt), 40.0 * way / a.speed * 1.1 + 1e-6);
+          fastest = std::max(fastest, std::abs(b.tilt - a.tilt) * a.speed / way);
         }
       }
     }
+    EXPECT_NEAR(most, 12.0, 0.1);
+    EXPECT_LE(most, 12.0 + 1e-9);
+    EXPECT_GT(fastest, 35.0);
+    EXPECT_LE(fastest, 40.0 * 1.001);
   }
 }
 
@@ -77,8 +86,31 @@ TEST(Film, StrokesAddUp) {
       EXPECT_NEAR(map.film[i], both ? 1.0 : 0.5, 2e-3);
     }
   }
+  EXPECT_NEAR(overlapOf(p.tracks), 100.0 * 200.0, 1e-6);
   EXPECT_EQ(twice, 200U);  // 100 mm by 200 mm
   EXPECT_EQ(once, 2000U + 800U - 2U * 200U);
+}
+
+/// Only B, 3, 8 and Q have strokes that cover each other (docs/manual/roadway_alphabet.md); what a
+/// symbol covers and covers twice adds up to its cells.
+TEST(Film, StrokesCoverEachOtherInFewSymbols) {
+  const Alphabet alphabet = roadway();
+  std::set<std::string> twice;
+  for (const Symbol& symbol : alphabet.symbols) {
+    const Painted p = painted(statementOf(symbol.name, TiltRule::off), alphabet);
+    const double overlap = overlapOf(p.tracks);
+    EXPECT_GE(overlap, -1e-6);
+    if (overlap > 1.0) {  // mm2 of letters 2.5 m tall
+      twice.insert(symbol.name);
+    }
+    const film::Map map = filmMap(filmPatches(p.tracks, p.statement.job.gun), 4.0, 1.0);
+    double cells = 0.0;
+    for (const PaintedCell& cell : cellsOf(p.tracks, p.statement.job.gun)) {
+      cells += cell.area;
+    }
+    EXPECT_NEAR(map.statistics.area, cells - overlap, 0.01 * cells) << symbol.name;
+  }
+  EXPECT_EQ(twice, (std::set<std::string>{"3", "8", "B", "Q"}));
 }
 
 /// The cells of a bowl cover its area, and the film's integral is the paint.

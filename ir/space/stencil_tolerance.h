@@ -1,0 +1,24 @@
+#pragma once
+
+/// Tolerances of roadway stencils. Other fields: tolerance.h.
+namespace arelem::tolerance {
+
+/// A run whose cells all cost less than this (the square of the square of their lean) is even
+/// already: a lean of 0.01, a film within 1 / 20000. Dimensionless.
+inline constexpr double evenLean = 1e-16;
+/// What an uneven division costs against a lean. Dimensionless.
+inline constexpr double unevenDivision = 1e-4;
+/// An order of runs is better when it shortens the travel by more than this, relative.
+inline constexpr double shorterTravel = 1e-12;
+/// A speed may be above the gun's largest by this, relative.
+inline constexpr double gunSpeed = 1e-9;
+/// Speeds that differ by at most this are the same when the fastest job is looked for. Relative.
+inline constexpr double fastestJob = 1e-4;
+/// A place of a film map may lie this far outside of a patch. In sides of the patch.
+inline constexpr double patchEdge = 1e-9;
+/// The smallest extent of a film map. mm.
+inline constexpr double mapExtent = 1e-9;
+/// A ground that leans less is level. Degrees.
+inline constexpr double levelGround = 1e-6;
+
+}  // namespace arelem::tolerance
