@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <ostream>
 
@@ -74,8 +75,28 @@ Totals totalsOf(const Painted& painted) {
 struct Letter {
   std::string name;
   Evenness even;
-  double twice = 0.0;  ///< area that is painted more than once, mm2
+  double twice = 0.0;                          ///< area that is painted more than once, mm2
+  stencil::Vec2 size = stencil::Vec2::Zero();  ///< of the box around its lines, mm
+  double narrowest = 0.0, widest = 0.0;        ///< of its lines, mm
 };
+
+/// Size and lines of a letter by its tracks.
+void measure(Letter& letter, const std::vector<Track>& tracks) {
+  constexpr double none = std::numeric_limits<double>::max();
+  stencil::Vec2 low = stencil::Vec2::Constant(none);
+  stencil::Vec2 high = -low;
+  letter.narrowest = none;
+  for (const Track& track : tracks) {
+    for (std::size_t i = track.first; i < track.poses.size(); ++i) {
+      const stencil::Line& line = track.poses[i].line;
+      low = low.cwiseMin(line.first).cwiseMin(line.second);
+      high = high.cwiseMax(line.first).cwiseMax(line.second);
+      letter.narrowest = std::min(letter.narrowest, stencil::widthOf(line));
+      letter.widest = std::max(letter.widest, stencil::widthOf(line));
+    }
+  }
+  letter.size = high - low;
+}
 std::vector<Letter> lettersOf(const Painted& painted) {
   std::map<std::size_t, std::vector<Track>> byPosition;
   for (const Track& track : painted.tracks) {
@@ -86,6 +107,7 @@ std::vector<Letter> lettersOf(const Painted& painted) {
     letters.push_back({tracks.front().symbol,
                        stencil::evennessOf(tracks, painted.statement.job.gun),
                        stencil::overlapOf(tracks)});
+    measure(letters.back(), tracks);
   }
   return letters;
 }
@@ -194,7 +216,9 @@ void printStencilsJson(std::ostream& out, const Compilation& job) {
                                   {"meanFilm", painted->meanFilm()},
                                   {"all", jsonOf(allOf(*painted))}};
     for (const Letter& letter : lettersOf(*painted)) {
-      nlohmann::ordered_json row = {{"symbol", letter.name}};
+      nlohmann::ordered_json row = {{"symbol", letter.name},
+                                    {"size", {letter.size.x(), letter.size.y()}},
+                                    {"lines", {letter.narrowest, letter.widest}}};
       row.update(jsonOf(letter));
       one["symbols"].push_back(std::move(row));
     }

@@ -27,7 +27,7 @@ class HoleReader {
       along(moves_[at_++]);
     }
     if (fault_.empty() && !done_) {
-      fault_ = "is not finished: the tool does not come back to the clearance";
+      fault_ = "is not finished: the tool does not come back to its height over the hole";
     }
     return {at_, fault_};
   }
@@ -72,7 +72,7 @@ class HoleReader {
     } else if (height < lowest_ - allowed_.distance) {
       deeper(move, height);
     } else if (height >= cycle_.clearance - allowed_.distance && bottom()) {
-      out(move);
+      out(move, height);
     }
     waited_ += bottom() && height <= lowest_ + allowed_.distance ? move.wait : 0.0;
   }
@@ -94,16 +94,18 @@ class HoleReader {
     lowest_ = height;
   }
 
-  void out(const Location& move) {
+  /// Back over the hole; and then to the height of the retract, where that is higher.
+  void out(const Location& move, double height) {
     const bool bores = cycle_.kind == Cycle::Kind::bore || cycle_.kind == Cycle::Kind::boreDwell;
-    if (bores && !isFeed(move)) {
+    if (bores && !isOut_ && !isFeed(move)) {
       fault_ = fmt::format("is left with {:.6g} mm/s, the program gives {:.6g}", move.speed,
                            hole_.speed);
     } else if (std::abs(waited_ - cycle_.dwell) > tolerance::writtenTime) {
       fault_ = fmt::format("has a wait of {:.6g} s at its bottom, the program gives {:.6g}",
                            waited_, cycle_.dwell);
     }
-    done_ = true;
+    isOut_ = true;
+    done_ = height >= cycle_.retract - allowed_.distance;
   }
 
   const Location& hole_;
@@ -114,6 +116,7 @@ class HoleReader {
   std::size_t at_ = 0;
   double lowest_ = cycle_.clearance;
   double waited_ = 0.0;
+  bool isOut_ = false;  // at its clearance
   bool done_ = false;
   std::string fault_;
 };

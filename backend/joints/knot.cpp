@@ -23,6 +23,11 @@ void KnotReader::accept(const cl::Record& record) {
     post(*word, record.origin);
   } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
     millimeters_ = millimetersOf(units->unit);
+  } else if (const auto* text = std::get_if<cl::Text>(&record.body);
+             text != nullptr && text->word == Word::INSERT) {
+    without("INSERT", record.origin);
+  } else if (std::holds_alternative<cl::Raw>(record.body)) {
+    without("a record of an unknown class", record.origin);
   }
 }
 
@@ -167,10 +172,13 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
     default:
       break;
   }
-  const std::string word(cl::nameOf(post));
-  if (std::find(told_.begin(), told_.end(), word) == told_.end()) {
-    told_.push_back(word);
-    sink_.accept(diagnose(origin, diag::JointsWithout, word));
+  without(cl::nameOf(post), origin);
+}
+
+void KnotReader::without(std::string_view what, const Span& origin) {
+  if (std::find(told_.begin(), told_.end(), what) == told_.end()) {
+    told_.emplace_back(what);
+    sink_.accept(diagnose(origin, diag::JointsWithout, told_.back()));
   }
 }
 

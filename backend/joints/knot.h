@@ -44,6 +44,7 @@ class KnotReader {
   [[nodiscard]] std::optional<robot::Objection> objectionToTilt(double tilt,
                                                                 const std::string& place) const;
   void object(robot::Objection objection, const Span& origin);
+  void without(std::string_view what, const Span& origin);
   void refuse(Failure failure, const Span& origin);
   void stopHere(double seconds);
 

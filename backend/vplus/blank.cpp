@@ -39,6 +39,11 @@ class BlankWriter : public Writer {
       millimeters_ = millimetersOf(units->unit);
     } else if (const auto* post = std::get_if<cl::Post>(&record.body)) {
       word(*post, record.origin);
+    } else if (const auto* text = std::get_if<cl::Text>(&record.body);
+               text != nullptr && text->word == Word::INSERT) {
+      without("INSERT", record.origin);
+    } else if (std::holds_alternative<cl::Raw>(record.body)) {
+      without("a record of an unknown class", record.origin);
     }
   }
   void finish() override {

@@ -116,6 +116,7 @@ class VplusWriter : public Writer {
     program_.comment(std::move(clean));
   }
   void operator()(const cl::Units& units) { millimeters_ = millimetersOf(units.unit); }
+  void operator()(const cl::Raw&) { without("a record of an unknown class"); }
   template <class Other>
   void operator()(const Other&) {
   }  // what tells of surfaces, tolerances and the cutter moves nothing
@@ -211,11 +212,13 @@ class VplusWriter : public Writer {
         moveTo(at, false);
       }
     };
-    const Vec3 clear = pose.point + cycle.clearance * millimeters_ * pose.axis;
+    const Vec3 between = pose.point + cycle.retract * millimeters_ * pose.axis;
     if (here_ && (here_->axis - pose.axis).norm() <= tolerance::symmetric) {
-      for (const Vec3& point : hole::wayOver(here_->point, clear, pose.axis)) {
+      for (const Vec3& point : hole::wayOver(here_->point, between, pose.axis)) {
         go(point, true);
       }
+    } else {
+      go(between, true);
     }
     for (const hole::Step& step : *steps) {
       if (step.kind == hole::Step::Kind::dwell) {

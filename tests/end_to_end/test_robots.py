@@ -66,14 +66,14 @@ class Robots(ArelemCase):
     DRILLS = ("UNITS/MM\nSPINDL/1000,CLW\nFROM/0,0,50\nRAPID\nGOTO/0,0,20\nCYCLE/DRILL,8,MMPM,90,2\nGOTO/10,0,0\nGOTO/20,5,-3\n"
               "CYCLE/OFF\nCYCLE/DRILL,4,MMPM,80,2,DWELL,.5\nGOTO/30,0,0\nCYCLE/OFF\nCYCLE/DEEP,9,MMPR,.1,2,STEP,4\nGOTO/40,0,0\n"
               "DELAY/1\nCYCLE/OFF\nCYCLE/BRKCHP,9,MMPM,60,2,STEP,4\nGOTO/50,0,0\nCYCLE/OFF\nCYCLE/BORE,6,MMPM,50,2\nGOTO/60,0,0\n"
-              "CYCLE/OFF\nRAPID\nGOTO/0,0,50\nFINI\n")
+              "CYCLE/OFF\nCYCLE/DRILL,6,MMPM,50,2,RTRCTO,12\nGOTO/70,0,0\nGOTO/80,0,0\nCYCLE/OFF\nRAPID\nGOTO/0,0,50\nFINI\n")
 
     def test_holes_are_drilled_and_compared(self):
         self.write("d.apt", self.DRILLS)
         self.assertExit(0, "d.apt", "-o", "d.v2")
         self.assertNotIn("CYCLE", self.err)
         self.assertExit(0, "verify", "d.v2", "--with", "d.apt")
-        self.assertIn("the 9 locations", self.err)
+        self.assertIn("the 11 locations", self.err)
         text = (self.folder / "d.v2").read_bytes().decode()
         bottom = "  MOVES f:TRANS(10.000, 0.000, -8.000, 0.000, 180.000, 0.000)\r\n"
         for old, new in ((bottom, ""),  # not drilled at all

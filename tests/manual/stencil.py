@@ -4,10 +4,11 @@
   stencil.py --arelem build/arelem            fails if the page is stale
   stencil.py --arelem build/arelem --write    writes page and pictures
 
-The page is docs/manual/roadway_alphabet.md: how evenly each symbol is painted, as `arelem alphabet` prints it, and how much
-paint words take. The pictures come from the examples.
+The page is docs/manual/roadway_alphabet.md: the proportions of the symbols, as `arelem stencil`
+measures them, and how evenly each is painted, as `arelem alphabet` prints it. The pictures come from the examples.
 """
 import argparse
+import json
 import os
 import pathlib
 import re
@@ -21,9 +22,10 @@ PICTURES = PROJECT / "docs" / "pictures"
 EXAMPLES = PROJECT / "examples"
 RULES = ("OFF", "TRAPZ", "QUADR", "BEST")
 
-# Square feet of words 8 ft tall that a state's standard sheet of pavement markings gives (see the page for what that is worth).
-SHEET = {"AHEAD": 31, "CLEAR": 27, "FWY": 16, "KEEP": 24, "LANE": 24, "LEFT": 19, "NO": 14, "ONLY": 22, "RIGHT": 26, "SCHOOL": 35,
-         "SIGNAL": 32, "STOP": 22, "TURN": 24, "XING": 21, "YIELD": 24}
+# Which primitives each letter uses, by table 2.1 of the source (Blank 1997).
+SOURCE = {"A": "4,5", "B": "1,5", "C": "2,4", "D": "1,5", "E": "5", "F": "5", "G": "2,4,5", "H": "5", "I": "5", "J": "2,4,5", "K": "4,5",
+          "L": "5", "M": "4,5", "N": "4,5", "O": "2,4", "P": "1,5", "Q": "2,4", "R": "1,4,5", "S": "2,3", "T": "5", "U": "2,4", "V": "4",
+          "W": "4,5", "X": "4", "Y": "4,5", "Z": "4,5"}
 
 HEAD = """<!-- Made by tests/manual/stencil.py: ./dev manual writes it again. -->
 # The roadway alphabet
@@ -39,23 +41,26 @@ As on the road:
 """
 
 PROPORTIONS = """## Proportions
-The source names the standard that the letters follow: the US Department of Transportation's *Standard Alphabets for Highway Signs
-and Pavement Markings* (1977; since 2002 the chapter on pavement markings of *Standard Highway Signs*). Its letters are 8 ft tall or
-more, on a grid of 4 units by 25. What is known here of its proportions, and what ours are:
+The letters follow the US Department of Transportation's *Standard Alphabets for Highway Signs and Pavement Markings* (1977; since 2002 the
+chapter on pavement markings of *Standard Highway Signs*, with very slight differences in stroke widths of letters with loops: FHWA,
+interpretation letter 3-179(I), 2005). **The sheets of the standard itself were not at hand**: no figure of ours was read from them. What is
+compared is what the source says of them (R. Blank, Algorithms and Robotic Hardware Improvements for Painting of Roadway Markings,
+1997, sections 2.1 and 2.3), whose edges were matched to the grids of the standard's letters:
 
-| | standard | roadway.alphabet |
+| what | source | roadway.alphabet |
 |---|---|---|
-| height to width of a letter | 25 to 4 | 25 to 4; but `I` is 1 wide, `1` 2, `-` 3, the turning arrows 5 |
-| upright stroke | 1 unit, 4 in | 1 unit; 97.6 mm (3.84 in) in letters of 2440 mm |
-| lying stroke | about 4 units | 4 units, 3.5 the middle bars of E, F and the bars that join |
-| space between letters | 1 unit or more | 1 unit |
+| height to width of a letter | 25 units to 4 | {common} of 26 letters exactly; {others} |
+| least height of letters on a road | 2.44 m (8 ft) | any HEIGHT; pictures and table for 2.44 m |
+| edges of the bowl, the hook and the half S | splines, arcs and lines of its appendix A | the same; S and B have all of its published places within 1e-6 (tests) |
+| primitives of each letter | table 2.1 | {agree} of 26 alike; {differ} |
 
-The sheets themselves were not at hand. As a check, here is how much paint words take: a state's
-standard sheet (California's A24 series) lists the square feet of its words, as remembered, not as read; ours are the sums of the areas
-in the table below for a grid unit of 4 in. They agree within {worst:.0f} %.
+Widths of strokes and the spaces between letters are not in the source's text. Ours: upright strokes 1 unit wide (97.6 mm in letters of
+2440 mm), lying ones 3.5 or 4 units high, so that both look alike to a driver who sees them foreshortened; 1 unit between symbols.
 
-| word | sheet, ft2 | ours | | word | sheet, ft2 | ours |
-|---|---|---|---|---|---|---|
+Measured along the painted lines of each symbol, in units of the height; 4 to 25 is 0.160. Widths are those of the fan lines of its strokes:
+
+| symbol | width / height | narrowest line | widest line | primitives | source |
+|---|---|---|---|---|---|
 """
 
 FILM_HEAD = """
@@ -75,8 +80,8 @@ departure of about 0.4 lean^2. `TILT, BEST` moves the lines until all cells of a
 its two edges have the lengths that they have. The rings of the 8 are the tightest: their outer edge is {ratio:.1f} times as long as the
 inner one.
 
-Paint lies twice where strokes cover each other: the middle bars of B, 3 and 8 and the tail of Q. It is not in these numbers; the
-`.png` of `arelem stencil --film` shows it.
+Paint lies twice where strokes cover each other: {twice}, in percent of the symbol's area. It is not in these numbers; `arelem stencil`
+reports it for a text, and the `.png` of `arelem stencil --film` shows where.
 """
 
 
@@ -93,25 +98,52 @@ def symbols(arelem):
     return [row for row in rows if len(row) == 4 + 2 * len(RULES) and row[0] != "symbol"]
 
 
+def measured(arelem, names):
+    """What `arelem stencil` measures of each symbol."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = pathlib.Path(folder) / "all.apt"
+        program.write_text("UNITS/MM\n" + "".join(f"STENCL/'{name}',HEIGHT,2500,FAN,63.5,SPEED,600\n" for name in names) + "FINI\n")
+        return [one["symbols"][0] for one in json.loads(run(arelem, "stencil", program, "--json"))]
+
+
+def primitives():
+    """Numbers of the strokes of each symbol, from the file of the alphabet."""
+    used = {}
+    for line in (PROJECT / "stdlib" / "roadway.alphabet").read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["SYMBOL"]:
+            name = words[1]
+        elif words[:1] == ["STROKE"]:
+            used.setdefault(name, set()).add(words[1])
+    return {name: ",".join(sorted(numbers)) for name, numbers in used.items()}
+
+
+def proportions(rows):
+    used = primitives()
+    letters = [row for row in rows if row["symbol"] in SOURCE]
+    common = [row for row in letters if abs(row["size"][0] / row["size"][1] - 4 / 25) < 1e-9]
+    others = ", ".join(f"`{row['symbol']}` {row['size'][0] / 100:.3g}" for row in letters if row not in common)
+    differ = [name for name in SOURCE if used[name] != SOURCE[name]]
+    text = PROPORTIONS.replace("{common}", str(len(common))).replace("{others}", f"in units wide {others}")
+    text = text.replace("{agree}", str(26 - len(differ))).replace("{differ}", f"not {', '.join(differ)}, see below")
+    for row in rows:
+        name = f"`{row['symbol']}`" if row["symbol"].startswith("<") else row["symbol"]
+        wide, high = row["size"]
+        lines = " | ".join(f"{line / 2500:.3f}" for line in row["lines"])
+        text += f"| {name} | {wide / high:.3f} | {lines} | {used[row['symbol']]} | {SOURCE.get(row['symbol'], '')} |\n"
+    return text
+
+
 def page(arelem):
     rows = symbols(arelem)
-    areas = {row[0]: float(row[3]) for row in rows}
-    square_feet = {word: sum(areas[c] for c in word) / 9 for word in SHEET}  # 4 in by 4 in is 1/9 ft2
-    worst = max(abs(square_feet[word] / SHEET[word] - 1) for word in SHEET) * 100
-    text = HEAD + PROPORTIONS.replace("{worst:.0f}", f"{worst:.0f}")
-    words = sorted(SHEET)
-    half = (len(words) + 1) // 2
-    for i in range(half):
-        cells = []
-        for word in (words[i], words[half + i] if half + i < len(words) else None):
-            cells += ["", "", ""] if word is None else [word, str(SHEET[word]), f"{square_feet[word]:.1f}"]
-        text += "| " + " | ".join(cells[:3]) + " | | " + " | ".join(cells[3:]) + " |\n"
-    text += FILM_HEAD
+    of_symbols = measured(arelem, [row[0] for row in rows])
+    text = HEAD + proportions(of_symbols) + FILM_HEAD
     for row in rows:
         films = " | ".join(f"{row[4 + 2 * i]} {row[5 + 2 * i]}" for i in range(len(RULES)))
         name = f"`{row[0]}`" if row[0].startswith("<") else row[0]
         text += f"| {name} | {row[1]} | {row[2]} | {row[3]} | {films} |\n"
-    return text + FILM_FOOT.replace("{ratio:.1f}", f"{ring_ratio():.1f}")
+    twice = [f"{row['symbol']} {100 * row['paintedTwice'] / row['area']:.1f}" for row in of_symbols if row["paintedTwice"] > 1]
+    return text + FILM_FOOT.replace("{ratio:.1f}", f"{ring_ratio():.1f}").replace("{twice}", ", ".join(twice))
 
 
 def ring_ratio():

@@ -52,6 +52,11 @@ TEST(Hole, BoringFeedsOutAgain) {
               ElementsAre("r2", "f-6", "w1", "f2"));
 }
 
+TEST(Hole, ARetractIsHigherThanTheClearance) {
+  EXPECT_THAT(stepsOf({Word::DRILL, 6.0, Word::MMPM, 50.0, 2.0, std::string("RTRCTO"), 12.0}),
+              ElementsAre("r2", "f-6", "r2", "r12"));
+}
+
 TEST(Hole, TapsHaveNoMoves) {
   const auto read = backend::hole::readCycle(cycle({Word::TAP, 9.0, Word::MMPM, 80.0, 2.0}));
   ASSERT_TRUE(read.ok());
