@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <set>
 
 #include "app/command.h"
 #include "app/library_file.h"
@@ -107,9 +106,14 @@ void writeTo(DiagnosticLog& log, const std::string& path, const backend::Chart& 
 /// What a symbol comes to by every rule of tilt; none where no text can hold it.
 constexpr std::array rules = {stencil::TiltRule::off, stencil::TiltRule::trapezoid,
                               stencil::TiltRule::quadrilateral, stencil::TiltRule::best};
-std::array<std::optional<stencil::Evenness>, rules.size()> byRules(
-    const std::string& symbol, const stencil::Alphabet& alphabet, const AlphabetOptions& options) {
-  std::array<std::optional<stencil::Evenness>, rules.size()> all;
+struct Painting {
+  stencil::Evenness even;
+  double firstShare = 50.0;  ///< percent of the first cell's area that half of its paint falls on
+};
+std::array<std::optional<Painting>, rules.size()> byRules(const std::string& symbol,
+                                                          const stencil::Alphabet& alphabet,
+                                                          const AlphabetOptions& options) {
+  std::array<std::optional<Painting>, rules.size()> all;
   for (std::size_t i = 0; i < rules.size(); ++i) {
     stencil::Statement statement;
     statement.placement.height = options.height;
@@ -122,7 +126,9 @@ std::array<std::optional<stencil::Evenness>, rules.size()> byRules(
     const Result<stencil::Painted> painted =
         stencil::paint(statement, alphabet, options.settings.limits, stencil::Vec2::Zero());
     if (painted) {
-      all.at(i) = stencil::evennessOf(painted->tracks, statement.job.gun);
+      const auto cells = stencil::cellsOf(painted->tracks, statement.job.gun);
+      all.at(i) = {stencil::evennessOf(painted->tracks, statement.job.gun),
+                   cells.empty() ? 50.0 : cells.front().share};
     }
   }
   return all;
@@ -136,6 +142,15 @@ void printHead(const stencil::Alphabet& alphabet, const AlphabetOptions& options
       options.height, options.speed, options.most, options.rate);
 }
 
+bool areSame(const stencil::Shape& a, const stencil::Shape& b) {
+  const auto same = [](const stencil::Line& p, const stencil::Line& q) {
+    return p.first == q.first && p.second == q.second;
+  };
+  return a.isStraight()
+             ? std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(), same)
+             : &a == &b;
+}
+
 /// One primitive alone, not mirrored or moved: each form that strokes of that number have, and the
 /// first symbol that has it.
 stencil::Alphabet primitivesOf(const stencil::Alphabet& alphabet,
@@ -143,20 +158,24 @@ stencil::Alphabet primitivesOf(const stencil::Alphabet& alphabet,
                                std::vector<std::string>& users) {
   stencil::Alphabet alone = alphabet;
   alone.symbols.clear();
-  std::set<const stencil::Shape*> seen;
   for (const stencil::Symbol& symbol : alphabet.symbols) {
     for (const stencil::Stroke& stroke : symbol.strokes) {
-      if (stroke.primitive != number || !seen.insert(stroke.shape.get()).second) {
+      const bool known =
+          std::any_of(alone.symbols.begin(), alone.symbols.end(), [&](const stencil::Symbol& one) {
+            return one.strokes[0].cells == stroke.cells &&
+                   areSame(*one.strokes[0].shape, *stroke.shape);
+          });
+      if (stroke.primitive != number || known) {
         continue;
       }
-      stencil::Symbol& one = alone.symbols.emplace_back();
-      one.name = fmt::format("<{}>", alone.symbols.size());
-      one.width = symbol.width;
-      one.strokes.emplace_back();
-      one.strokes.back().primitive = number;
-      one.strokes.back().shape = stroke.shape;
-      one.strokes.back().cells = stroke.cells;
       users.push_back(symbol.name);
+      stencil::Symbol& one = alone.symbols.emplace_back();
+      one.name = fmt::format("<{}>", users.size());
+      one.width = symbol.width;
+      stencil::Stroke& made = one.strokes.emplace_back();
+      made.primitive = number;
+      made.shape = stroke.shape;
+      made.cells = stroke.cells;
     }
   }
   return alone;
@@ -173,8 +192,8 @@ void printFilms(const stencil::Alphabet& alphabet, const AlphabetOptions& option
     std::string row;
     stencil::Evenness even;
     for (const auto& one : byRules(symbol.name, alphabet, options)) {
-      even = one.value_or(even);
-      row += one ? fmt::format("{:>10.3f} {:<5.3f}", one->film.least, one->film.most)
+      even = one ? one->even : even;
+      row += one ? fmt::format("{:>10.3f} {:<5.3f}", even.film.least, even.film.most)
                  : fmt::format("{:>16}", "-");
     }
     const double unit = options.height / alphabet.height;
@@ -195,21 +214,25 @@ bool printPrimitive(const stencil::Alphabet& alphabet, const AlphabetOptions& op
       "primitive {} alone: percent of a cell's area that half of its paint falls on, least and "
       "most; film over the mean film\n",
       options.primitive);
-  std::cout << fmt::format("{:<10}{:>7}  {:<10}{:>16}{:>16}{:>16}{:>16}\n", "as in", "cells", "",
+  std::cout << fmt::format("{:<10}{:>7}  {:<13}{:>16}{:>16}{:>16}{:>16}\n", "as in", "cells", "",
                            "OFF", "TRAPZ", "QUADR", "BEST");
   for (std::size_t i = 0; i < users.size(); ++i) {
     std::string shares;
+    std::string firsts;
     std::string films;
     std::size_t cells = 0;
     for (const auto& one : byRules(alone.symbols[i].name, alone, options)) {
       if (one) {
-        cells = std::max(cells, one->cells);
-        shares += fmt::format("{:>8.1f} to {:<4.1f}", one->leastShare, one->mostShare);
-        films += fmt::format("{:>7.3f} to {:<5.3f}", one->film.least, one->film.most);
+        const stencil::Evenness& even = one->even;
+        cells = std::max(cells, even.cells);
+        shares += fmt::format("{:>8.1f} to {:<4.1f}", even.leastShare, even.mostShare);
+        firsts += fmt::format("{:>8.1f} and {:<3.1f}", one->firstShare, 100.0 - one->firstShare);
+        films += fmt::format("{:>7.3f} to {:<5.3f}", even.film.least, even.film.most);
       }
     }
-    std::cout << fmt::format("{:<10}{:>7}  {:<10}{}\n{:<10}{:>7}  {:<10}{}\n", users[i], cells,
-                             "shares, %", shares, "", "", "film", films);
+    std::cout << fmt::format("{:<10}{:>7}  {:<13}{}\n", users[i], cells, "shares, %", shares);
+    std::cout << fmt::format("{:<19}{:<13}{}\n", "", "first cell, %", firsts);
+    std::cout << fmt::format("{:<19}{:<13}{}\n", "", "film", films);
   }
   return true;
 }

@@ -18,8 +18,8 @@ namespace arelem::backend {
 namespace {
 class BlankWriter : public Writer {
  public:
-  BlankWriter(std::ostream& out, const robot::Machine& machine, DiagnosticSink& sink)
-      : out_(out), format_(machine.vplus.format), sink_(sink), rapidSpeed_(machine.rapid) {}
+  BlankWriter(std::ostream& out, robot::VplusStyle::Format format, DiagnosticSink& sink)
+      : out_(out), format_(format), sink_(sink) {}
 
   void accept(const cl::Record& record) override {
     if (const auto* motion = std::get_if<cl::Motion>(&record.body)) {
@@ -60,8 +60,8 @@ class BlankWriter : public Writer {
       case Word::FEDRAT:
         return feed(post, origin);
       case Word::RAPID:
-        rapid_ = true;
-        return;
+        return without("RAPID, the way between strokes has the speed of the stroke before,",
+                       origin);
       case Word::SPRAY:
         return without("SPRAY, the robot switches its gun by itself,", origin);
       case Word::CYCLE:
@@ -106,14 +106,12 @@ class BlankWriter : public Writer {
   }
   void speed() {
     if (moved_) {
-      const double speed = rapid_ ? rapidSpeed_ : speed_;
-      if (speed <= 0.0 && !slow_) {
+      if (speed_ <= 0.0 && !slow_) {
         sink_.accept(diagnose(origin_, diag::NgcFeedMissing, place_.x(), place_.y(), place_.z()));
         slow_ = true;
       }
-      text_ += fmt::format("speed ({:5.1f}*scale), rotate MMPS \n", speed);
+      text_ += fmt::format("speed ({:5.1f}*scale), rotate MMPS \n", speed_);
     }
-    rapid_ = false;
   }
 
   std::ostream& out_;
@@ -121,8 +119,6 @@ class BlankWriter : public Writer {
   DiagnosticSink& sink_;
   std::string text_;
   double speed_ = 0.0;
-  double rapidSpeed_;
-  bool rapid_ = false;
   double millimeters_ = 1.0;
   Vec3 place_ = Vec3::Zero();
   Span origin_;
@@ -136,7 +132,7 @@ class BlankWriter : public Writer {
 std::unique_ptr<Writer> makeBlankWriter(std::ostream& out,
                                         const robot::Machine& machine,
                                         DiagnosticSink& sink) {
-  return std::make_unique<BlankWriter>(out, machine, sink);
+  return std::make_unique<BlankWriter>(out, machine.vplus.format, sink);
 }
 
 }  // namespace arelem::backend

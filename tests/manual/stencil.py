@@ -27,6 +27,9 @@ SOURCE = {"A": "4,5", "B": "1,5", "C": "2,4", "D": "1,5", "E": "5", "F": "5", "G
           "L": "5", "M": "4,5", "N": "4,5", "O": "2,4", "P": "1,5", "Q": "2,4", "R": "1,4,5", "S": "2,3", "T": "5", "U": "2,4", "V": "4",
           "W": "4,5", "X": "4", "Y": "4,5", "Z": "4,5"}
 
+# Why a letter of ours departs from that table.
+DEPARTURES = {"J": "not J, whose stem here is one slanted stroke down to the hook"}
+
 HEAD = """<!-- Made by tests/manual/stencil.py: ./dev manual writes it again. -->
 # The roadway alphabet
 
@@ -49,7 +52,7 @@ compared is what the source says of them (R. Blank, Algorithms and Robotic Hardw
 
 | what | source | roadway.alphabet |
 |---|---|---|
-| height to width of a letter | 25 units to 4 | {common} of 26 letters exactly; {others} |
+| height to width of a letter | 25 units to 4 | {common} of 26 letters; {others}. Round letters reach over top and foot by {over:.1f} % of the height together |
 | least height of letters on a road | 2.44 m (8 ft) | any HEIGHT; pictures and table for 2.44 m |
 | edges of the bowl, the hook and the half S | splines, arcs and lines of its appendix A | the same; S and B have all of its published places within 1e-6 (tests) |
 | primitives of each letter | table 2.1 | {agree} of 26 alike; {differ} |
@@ -121,11 +124,13 @@ def primitives():
 def proportions(rows):
     used = primitives()
     letters = [row for row in rows if row["symbol"] in SOURCE]
-    common = [row for row in letters if abs(row["size"][0] / row["size"][1] - 4 / 25) < 1e-9]
-    others = ", ".join(f"`{row['symbol']}` {row['size'][0] / 100:.3g}" for row in letters if row not in common)
+    common = [row for row in letters if abs(row["size"][0] / row["size"][1] / (4 / 25) - 1) < 0.025]
+    others = ", ".join(f"`{row['symbol']}` is {row['size'][0] / 100:.3g} wide" for row in letters if row not in common)
+    highest = max(row["size"][1] for row in letters) / 2500 - 1
     differ = [name for name in SOURCE if used[name] != SOURCE[name]]
-    text = PROPORTIONS.replace("{common}", str(len(common))).replace("{others}", f"in units wide {others}")
-    text = text.replace("{agree}", str(26 - len(differ))).replace("{differ}", f"not {', '.join(differ)}, see below")
+    text = PROPORTIONS.replace("{common}", str(len(common))).replace("{others}", others)
+    text = text.replace("{over:.1f}", f"{100 * highest:.1f}")
+    text = text.replace("{agree}", str(26 - len(differ))).replace("{differ}", "; ".join(DEPARTURES[name] for name in differ))
     for row in rows:
         name = f"`{row['symbol']}`" if row["symbol"].startswith("<") else row["symbol"]
         wide, high = row["size"]
