@@ -214,10 +214,6 @@ class Reader : private AlphabetLine {
 
   void symbol() {
     finishShape();
-    finishSymbol();
-    if (failure_) {
-      return;
-    }
     if (!more()) {
       wrong("a character or a name such as <RIGHT>");
       return;
@@ -236,6 +232,7 @@ class Reader : private AlphabetLine {
       tooMany(mostSymbols, "symbols");
       return;
     }
+    finishSymbol();
     Symbol symbol{std::string(name.text), alphabet_.width, {}, {}};
     if (take("WIDTH")) {
       symbol.width = positive("a positive width");
