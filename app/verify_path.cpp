@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/ranges.h>
 
@@ -49,13 +50,10 @@ void Path::accept(const cl::Record& record) {
 
 void Path::word(const cl::Post& post) {
   if (post.word == Word::CYCLE) {
-    const auto change = cycles_.read(post);
-    const bool begun = change && *change == backend::hole::Cycles::Change::begun;
-    if (const auto own = begun ? backend::hole::feedOf(*cycles_.now()) : std::nullopt) {
-      speed_ = robot::speedOf(*own, millimeters, turns_).value_or(0.0);
-    }
+    cycle(post);
   } else if (post.word == Word::FEDRAT) {
     speed_ = robot::speedOf(post, millimeters, turns_).value_or(0.0);
+    outside_ = outside_ ? std::optional(speed_) : std::nullopt;
     rapid_ = false;
   } else if (post.word == Word::RAPID) {
     rapid_ = true;
@@ -67,6 +65,19 @@ void Path::word(const cl::Post& post) {
     }
   } else if (post.word == Word::SPRAY) {
     switchOutput(post);
+  }
+}
+
+void Path::cycle(const cl::Post& post) {
+  const auto change = cycles_.read(post);
+  if (!change || *change == backend::hole::Cycles::Change::none) {
+    return;
+  }
+  speed_ = std::exchange(outside_, std::nullopt).value_or(speed_);
+  const backend::hole::Cycle* begun = cycles_.now();
+  if (const auto own = begun != nullptr ? backend::hole::feedOf(*begun) : std::nullopt) {
+    outside_ = speed_;
+    speed_ = robot::speedOf(*own, millimeters, turns_).value_or(0.0);
   }
 }
 

@@ -33,11 +33,13 @@ class Path : public cl::RecordSink {
 
  private:
   void word(const cl::Post& post);
+  void cycle(const cl::Post& post);
   void switchOutput(const cl::Post& post);
 
   backend::hole::Cycles cycles_;
   std::set<int> on_;
   double speed_ = 0.0;
+  std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own
   double turns_ = 0.0;
   bool rapid_ = false;
 };

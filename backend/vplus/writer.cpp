@@ -146,6 +146,9 @@ class VplusWriter : public Writer {
       return report(speed.takeFailure());
     }
     speed_ = *speed;
+    if (outside_) {
+      outside_ = speed_;  // it stays when the cycle is over
+    }
     rapid_ = false;
   }
 
@@ -185,13 +188,20 @@ class VplusWriter : public Writer {
     if (!change) {
       return report(change.failure());
     }
-    if (*change != hole::Cycles::Change::begun) {
+    if (*change == hole::Cycles::Change::none) {
       return;
     }
-    if (const auto own = hole::feedOf(*cycles_.now())) {
-      feed(*own);
+    speed_ = std::exchange(outside_, std::nullopt).value_or(speed_);
+    const hole::Cycle* begun = cycles_.now();
+    if (begun == nullptr) {
+      return;
     }
-    if (const auto steps = hole::stepsOf(*cycles_.now()); !steps) {
+    if (const auto own = hole::feedOf(*begun)) {
+      const double before = speed_;
+      feed(*own);
+      outside_ = before;  // the feed of a cycle ends with it
+    }
+    if (const auto steps = hole::stepsOf(*begun); !steps) {
       report(steps.failure());
     }
   }
@@ -362,6 +372,7 @@ class VplusWriter : public Writer {
   std::string written_;  // the speed in force
   double millimeters_ = 1.0;
   double speed_ = 0.0;
+  std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own
   bool rapid_ = false;
   double turns_ = 0.0;       // of a spindle that the robot carries, a minute
   bool feedMissed_ = false;  // told once

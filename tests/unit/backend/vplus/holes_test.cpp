@@ -30,8 +30,7 @@ TEST(Vplus, CyclesAreWrittenMoveByMove) {
        record(2, pose({0, 0, 0})),
        record(3, post(Word::CYCLE, {Word::DRILL, 8.0, Word::MMPM, 90.0, 2.0, Word::DWELL, 0.5})),
        record(4, pose({10, 0, 0})), record(5, pose({20, 5, -1})),
-       record(6, post(Word::CYCLE, {Word::OFF})), record(7, post(Word::FEDRAT, {600.0})),
-       record(8, pose({20, 5, 30}))},
+       record(6, post(Word::CYCLE, {Word::OFF})), record(8, pose({20, 5, 30}))},
       &machine);
   const auto at = [](double x, double y, double z) {
     return fmt::format("  MOVES f:TRANS({:.3f}, {:.3f}, {:.3f}, 0.000, 180.000, 0.000)", x, y, z);
