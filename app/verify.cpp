@@ -15,18 +15,24 @@
 
 #include "backend/cltape/reader.h"
 #include "ir/diag/render_text.h"
+#include "runtime/path/chords.h"
 
 namespace arelem::app {
 
 namespace {
-/// Compiles a text to its path. The path of CL text is that of the program it is.
+/// Compiles a text to its path, with arcs and splines as the target of an output takes them. The
+/// path of CL text is that of the program it is.
 bool pathOfText(Compilation& job,
                 const std::string& file,
                 std::string text,
                 Path& path,
+                const backend::Target* target,
                 const InterruptFlag& interrupted) {
+  const bool straight = target != nullptr && !target->takesCurves;
+  const auto chords = path::makeChordStage(path, job.log);
+  cl::RecordSink& records = straight ? static_cast<cl::RecordSink&>(*chords) : path;
   return load(job, file, std::move(text), interrupted) && evaluate(job, interrupted) &&
-         execute(job, path, interrupted);
+         execute(job, records, interrupted);
 }
 
 bool pathOfOutput(const std::string& file,
@@ -46,7 +52,7 @@ bool pathOfOutput(const std::string& file,
            backend::readTape(in, path, job.log, settings.limits, job.codes).complete &&
            job.log.errors() == 0;
   } else {
-    good = pathOfText(job, file, std::move(bytes), path, interrupted);
+    good = pathOfText(job, file, std::move(bytes), path, nullptr, interrupted);
   }
   job.log.print(job.sources, job.main, settings);
   result = worse(result, job.log.exitCode());
@@ -107,7 +113,8 @@ ExitCode verify(const WithRequest& request,
   Path wanted;
   ExitCode result = ExitCode::ok;
   if (machine && text && bytes &&
-      pathOfText(job, request.program, *std::move(text), wanted, interrupted)) {
+      pathOfText(job, request.program, *std::move(text), wanted,
+                 backend::targetForFile(request.output), interrupted)) {
     const auto count =
         compared(request, *std::move(bytes), wanted, *machine, job, interrupted, result);
     if (count && !settings.quiet) {

@@ -34,7 +34,7 @@ void Objections::report(std::size_t locations, DiagnosticSink& sink) const {
   for (const Kind& kind : kinds_) {
     Diagnostic told = at(kind.origin, kind.worst.failure);
     if (kind.count > 1) {
-      told.notes.push_back(fmt::format("so do {} of {} locations, of which this is the worst: {}{}",
+      told.notes.push_back(fmt::format("{} of {} locations are so, this one is the worst: {}{}",
                                        kind.count, locations, fmt::join(kind.first, ", "),
                                        kind.count > kind.first.size() ? ", ..." : ""));
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "ir/diag/stencil.h"
 #include "ir/space/stencil_tolerance.h"
@@ -41,21 +42,6 @@ double speedOver(const Pose& from, const Pose& to, const Job& job) {
   // A cell without area is turned over at the speed of its width.
   const double thin = tolerance::rounding * width * width;
   return area > thin ? job.speedTimesWidth * way / area : job.speedTimesWidth / width;
-}
-
-std::optional<Failure> objectionTo(const Track& track, const Job& job) {
-  if (job.gun.speed <= 0.0) {
-    return std::nullopt;
-  }
-  const auto fastest =
-      std::max_element(track.poses.begin(), track.poses.end(),
-                       [](const Pose& a, const Pose& b) { return a.speed < b.speed; });
-  if (fastest->speed <= job.gun.speed * (1.0 + tolerance::gunSpeed)) {
-    return std::nullopt;
-  }
-  return fail(diag::StencilSpeed, track.stroke, track.symbol, fastest->speed, fastest->place.x(),
-              fastest->place.y(), widthOf(fastest->line), job.gun.speed,
-              job.gun.speed / fastest->speed);
 }
 
 /// A pose on the way from one to the other.
@@ -145,6 +131,31 @@ double heightOf(const FanGun& gun, double width) {
                                : heightFor(width, gun.fan);
 }
 
+std::optional<Failure> objectionToSpeeds(std::span<const Track> tracks,
+                                         const Job& job,
+                                         const std::function<double()>& mostFactor) {
+  const Track* track = nullptr;
+  const Pose* fastest = nullptr;
+  for (const Track& one : tracks) {
+    for (const Pose& pose : one.poses) {
+      if (fastest == nullptr || pose.speed > fastest->speed) {
+        track = &one;
+        fastest = &pose;
+      }
+    }
+  }
+  const double most = job.gun.speed;
+  if (most <= 0.0 || fastest == nullptr || fastest->speed <= most * (1.0 + tolerance::gunSpeed)) {
+    return std::nullopt;
+  }
+  // Four digits of the factor are told: not more than it is.
+  const double factor = std::min(most / fastest->speed, mostFactor());
+  const double digit = std::pow(10.0, std::floor(std::log10(factor)) - 3.0);
+  const double told = std::floor(factor / digit * (1.0 + tolerance::gunSpeed)) * digit;
+  return fail(diag::StencilSpeed, track->stroke, track->symbol, fastest->speed, fastest->place.x(),
+              fastest->place.y(), widthOf(fastest->line), most, told);
+}
+
 Result<Track> planRun(const Run& run, const Job& job) {
   Track track{run.symbol, run.position, run.stroke, {}, 0, 0, 0};
   const std::vector<Line> lines = dividedForTilt(run.lines, job);
@@ -178,9 +189,6 @@ Result<Track> planRun(const Run& run, const Job& job) {
       place(track.poses[i], job.gun);
     }
     setSpeeds();
-  }
-  if (std::optional<Failure> objection = objectionTo(track, job)) {
-    return *std::move(objection);
   }
   addSwitchOff(track, job.gun);
   if (track.off <= track.on) {

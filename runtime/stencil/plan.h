@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 
 #include "ir/space/vector.h"
@@ -81,9 +82,15 @@ struct Track {
                                                const TiltLimits& limits,
                                                const std::vector<double>& seconds);
 
-/// Plans one run. Errors: E0562, a move needs more than the gun's largest speed; it names the
-/// factor that would do. E0742, the gun would be switched off before it is switched on.
+/// Plans one run, at whatever speeds it takes. Error: E0742, the gun would be switched off before
+/// it is switched on.
 [[nodiscard]] Result<Track> planRun(const Run& run, const Job& job);
+/// Whether all moves keep the gun's largest speed. Error: E0562, the fastest of them, and the
+/// factor on SPEED that would do for all: not above `mostFactor()`, which is asked for where a
+/// slower gun tilts otherwise.
+[[nodiscard]] std::optional<Failure> objectionToSpeeds(std::span<const Track> tracks,
+                                                       const Job& job,
+                                                       const std::function<double()>& mostFactor);
 
 /// Film of tracks: mean film of each cell over the mean of all, strips within the cell, and how
 /// the paint of its two halves divides the area.

@@ -133,6 +133,12 @@ Result<Painted> paint(const Statement& s,
   if (!tracks) {
     return tracks.takeFailure();
   }
+  const auto mostFactor = [&] {
+    return job.tilt == TiltRule::off ? 1.0 : fastestJob(*runs, job) / job.speedTimesWidth;
+  };
+  if (auto objection = objectionToSpeeds(*tracks, job, mostFactor)) {
+    return *std::move(objection);
+  }
   painted.tracks = *std::move(tracks);
   return painted;
 }

@@ -88,6 +88,19 @@ class Robots(ArelemCase):
                 self.assertExit(5, "verify", "d.v2", "--with", "d.apt")
                 self.assertIn("E0923", self.err)
 
+    def test_arcs_and_a_hole_behind_rapid(self):
+        # Half a circle of radius 20 within 0.001 of its chords, then a hole that RAPID goes to.
+        self.write("a.cls", "UNITS/MM\nOUTTOL/.001\nFEDRAT/MMPM,600\nGOTO/20,0,0\nCIRCLE/0,0,0,0,0,1,20\nGOTO/-20,0,0\nRAPID\nGOTO/-20,0,9\n"
+                   "RAPID\nCYCLE/DRILL,4,MMPM,90,2\nGOTO/0,0,0\nCYCLE/OFF\nFINI\n")
+        self.assertExit(0, "a.cls", "--dialect", "cl", "-o", "a.v2")
+        self.assertExit(0, "verify", "a.v2", "--with", "a.cls", "--dialect", "cl")
+        places = re.findall(r"TRANS\((-?[\d.]+), (-?[\d.]+), 0.000, 0.000, 180", (self.folder / "a.v2").read_text())
+        arc = [(float(x), float(y)) for x, y in places]
+        self.assertGreater(len(arc), 100)
+        for a, b in zip(arc, arc[1:]):
+            self.assertAlmostEqual(math.hypot(*b), 20, 2)
+            self.assertLess(20 - math.hypot((a[0] + b[0]) / 2, (a[1] + b[1]) / 2), 0.0025)
+
     def test_holes_that_cannot_be_written(self):
         for program, name, options in ((self.DRILLS.replace("BORE", "TAP"), "d.v2", ()),
                                        (self.DRILLS, "d.joints.csv", ("--machine", "stencil_robot.machine.toml")),
@@ -129,7 +142,7 @@ class Robots(ArelemCase):
         self.assertExit(6, "stop.apt", "-o", "far.v2", "--machine", "adept_three.machine.toml")
         self.assertEqual(self.err.count("error[E0660]"), 1)
         self.assertEqual(self.err.count("error[E0661]"), 1)
-        self.assertRegex(self.err, r"so do \d+ of \d+ locations")
+        self.assertRegex(self.err, r"\d+ of \d+ locations are so")
         self.assertFalse((self.folder / "far.v2").exists())
 
     def test_a_program_that_is_none_is_unreadable_input(self):

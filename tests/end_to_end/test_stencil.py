@@ -103,7 +103,13 @@ class Stencil(ArelemCase):
             self.refused(f"STENCL/'STOP',HEIGHT,2500,{words}", "E0561")
             self.assertIn(told, self.err)
         self.refused("STENCL/'STOP',HEIGHT,2500,FAN,63.5,SPEED,600,300", "E0562")
-        self.assertRegex(self.err, r"a SPEED 0\.\d+ times as large would do")
+        # The factor is that of the fastest of all strokes, and does.
+        for text, tilt, near in (("STOP", "OFF", .001), ("IS8", "OFF", .001), ("IS8", "BEST,25,60", .01), ("SB", "QUADR,20,40", .01)):
+            statement = f"STENCL/'{text}',HEIGHT,2500,FAN,63.5,TILT,{tilt},SPEED"
+            self.refused(f"{statement},600,300", "E0562")
+            factor = float(re.search(r"a SPEED (0\.\d+) times as large would do", self.err)[1])
+            self.stencil(f"{statement},{600 * factor},300")
+            self.refused(f"{statement},{600 * (factor + near)},300", "E0562")
         self.refused("STENCL/'  ',HEIGHT,2500,FAN,63.5,SPEED,600", "E0563")
         self.refused("STENCL/'A',HEIGHT,2500,FAN,63.5", "E0565")
         self.refused("STENCL/'A',HEIGHT,2500,SPEED,600", "E0565")

@@ -80,11 +80,19 @@ TEST(Plan, StraightStrokeHasSpeedAndHeightOfItsWidth) {
 TEST(Plan, AFasterGunThanThereIsIsRefusedWithTheFactor) {
   Job slow = job();
   slow.gun.speed = 450.0;
-  const auto track = planRun(runs("I")[0], slow);
-  ASSERT_FALSE(track.ok());
-  EXPECT_EQ(track.failure().row->code, "E0562");
-  EXPECT_THAT(track.failure().message, HasSubstr("needs 600 mm/s"));
-  EXPECT_THAT(track.failure().message, HasSubstr("0.75 times"));
+  const auto refusal = [&](double most) {
+    const auto track = planRun(runs("I")[0], slow);
+    EXPECT_TRUE(track.ok());
+    return objectionToSpeeds({&*track, 1}, slow, [&] { return most; });
+  };
+  auto failure = refusal(1.0);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->row->code, "E0562");
+  EXPECT_THAT(failure->message, HasSubstr("needs 600 mm/s"));
+  EXPECT_THAT(failure->message, HasSubstr("0.75 times"));
+  EXPECT_THAT(refusal(0.56789)->message, HasSubstr("0.5678 times"));  // not rounded up
+  slow.gun.speed = 600.0;
+  EXPECT_FALSE(refusal(1.0));
 }
 
 TEST(Plan, GunIsSwitchedEarlierByItsLeadTimes) {
