@@ -58,7 +58,7 @@ void Path::word(const cl::Post& post) {
   } else if (post.word == Word::RAPID) {
     rapid_ = true;
   } else if (post.word == Word::SPINDL) {
-    turns_ = robot::hasWord(post, Word::OFF) ? 0.0 : robot::turnsOf(post).value_or(turns_);
+    turns_ = robot::turnsBehind(post, turns_);
   } else if (!locations.empty() && post.word == Word::DELAY) {
     if (const Result<double> seconds = robot::secondsOf(post, turns_)) {
       locations.back().wait += *seconds;

@@ -158,7 +158,7 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
       }
       return;
     case Word::SPINDL:
-      turns_ = robot::hasWord(post, Word::OFF) ? 0.0 : robot::turnsOf(post).value_or(turns_);
+      turns_ = robot::turnsBehind(post, turns_);
       break;
     case Word::STOP:
     case Word::OPSTOP:

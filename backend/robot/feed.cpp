@@ -1,6 +1,7 @@
 #include "backend/robot/feed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ir/diag/robot.h"
@@ -32,9 +33,18 @@ std::optional<double> numberOf(const cl::Post& post) {
   return std::nullopt;
 }
 
-std::optional<double> turnsOf(const cl::Post& spindle) {
-  const std::optional<double> turns = numberOf(spindle);
-  return turns ? std::optional(std::abs(*turns)) : std::nullopt;
+double turnsBehind(const cl::Post& spindle, double before) {
+  const bool stands =
+      std::any_of(spindle.arguments.begin(), spindle.arguments.end(), [](const cl::Value& value) {
+        const Word* word = std::get_if<Word>(&value);
+        const std::string* text = std::get_if<std::string>(&value);
+        const std::string_view name = word != nullptr   ? spell(*word)
+                                      : text != nullptr ? std::string_view(*text)
+                                                        : std::string_view();
+        constexpr std::array others = {"OFF", "SFM", "SMM", "ORIENT", "LOCK", "MAXRPM"};
+        return std::find(others.begin(), others.end(), name) != others.end();
+      });
+  return stands ? 0.0 : std::abs(numberOf(spindle).value_or(before));
 }
 
 std::optional<double> speedOf(const cl::Post& feedRate, double millimeters, double turns) {

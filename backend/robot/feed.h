@@ -13,8 +13,9 @@ namespace arelem::robot {
 
 /// The first number of a postprocessor word, wherever it stands.
 [[nodiscard]] std::optional<double> numberOf(const cl::Post& post);
-/// Turns a minute of SPINDL; none where it has no number.
-[[nodiscard]] std::optional<double> turnsOf(const cl::Post& spindle);
+/// Turns a minute behind a SPINDL: `before` where it has no number; 0 where it stands, or where its
+/// number is a speed of the cutter's edge or a limit.
+[[nodiscard]] double turnsBehind(const cl::Post& spindle, double before);
 
 /// The speed of a FEDRAT in mm/s: without a unit its number is lengths of `millimeters` per minute.
 /// A feed per turn needs the spindle's `turns` a minute. None where it is not positive, per turn of

@@ -99,7 +99,7 @@ class VplusWriter : public Writer {
       case Word::CYCLE:
         return cycle(post);
       case Word::SPINDL:
-        turns_ = hasWord(post, Word::OFF) ? 0.0 : turnsOf(post).value_or(turns_);
+        turns_ = turnsBehind(post, turns_);
         return without("SPINDL");
       default:
         without(spell(post.word));
