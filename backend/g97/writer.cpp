@@ -5,6 +5,7 @@
 #include <set>
 
 #include "backend/g97/divide.h"
+#include "backend/hole/cycle.h"
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "ir/diag/render_text.h"
@@ -118,7 +119,12 @@ class G97Writer : public Writer {
   /// Words for which the machine file has a literal.
   void other(const cl::Post& post) {
     const auto found = machine_.g97.words.find(std::string(spell(post.word)));
-    if (found == machine_.g97.words.end() || steps_.empty()) {
+    const bool known = found != machine_.g97.words.end() && !steps_.empty();
+    if (auto lost = known || post.word != Word::CYCLE ? std::nullopt
+                                                      : backend::hole::objectionToDrilling(post)) {
+      return report(*std::move(lost));
+    }
+    if (!known) {
       return without(spell(post.word));
     }
     std::string text = found->second;

@@ -104,7 +104,7 @@ class Robots(ArelemCase):
     def test_holes_that_cannot_be_written(self):
         for program, name, options in ((self.DRILLS.replace("BORE", "TAP"), "d.v2", ()),
                                        (self.DRILLS, "d.joints.csv", ("--machine", "stencil_robot.machine.toml")),
-                                       (self.DRILLS, "d.v2", ("--machine", "path_s.machine.toml"))):
+                                       (self.DRILLS, "d.v2", ("--machine", "path_s.machine.toml")), (self.DRILLS, "d.lng", ())):
             self.write("d.apt", program)
             self.assertExit(6, "d.apt", "-o", name, *options)
             self.assertIn("E0673", self.err)
