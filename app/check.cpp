@@ -5,6 +5,7 @@
 #include "app/options.h"
 #include "app/pipeline.h"
 #include "app/report.h"
+#include "app/trace.h"
 #include "app/word_counts.h"
 
 namespace arelem::app {
@@ -30,6 +31,7 @@ ExitCode checkOne(const std::string& path,
   if (words && !interrupted) {
     printWordCounts(std::cout, job);
   }
+  printTrace(std::cerr, job);
   job.log.print(job.sources, job.main, settings);
   ++tally.files;
   tally.failed += job.log.errors() > 0 ? 1 : 0;

@@ -30,13 +30,18 @@ bool readRecords(Compilation& job,
            execute(job, records, interrupted);
   }
   job.main = job.sources.add(displayName(path), "");
+  std::unique_ptr<cl::RecordSink> frames;
+  if (job.settings.partFrame) {
+    frames = frameStage(job.settings, records, job.log);
+  }
+  cl::RecordSink& first = frames ? *frames : records;
   bool whole = false;
   if (format == InputFormat::json) {
-    whole = backend::readJsonRecords(bytes, displayName(path), records, job.log);
+    whole = backend::readJsonRecords(bytes, displayName(path), first, job.log);
   } else {
     std::istringstream in(std::move(bytes));
     whole = readCodes(job) &&
-            backend::readTape(in, records, job.log, job.settings.limits, job.codes).complete;
+            backend::readTape(in, first, job.log, job.settings.limits, job.codes).complete;
   }
   return whole && job.log.errors() == 0 && !interrupted;
 }

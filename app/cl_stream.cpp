@@ -8,6 +8,8 @@
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "runtime/path/movnrb.h"
+
 namespace arelem::app {
 
 namespace {
@@ -111,7 +113,9 @@ class Stream {
     runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}};
     options.axesFollow = true;
     options.keepsFacts = false;
-    execution_.emplace(options, records, silent_);
+    frames_ = frameStage(job.settings, records, silent_);
+    splines_ = path::makeMovnrbCheck(*frames_, silent_);
+    execution_.emplace(options, *splines_, silent_);
   }
 
   /// False when the file must be read at once.
@@ -178,6 +182,7 @@ class Stream {
   Compilation& job_;
   const InterruptFlag& interrupted_;
   Silent silent_;
+  std::unique_ptr<cl::RecordSink> frames_, splines_;
   std::optional<runtime::Execution> execution_;
   runtime::Carried carried_;
   ir::Program program_;

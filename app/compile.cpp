@@ -18,6 +18,7 @@
 #include "app/source_file.h"
 #include "app/spray_progress.h"
 #include "app/stopwatch.h"
+#include "app/trace.h"
 #include "app/worker.h"
 
 #include "runtime/path/arc_fit.h"
@@ -297,6 +298,7 @@ ExitCode compileOne(const PlannedJob& plan,
     writeDepfile(job, plan, machine.empty() ? std::vector<std::string>{} : std::vector{machine},
                  options.depfile);
   }
+  printTrace(std::cerr, job);
   job.log.print(job.sources, job.main, options.settings);
   if (options.tally >= 0) {
     writeTally(options.tally, job.log.errors(), job.log.warnings(), job.motion.cutVectors);

@@ -120,6 +120,13 @@ void addSourceOptions(CLI::App& app, Settings& settings) {
                  "numbers of words on CL tapes, read or written: a TOML file, looked for here and "
                  "in the library; apt4 is there")
       ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--frame", [&settings](const std::string& frame) { settings.partFrame = frame == "part"; },
+         "places of CL text: as they are written (file), or in the frame of the part, without "
+         "MSYS, "
+         "ROTABL, LOCAL_ORIGIN (part)")
+      ->check(CLI::IsMember({"file", "part"}))
+      ->type_name("NAME");
   addLimitOptions(app, settings.limits);
 }
 

@@ -10,6 +10,8 @@
 #include "runtime/path/chords.h"
 #include "runtime/path/curve_needs.h"
 #include "runtime/path/feed_override.h"
+#include "runtime/path/frame_stage.h"
+#include "runtime/path/movnrb.h"
 #include "runtime/path/smoother.h"
 #include "runtime/path/swarf.h"
 #include "runtime/path/transform.h"
@@ -99,6 +101,13 @@ bool execute(Compilation& job,
     chords = path::makeChordStage(*first, job.log);
     first = chords.get();
   }
+  std::unique_ptr<cl::RecordSink> frames;
+  std::unique_ptr<cl::RecordSink> splines;
+  if (text) {
+    frames = frameStage(job.settings, *first, job.log);
+    splines = path::makeMovnrbCheck(*frames, job.log);
+    first = splines.get();
+  }
   std::unique_ptr<path::FeedOverride> feeds;
   if (!text && path::overridesFeeds(actions)) {
     feeds = path::makeFeedOverride(*first, actions);
@@ -117,6 +126,13 @@ bool execute(Compilation& job,
   job.smoothed = smoother->facts();
   transformer->finish();
   return job.motion.complete && job.log.errors() == 0 && !interrupted;
+}
+
+std::unique_ptr<cl::RecordSink> frameStage(const Settings& settings,
+                                           cl::RecordSink& next,
+                                           DiagnosticSink& sink) {
+  return path::makeFrameStage(
+      next, settings.partFrame ? path::Frames::part : path::Frames::asWritten, sink);
 }
 
 backend::Context backendContext(const Compilation& job) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 
 #include "app/messages.h"
@@ -59,6 +60,11 @@ struct Compilation {
                            cl::RecordSink& records,
                            const InterruptFlag& interrupted,
                            bool upright = false);
+
+/// The stage of --frame, for text of CAM systems.
+[[nodiscard]] std::unique_ptr<cl::RecordSink> frameStage(const Settings& settings,
+                                                         cl::RecordSink& next,
+                                                         DiagnosticSink& sink);
 
 /// What a back end may look at beside the records. Valid as long as the job.
 [[nodiscard]] backend::Context backendContext(const Compilation& job);

@@ -18,6 +18,7 @@ struct Settings {
   std::map<std::string, double> defines;
   std::vector<std::string> libraryPath;
   std::string codes;             ///< of --codes: numbers of words on CL tapes
+  bool partFrame = false;        ///< --frame part: places of CL files in one frame
   std::uint64_t maxErrors = 20;  ///< errors shown
   DiagnosticFormat format = DiagnosticFormat::human;
   ColorChoice color = ColorChoice::automatic;

@@ -14,11 +14,11 @@ namespace {
 constexpr std::array stateWords = {
     Word::RAPID,  Word::FEDRAT, Word::SPINDL, Word::COOLNT, Word::LOADTL, Word::TURRET,
     Word::CUTCOM, Word::CYCLE,  Word::DELAY,  Word::STOP,   Word::OPSTOP, Word::END,
-    Word::TRACUT, Word::COPY,   Word::INDEX,  Word::CLRSRF, Word::SELCTL};
+    Word::TRACUT, Word::COPY,   Word::INDEX,  Word::CLRSRF, Word::SELCTL, Word::ROTABL};
 /// The same of words of CAM systems.
-constexpr std::array<std::string_view, 11> stateOfSystems = {"CIRCLE", "MOVARC", "NURBS",  "KNOT",
-                                                             "CNTRL",  "CSYS",   "TRNTYP", "TLDATA",
-                                                             "SMOOTH", "MACHLM", "LOAD"};
+constexpr std::array<std::string_view, 16> stateOfSystems = {
+    "CIRCLE", "MOVARC", "NURBS", "KNOT",   "CNTRL", "CSYS",   "TRNTYP",       "TLDATA",
+    "SMOOTH", "MACHLM", "LOAD",  "SELECT", "MSYS",  "CATIA0", "LOCAL_ORIGIN", "MOVNRB"};
 
 struct Count {
   std::uint64_t understood = 0, passed = 0, reported = 0;

@@ -76,6 +76,18 @@ def definitions(path, count):
         file.write("FINI\n")
 
 
+def legacy(path, statements):
+    """A part program of the old kind, ten statements a part: lines, a startup, four motions, post words, text."""
+    with path.open("w") as file:
+        file.write("PARTNO LEGACY\nCUTTER/.5\nINTOL/.001\nOUTTOL/.001\nFROM/-1,-1,1\n")
+        for i in range(statements // 14):
+            x, y = 3.0 * (i % 30), 3.0 * (i // 30 % 30)
+            file.write(f"A{i}=LINE/{x},{y},{x},{y + 2}\nB{i}=LINE/{x},{y + 2},{x + 2},{y + 2}\nC{i}=CIRCLE/{x + 1},{y + 1},1.2\n"
+                       f"D{i}=LINE/(POINT/{x + 2},{y}),PARLEL,A{i}\nRAPID\nGOTO/{x - .5},{y - .5},1\nFEDRAT/10,IPM\nGODLTA/0,0,-1\n"
+                       f"GO/TO,A{i}\nINDIRV/0,1,0\nTLLFT,GOFWD/A{i},PAST,B{i}\nGORGT/B{i},PAST,D{i}\nPPRINT PART {i}\nGODLTA/0,0,1\n")
+        file.write("FINI\n")
+
+
 def growth(arelem, folder):
     """Statements a second of `check` from 1 000 to 1 000 000 definitions: linear means a level rate."""
     rows = []
@@ -160,7 +172,7 @@ def measure(arelem):
                 rows.append((what, f"exit {run.code} {code.group(1) if code else ''}".rstrip(), "", "", ""))
                 continue
             rows.append((what, f"{count} {unit}", f"{run.seconds:.3f}", f"{count / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
-        lines = 200_000
+        lines = 1_000_000
         source = pathlib.Path(folder) / "bench.cls"
         cl_file(source, lines)
         for target in ("cl", "cltape"):
@@ -172,6 +184,12 @@ def measure(arelem):
             rows.append((what, f"{lines} statements", f"{run.seconds:.3f}", f"{lines / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
         rows += stencils(arelem, out)
         rows += sprays(arelem)
+        source = pathlib.Path(folder) / "legacy.apt"
+        legacy(source, 10_000)
+        run = median_run([arelem, "compile", str(source), "-o", out])
+        work = "10000 statements" if run.code == 0 else f"exit {run.code}"
+        rate = f"{10_000 / run.seconds:,.0f}" if run.code == 0 else ""
+        rows.append(("part program of lines, circles and motions to cltape", work, f"{run.seconds:.3f}", rate, f"{run.megabytes:.0f}"))
         rows += growth(arelem, folder)
         starts = [Run([arelem, "compile", str(SPEED / "empty.apt"), "-o", out]) for _ in range(25)]
         start = statistics.median(r.seconds for r in starts)

@@ -39,7 +39,9 @@ struct Carried {
   bool multax = false;
   bool worldPlaces = false;  ///< TRNTYP/WORLD
   bool toldOfUnits = false;
-  std::optional<Word> unit;  ///< of UNITS
+  std::optional<Word> unit;                              ///< of UNITS
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();  ///< by ROTABL, places to part
+  std::optional<Vec3> partAxis;                          ///< of TLAXIS, in the frame of the part
 };
 
 struct Options {
@@ -75,6 +77,13 @@ struct Defined {
   Span definition;
 };
 
+/// What a statement did, under DEBUG.
+struct Traced {
+  Span at;
+  int depth = 0;  ///< active CALLs
+  std::string text;
+};
+
 /// Something that the program says and that changes nothing.
 struct Ignored {
   std::string what;  ///< "CLPRNT"
@@ -92,10 +101,11 @@ struct Evaluation {
   /// that replaced an earlier one too; scalars stand where they got their first value.
   std::vector<Defined> history;
   std::vector<std::shared_ptr<const spray::Sprayed>>
-      sprayed;       ///< what each SPRAY statement amounts to
+      sprayed;  ///< what each SPRAY statement amounts to
   std::vector<std::shared_ptr<const stencil::Painted>> stencils;  ///< each STENCL statement
   std::string deck;  ///< lines of PUNCH and PRINT/4: name,subscript,type,count,values ... ENDPCH
   std::vector<Ignored> ignored;
+  std::vector<Traced> trace;  ///< under DEBUG/SEC1 or DEBUG/ON
   /// How often each definition form was used, by FormId.
   std::array<std::uint64_t, static_cast<std::size_t>(define::FormId::count)> forms{};
   std::uint64_t steps = 0;
@@ -117,6 +127,8 @@ struct MotionFact {
   double driveInner = 0.0, driveOuter = 0.0;  ///< extreme signed deviations from the drive surface
   double partInner = 0.0, partOuter = 0.0;    ///< and from the part surface
   double seconds = 0.0;
+  bool traced = false;                            ///< under DEBUG/SEC2 or DEBUG/ON
+  Vec3 end = Vec3::Zero(), axis = Vec3::UnitZ();  ///< of the tool, after the motion
 };
 
 struct MotionOutcome {

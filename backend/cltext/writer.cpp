@@ -62,6 +62,9 @@ class TextWriter : public Writer {
       return;
     }
     const bool foreign = !post.foreign.empty();
+    if (post.foreign == "CATIA0" && frame(post)) {
+      return;
+    }
     line_.begin(foreign ? statementText(post.foreign) : std::string(spell(post.word)),
                 !foreign && isAppliedAlready(post.word));
     for (const cl::Value& value : post.arguments) {
@@ -117,6 +120,29 @@ class TextWriter : public Writer {
   }
 
  private:
+  /// The frame of CATIA stands in comments: its name and three rows of four numbers.
+  bool frame(const cl::Post& post) {
+    constexpr std::size_t columns = 4;
+    constexpr std::size_t values = 3 * columns + 1;
+    const auto* name = post.arguments.size() == values
+                           ? std::get_if<std::string>(&post.arguments.front())
+                           : nullptr;
+    if (name == nullptr) {
+      return false;
+    }
+    std::string lines = fmt::format("$$*CATIA0\n$$ {}\n", statementText(*name));
+    for (std::size_t i = 1; i < values; ++i) {
+      const double* number = std::get_if<double>(&post.arguments[i]);
+      if (number == nullptr) {
+        return false;
+      }
+      lines += fmt::format("{} {}{}", i % columns == 1 ? "$$" : "", *number,
+                           i % columns == 0 ? "\n" : "");
+    }
+    buffer_.append(lines);
+    return true;
+  }
+
   /// The surface that cut vectors run along is a comment.
   void flushCircle() {
     if (circle_) {

@@ -224,6 +224,15 @@ bool ProgramReader::lowerClMotion(const StatementText& statement, Frame& frame) 
   return false;
 }
 
+/// CATIA0/ name, three rows of four numbers.
+void ProgramReader::emitFrame(const StatementText& statement, Frame& frame) {
+  std::vector<ir::Argument> list{{statement.fixedText, statement.span}};
+  for (const double number : statement.frame) {
+    list.push_back({frame.values.number(number, statement.span), statement.span});
+  }
+  frame.block.emit(ir::ForeignCommand{"CATIA0", true, std::move(list)});
+}
+
 /// Post statements and statements with unknown words pass with their parameters as they stand:
 /// numbers, words, and everything else as text. False leaves the statement to the parser.
 bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {

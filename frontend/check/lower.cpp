@@ -119,14 +119,15 @@ bool ProgramReader::checkHead(const std::vector<Token>& tokens, std::size_t firs
   }
   if (auto noun = unknownType(tokens, first, true)) {
     context_.report(*std::move(noun));
+    poison(tokens, true);
     return false;
   }
   return true;
 }
 
 /// The name that a broken statement would have defined is known from here on, so that its uses are
-/// silent.
-void ProgramReader::poison(const std::vector<Token>& tokens) {
+/// silent. `noType`: the text takes it for a scalar that is divided, which it is not.
+void ProgramReader::poison(const std::vector<Token>& tokens, bool noType) {
   if (tokens.empty()) {
     return;
   }
@@ -137,7 +138,7 @@ void ProgramReader::poison(const std::vector<Token>& tokens) {
   }
   NameFacts& facts = context_.names.at(tokens[first].text);
   facts.defined = true;
-  facts.poisoned = facts.poisoned || facts.kind == NameFacts::Class::unknown;
+  facts.poisoned = facts.poisoned || noType || facts.kind == NameFacts::Class::unknown;
 }
 
 void ProgramReader::lower(const std::vector<Token>& tokens, Frame& frame) {
@@ -160,8 +161,9 @@ void ProgramReader::lower(const std::vector<Token>& tokens, Frame& frame) {
     const bool shape =
         error->row == diag::Misplaced.row || error->row == diag::WordInExpression.row;
     auto noun = shape ? unknownType(tokens, first, false) : std::nullopt;
+    const bool noType = noun.has_value();
     context_.report(noun ? *std::move(noun) : *std::move(error));
-    poison(tokens);
+    poison(tokens, noType);
     return;
   }
   lowerShape(frame);

@@ -80,6 +80,9 @@ void ProgramReader::readStatement(CardReader& reader,
     case StatementText::Kind::numbers:
       frame.block.emit(statement.numbers);
       return;
+    case StatementText::Kind::frame:
+      emitFrame(statement, frame);
+      return;
     case StatementText::Kind::fixed:
       if (recording_ != nullptr) {
         recording_->body.push_back(store(statement, {}));

@@ -38,6 +38,7 @@ class ProgramReader {
   bool checkBuffer(BufferId buffer);
   void readBuffer(BufferId buffer, Frame& frame);
   void readStatement(CardReader& reader, const StatementText& statement, Frame& frame);
+  void emitFrame(const StatementText& statement, Frame& frame);
   void emitText(const StatementText& statement, Frame& frame);
   void afterFini(CardReader& reader);
   void finish(Frame& frame);
@@ -53,7 +54,7 @@ class ProgramReader {
   std::optional<Diagnostic> unknownType(const std::vector<Token>& tokens,
                                         std::size_t first,
                                         bool mayDivide);
-  void poison(const std::vector<Token>& tokens);
+  void poison(const std::vector<Token>& tokens, bool noType = false);
   void unknownSynonym(const Token& name, const Token& word);
   void synonyms(const std::vector<Token>& tokens, std::size_t first, Frame& frame);
   void library(Frame& frame);

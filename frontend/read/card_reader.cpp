@@ -1,5 +1,6 @@
 #include "frontend/read/card_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <optional>
@@ -122,9 +123,7 @@ void CardReader::next(StatementText& statement, bool fastLane) {
   statement.offsets.clear();
   statement.pieces.clear();
   reportedOther_ = false;
-  if (options_.takes(&DialectRules::freeWidth) && !openComment(line)) {
-    statement.kind = StatementText::Kind::empty;
-    statement.span = {buffer_, offset, 0};
+  if (options_.takes(&DialectRules::freeWidth) && openComment(line, statement)) {
     return;
   }
   if (readFixed(line, statement)) {
@@ -143,21 +142,64 @@ void CardReader::next(StatementText& statement, bool fastLane) {
                                           : statement.spanOf(0, statement.text.size());
 }
 
-/// A comment that amounts to a statement is cut down to it; of others all lines are passed over,
-/// and the result is false.
-bool CardReader::openComment(Line& line) {
+/// Structured comments. One that holds a statement is cut down to it, and the result is false; so
+/// it is for other lines. Otherwise the comment is the whole statement: a text that PPRINT keeps, a
+/// frame, or nothing, all its lines passed over.
+bool CardReader::openComment(Line& line, StatementText& statement) {
   const auto comment = structuredComment(line.text);
   if (!comment) {
-    return true;
+    return false;
   }
   if (comment->statement) {
     line = {line.text.substr(*comment->statement), line.offset + *comment->statement};
+    return false;
+  }
+  const auto whole = [&](const Line& last, StatementText::Kind kind) {
+    const auto begin = static_cast<std::uint32_t>(line.offset);
+    const auto end = static_cast<std::uint32_t>(last.offset + last.text.size());
+    statement.kind = kind;
+    statement.span = {buffer_, begin, kind == StatementText::Kind::empty ? 0 : end - begin};
+  };
+  if (comment->text) {
+    statement.fixedWord = Word::PPRINT;
+    statement.fixedText = " " + cleanText(withoutTrailingBlanks(line.text.substr(*comment->text)));
+    whole(line, StatementText::Kind::fixed);
     return true;
   }
-  for (bool more = comment->continues; more && readLine(line);) {
-    more = endsInDollar(line.text);
+  Line last = line;
+  if (comment->frame && readFrame(last, statement)) {
+    whole(last, StatementText::Kind::frame);
+    return true;
   }
-  return false;
+  for (bool more = comment->continues; more && readLine(last);) {
+    more = endsInDollar(last.text);
+  }
+  whole(line, StatementText::Kind::empty);
+  return true;
+}
+
+/// The name and the three rows behind `$$*CATIA0`. Where they are not there, nothing is read.
+bool CardReader::readFrame(Line& last, StatementText& statement) {
+  const std::size_t before = position_;
+  Line line;
+  bool good = readLine(line);
+  const auto name = good ? commentText(line.text) : std::nullopt;
+  good = name.has_value();
+  statement.fixedText = cleanText(name.value_or(""));
+  for (std::size_t row = 0; row < 3 && good; ++row) {
+    const auto numbers = readLine(line) ? matrixRow(line.text) : std::nullopt;
+    good = numbers.has_value();
+    if (good) {
+      std::copy(numbers->begin(), numbers->end(), statement.frame.begin() + 4 * row);
+    }
+  }
+  if (!good) {
+    position_ = before;
+    return false;
+  }
+  isn_ += 4;  // every line has its number
+  last = line;
+  return true;
 }
 
 bool CardReader::readFixed(const Line& line, StatementText& statement) {

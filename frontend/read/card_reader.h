@@ -34,7 +34,8 @@ class CardReader {
   enum class CardEnd : std::uint8_t { done, continued };
 
   bool readLine(Line& line);
-  bool openComment(Line& line);
+  bool openComment(Line& line, StatementText& statement);
+  bool readFrame(Line& last, StatementText& statement);
   bool readFixed(const Line& line, StatementText& statement);
   void keepFixed(const Line& line, std::size_t wordBegin, Word word, StatementText& statement);
   CardEnd appendCard(const Line& line, StatementText& statement);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ struct StatementText {
     end,      ///< no more cards
     empty,    ///< blank or comment card: only its number counts
     numbers,  ///< GOTO or FROM with plain numbers: `numbers` is filled
+    frame,    ///< the frame in a comment of CATIA: `fixedText` is its name, `frame` its rows
     fixed,    ///< PARTNO, PPRINT, INSERT, TITLES, REMARK: `fixedText` is filled
     tokens    ///< anything else: `text` is filled
   };
@@ -29,6 +31,7 @@ struct StatementText {
   Word fixedWord = Word::REMARK;
   std::string fixedText;
   ir::LocateNumbers numbers;
+  std::array<double, 12> frame{};
 
   /// Source span of text[begin, end).
   [[nodiscard]] Span spanOf(std::size_t begin, std::size_t end) const {

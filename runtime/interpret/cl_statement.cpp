@@ -5,6 +5,7 @@
 #include "ir/diag/curves.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/motion.h"
+#include "runtime/path/frame.h"
 
 namespace arelem::runtime::interpret {
 
@@ -93,7 +94,10 @@ bool arcStatement(State& state, std::string_view word, const Items& items) {
 }
 
 void frameStatement(State& state, std::string_view word, const Items& items) {
-  if (word == "TRNTYP") {
+  if (word == "OPFEATEND") {  // the tables of CAMWorks stand as before the operation
+    state.carried.turned.setIdentity();
+    state.carried.partAxis.reset();
+  } else if (word == "TRNTYP") {
     state.carried.worldPlaces = !items.empty() && isText(items[0], "WORLD");
   }
   constexpr std::size_t numbers = 12;
@@ -128,6 +132,30 @@ bool checkFeed(State& state, std::string_view word, const Items& items) {
     }
   }
   return true;
+}
+
+void turnTable(State& state, const cl::Post& post) {
+  if (state.program.dialect != "cl" || post.word != Word::ROTABL) {
+    return;
+  }
+  const std::optional<path::Affine> turn = path::turnOf(post);
+  if (!turn) {
+    return;
+  }
+  state.carried.turned = state.carried.turned * turn->linear;
+  if (state.carried.partAxis) {
+    ToolAxis fixed;
+    fixed.vector = state.carried.turned.transpose() * *state.carried.partAxis;
+    state.emit(fixed);
+  }
+}
+
+Vec3 axisInFrame(State& state, const Vec3& axis) {
+  if (state.program.dialect != "cl") {
+    return axis;
+  }
+  state.carried.partAxis = axis;
+  return state.carried.turned.transpose() * axis;
 }
 
 void checkFeedUnits(State& state, std::string_view word, const Items& items) {

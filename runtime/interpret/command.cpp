@@ -211,6 +211,30 @@ void referenceSystem(State& state, const ir::Command& command) {
   }
 }
 
+/// DEBUG/ [{SEC1|SEC2},] {ON|OFF}: what of Section 1 (values) or 2 (motion) is traced from here on.
+void debug(State& state, const ir::Command& command) {
+  std::vector<Word> words;
+  for (const ir::Argument& argument : command.arguments) {
+    const Word* word = std::get_if<Word>(&argument.value);
+    words.push_back(word == nullptr ? Word::END : *word);
+  }
+  const bool one = words.size() == 2 && (words[0] == Word::SEC1 || words[0] == Word::SEC2);
+  const Word last = words.empty() ? Word::END : words.back();
+  if ((words.size() != 1 && !one) || (last != Word::ON && last != Word::OFF)) {
+    if (const auto items = evaluate(state, command.arguments, Use::motion)) {
+      state.report(diagnose(state.statement->span, diag::CommandForm, spell(command.word),
+                            describe(*items), "DEBUG/ON, DEBUG/OFF, DEBUG/SEC1,ON, DEBUG/SEC2,ON"));
+    }
+    return;
+  }
+  if (!one || words[0] == Word::SEC1) {
+    state.tracing = last == Word::ON;
+  }
+  if (!one || words[0] == Word::SEC2) {
+    state.emit(Toggle{Word::DEBUG, last == Word::ON});
+  }
+}
+
 void runControl(State& state, const ir::Command& command) {
   const std::string name(spell(command.word));
   if (command.word == Word::CLPRNT && command.slash) {
@@ -233,6 +257,8 @@ void runControl(State& state, const ir::Command& command) {
       state.ignore(name, "outputs and sections are chosen when the compiler is called");
       return;
     case Word::DEBUG:
+      debug(state, command);
+      return;
     case Word::DYNDMP:
       state.ignore(name, "it traced the old system's own routines");
       return;

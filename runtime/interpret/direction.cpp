@@ -2,6 +2,7 @@
 
 #include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
+#include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/motion.h"
 
@@ -151,6 +152,9 @@ void toolAxis(State& state, const ir::Command& command) {
     return;
   }
   if (std::optional<ToolAxis> axis = axisOf(state, *items)) {
+    if (axis->kind == ToolAxis::Kind::vector) {
+      axis->vector = axisInFrame(state, axis->vector);
+    }
     state.emit(*axis);
   }
 }

@@ -225,6 +225,9 @@ bool assign(State& state, const ir::Target& target, std::optional<double> value)
     return false;
   }
   state.store.setScalar(*place, *value, target.span);
+  if (state.tracing) {
+    state.trace(fmt::format("{} = {}", state.spellPlace(*place), *value));
+  }
   return true;
 }
 

@@ -129,7 +129,12 @@ void Interpreter::step(Frame& frame, const ir::Statement& statement) {
   std::visit(
       Overloaded{
           [&](const ir::Branch& b) { branch(frame, b); },
-          [&](const ir::Jump& j) { jump(frame, j.label); },
+          [&](const ir::Jump& j) {
+            if (state_.tracing) {
+              state_.trace("JUMPTO" + wayTo(frame, j.label));
+            }
+            jump(frame, j.label);
+          },
           [&](const ir::Call& c) { call(c); },
           [&](const ir::Transfer& t) {
             state_.emit(Transfer{std::uint64_t{frame.block.index} << 32U | t.label.statement});
@@ -148,8 +153,20 @@ void Interpreter::step(Frame& frame, const ir::Statement& statement) {
 void Interpreter::branch(Frame& frame, const ir::Branch& b) {
   // Without a value no way is the right one: execution goes on behind the IF.
   if (const std::optional<double> value = compared(state_, b.value)) {
-    jump(frame, *value < 0.0 ? b.negative : *value == 0.0 ? b.zero : b.positive);
+    const ir::LabelRef& way = *value < 0.0 ? b.negative : *value == 0.0 ? b.zero : b.positive;
+    if (state_.tracing) {
+      state_.trace(fmt::format("IF {}{}", *value, wayTo(frame, way)));
+    }
+    jump(frame, way);
   }
+}
+
+std::string Interpreter::wayTo(const Frame& frame, const ir::LabelRef& label) const {
+  const auto& statements = state_.program[frame.block].statements;
+  const bool known = label.statement < statements.size();
+  return known && !statements[label.statement].label.empty()
+             ? " goes on at " + statements[label.statement].label
+             : " goes on";
 }
 
 void Interpreter::jump(Frame& frame, const ir::LabelRef& label) {
@@ -170,6 +187,9 @@ void Interpreter::call(const ir::Call& c) {
   }
   if (!c.block.valid()) {
     return;  // the frontend has reported the macro
+  }
+  if (state_.tracing) {
+    state_.trace(fmt::format("CALL {}", c.macro));
   }
   state_.calls = std::make_shared<const CallChain>(CallChain{state_.statement->span, state_.calls});
   frames_.push_back({c.block, 0, state_.calls});

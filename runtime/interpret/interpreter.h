@@ -24,6 +24,8 @@ class Interpreter {
   void findTargets();
   [[nodiscard]] bool mayGoOn();
   void step(Frame& frame, const ir::Statement& statement);
+  /// How a trace tells where a jump leads.
+  [[nodiscard]] std::string wayTo(const Frame& frame, const ir::LabelRef& label) const;
   void jump(Frame& frame, const ir::LabelRef& label);
   void branch(Frame& frame, const ir::Branch& branch);
   void call(const ir::Call& call);

@@ -169,7 +169,9 @@ void post(State& state, const ir::Command& command) {
       state.emit(Pass{cl::Post{Word::END, "FAN", *std::move(arguments)}});
       return;
     }
-    state.emit(Pass{cl::Post{word, "", *std::move(arguments)}});
+    cl::Post out{word, "", *std::move(arguments)};
+    turnTable(state, out);
+    state.emit(Pass{std::move(out)});
   }
 }
 

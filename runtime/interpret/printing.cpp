@@ -224,7 +224,24 @@ void title(State& state, const ir::Text& text) {
   listRows(state, std::move(rows));
 }
 
+namespace {
+/// `L1 = LINE 0 1 0 5`, without the values of types that have hundreds.
+std::string shown(const Entity& entity) {
+  std::string text =
+      fmt::format("{} = {}", entity.name.empty() ? "unnamed" : nameOf(entity), spell(entity.type));
+  if (!isLarge(entity.type)) {
+    for (const double value : entity.canon) {
+      text += fmt::format(" {}", value);
+    }
+  }
+  return text;
+}
+}  // namespace
+
 void listDefinition(State& state, const EntityPtr& entity) {
+  if (state.tracing) {
+    state.trace(shown(*entity));
+  }
   if (!state.listing) {
     return;
   }

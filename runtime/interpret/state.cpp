@@ -105,6 +105,19 @@ void State::reportEmpty(const Place& place, const Span& span) {
   store.poison(place);
 }
 
+void State::trace(std::string text) {
+  if (out.trace.size() >= options.limits.records) {
+    report(diagnose(statement->span, diag::LimitRecords, options.limits.records));
+    stopped = true;
+    return;
+  }
+  int depth = 0;
+  for (const CallChain* call = calls.get(); call != nullptr; call = call->outer.get()) {
+    ++depth;
+  }
+  out.trace.push_back({statement->span, depth, std::move(text)});
+}
+
 void State::ignore(std::string what, std::string why) {
   for (Ignored& known : out.ignored) {
     if (known.what == what) {

@@ -27,6 +27,7 @@ class State {
   define::Context context;   ///< ZSURF, unit and data files, as definitions see them
   bool redefinable = false;  ///< CANON/ON
   bool listing = false;      ///< PRINT/ON
+  bool tracing = false;      ///< DEBUG/SEC1 or DEBUG/ON
   bool multax = false;       ///< MULTAX
   Carried carried;           ///< what CL text says once
 
@@ -61,6 +62,10 @@ class State {
   [[nodiscard]] std::string spellPlace(const Place& place) const;
   /// Reports a use of a name without a value, once, and poisons it.
   void reportEmpty(const Place& place, const Span& span);
+
+  /// Keeps what the statement did, where DEBUG asks for it; look at `tracing` before the text is
+  /// made.
+  void trace(std::string text);
 
   /// Counts a statement that has no effect here; `reportIgnored` tells of all of them at the end.
   void ignore(std::string what, std::string why);

@@ -135,7 +135,7 @@ class Motions {
             double length,
             const motion::FollowResult* result,
             motion::Facts::Instant since) {
-    facts_.add(action(), statement, vectors, length, result, since);
+    facts_.add(action(), statement, vectors, length, result, state_, since);
   }
 
   void perform(const Locate& l) {
@@ -313,7 +313,9 @@ class Motions {
   }
 
   void perform(const Toggle& t) {
-    if (t.word == Word::CUT) {
+    if (t.word == Word::DEBUG) {
+      facts_.trace(t.on);
+    } else if (t.word == Word::CUT) {
       if (!state_.output) {
         state_.output = true;
         put(state_.toolEnd, cl::Motion::Kind::go, lastDrive_ ? lastDrive_->name : "",

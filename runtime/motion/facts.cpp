@@ -7,6 +7,7 @@ void Facts::add(const runtime::Action& action,
                 std::uint64_t cutVectors,
                 double length,
                 const FollowResult* follow,
+                const State& after,
                 Instant since) {
   ++outcome_.motions;
   outcome_.cutVectors += cutVectors;
@@ -26,6 +27,9 @@ void Facts::add(const runtime::Action& action,
     f.partInner = follow->partInner;
     f.partOuter = follow->partOuter;
   }
+  f.traced = traced_;
+  f.end = after.toolEnd;
+  f.axis = after.axis;
   f.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
   outcome_.facts.push_back(std::move(f));
 }

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "runtime/motion/follow.h"
+#include "runtime/motion/state.h"
 #include "runtime/run.h"
 
 namespace arelem::motion {
@@ -17,18 +18,22 @@ class Facts {
   [[nodiscard]] Instant begin() const {
     return keepsEach_ ? std::chrono::steady_clock::now() : Instant{};
   }
+  /// DEBUG: whether the facts from here on are marked.
+  void trace(bool on) { traced_ = on; }
   /// `statement` must outlive this. `length` of the path in part units; `follow` may be null.
   void add(const runtime::Action& action,
            const char* statement,
            std::uint64_t cutVectors,
            double length,
            const FollowResult* follow,
+           const State& after,
            Instant since);
   /// What was summed and kept.
   [[nodiscard]] runtime::MotionOutcome take(bool complete);
 
  private:
   bool keepsEach_;
+  bool traced_ = false;
   runtime::MotionOutcome outcome_;
 };
 

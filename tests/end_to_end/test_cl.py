@@ -98,6 +98,41 @@ class Cl(ArelemCase):
                         "$$-> NOTE / 1,  $\n  2, 3\nGOTO/1,2,3\nFINI\n")
         self.assertEqual(lines, ["CUTTER / 0.5", "CSYS / 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0", "GOTO / 1.0, 2.0, 3.0", "FINI"])
 
+    def test_names_of_operations_are_kept(self):
+        lines = self.cl("$$-> FEATNO / 402\n$$ OPERATION NAME : Profile Finish.1  \n$$ Start generation of : Profile Finish.1\n"
+                        "$$ centerline data\nGOTO/1,2,3\nFINI\n", "--dialect", "cl")
+        self.assertEqual(lines, ["PPRINT / FEATNO / 402", "PPRINT / OPERATION NAME : Profile Finish.1", "GOTO / 1.0, 2.0, 3.0", "FINI"])
+
+    FRAME = "$$*CATIA0\n$$ Program.1\n$$  0.0 -1.0 0.0 5.0\n$$  1.0 0.0 0.0 6.0\n$$  0.0 0.0 1.0 7.0\n"
+
+    def test_frame_in_comments_of_catia(self):
+        lines = self.cl(self.FRAME + "GOTO/1,2,3\nFINI\n")
+        self.assertEqual(lines, ["$$*CATIA0", "$$ Program.1", "$$ 0 -1 0 5", "$$ 1 0 0 6", "$$ 0 0 1 7", "GOTO / 1.0, 2.0, 3.0", "FINI"])
+        self.assertExit(0, "compile", "a.cls", "-o", "a.cltape")
+        self.assertExit(0, "compile", "a.cltape")
+        self.assertEqual(self.out.splitlines(), lines)
+        lines = self.cl(self.FRAME + "GOTO/1,2,3\nLOCAL_ORIGIN, 10, 0, 0\nGOTO/1,2,3\nFINI\n", "--frame", "part")
+        self.assertEqual(lines[5:], ["GOTO / 3.0, 7.0, 10.0", "LOCAL_ORIGIN / 0, 0, 0", "GOTO / 3.0, 17.0, 10.0", "FINI"])
+        for broken in (self.FRAME.replace("7.0", "x"), self.FRAME.replace("$$  0.0 0.0 1.0 7.0\n", "")):
+            self.assertNotIn("$$*CATIA0", self.cl(broken + "GOTO/1,2,3\nFINI\n"))  # an ordinary comment
+
+    def test_table_that_turns(self):
+        turned = "TLAXIS/ 0,-1,0\nROTABL/ 1.570796,AAXIS,TABLE,CCLW\nGOTO/1,2,3\nROTABL/ -1.570796,AAXIS,TABLE,CCLW\n"
+        lines = self.cl(turned + "FINI\n", "--dialect", "cl")
+        self.assertEqual(lines, ["ROTABL / 1.570796, AAXIS, TABLE, CCLW", "GOTO / 1.0, 2.0, 3.0",
+                                 "ROTABL / -1.570796, AAXIS, TABLE, CCLW", "FINI"])  # the tool stands along z of the turned frame
+        # y of the frame is z of the part, z is -y
+        lines = self.cl(turned + "FINI\n", "--dialect", "cl", "--frame", "part")
+        self.assertEqual(lines[1:3], ["MULTAX / ON", "GOTO / 1.0, -3.0, 2.0, 0.0, -1.0, 0.0"])
+        self.cl(turned + "GOTO/1,2,3\nFINI\n", "--dialect", "cl")
+        self.assertIn("W0598", self.err)
+
+    def test_arcs_in_a_frame(self):
+        lines = self.cl("MSYS/10,0,0,0,1,0,1,0,0\nGOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nFINI\n", "--frame", "part")
+        self.assertEqual(lines[0], "MSYS / 0, 0, 0, 1, 0, 0, 0, 1, 0")
+        self.assertEqual(lines[2:5], ["GOTO / 10.0, 1.0, 0.0, 0.0, 0.0, -1.0", "CIRCLE / 10.0, 0.0, 0.0, 0.0, 0.0, -1.0, 1.0",
+                                      "GOTO / 11.0, 0.0, 0.0, 0.0, 0.0, -1.0"])
+
     def test_lexical_traps(self):
         lines = self.cl("UNITS/ MM \nBOX/ 1,2\nCUTTER/ 6.,0.,3.,0.,0.,0.,10.,\nRAPID/ \n"
                         "CYCLE/ DRILL,G98,12.3,PECKING,5.0,2.0,MMPM,187.1,3.0,46.9 46.9 DWELL,0.0 \n"
@@ -208,6 +243,51 @@ class Corpus(ArelemCase):
                 self.assertExit(0, "compile", path, "-o", "x.cls", "-o", "x.cltape", "-o", "x.svg")
                 self.assertExit(0, "diff", path, "x.cltape")
                 self.assertExit(0, "diff", path, "x.cls", "--tolerance", "2e-3")
+
+
+    def points(self, path, *words):
+        self.assertExit(0, "compile", SHARED / "corpus" / path, "--to", "json", *words)
+        rows = [json.loads(line) for line in self.out.splitlines()]
+        return [p for r in rows if r["kind"] == "GOTO" for p in r["points"]]
+
+    def assertNear(self, a, b):
+        for x, y in zip(a, b, strict=True):
+            self.assertAlmostEqual(x, y, 6)
+
+    def test_solidworks_writes_places_in_the_world(self):
+        # Nested parts, each with a CSYS of its own: as they stand, all paths lie on the sheet of 465.4 by 243.9, off it by no more
+        # than the cutter's diameter. Moved by their CSYS, the third part would lie upon the second.
+        sheet = (465.40922, 243.942457)
+        for p in self.points("aamorim-aptpost/manufacture3-bottom.apt"):
+            for value, size in zip(p, sheet):
+                self.assertTrue(-6 < value < size + 6, p)
+
+    def test_creo_writes_places_in_the_machine_frame(self):
+        # The same job with another CSYS of its first sequence: the places are the same.
+        plain, turned = (SHARED / "corpus" / f"s2538-creo/{name}.ncl.1" for name in ("op010", "op010-axis_change"))
+        self.assertExit(0, "diff", plain, turned)
+        self.assertExit(0, "diff", plain, turned, "--frame", "part")
+
+    def test_nx_writes_places_in_msys(self):
+        name = "humman-clsf/_1_KONTUR_NAR_40_N2.cls"  # MSYS/393,-297.5,3, x along y and y along x
+        self.assertNear(self.points(name)[0], [738.7532, 39.94, 478])
+        self.assertNear(self.points(name, "--frame", "part")[0], [393 + 39.94, 738.7532 - 297.5, 3 - 478, 0, 0, -1])
+
+    def test_camworks_turns_the_table(self):
+        name = "aamorim-aptpost/Interface-glue.clt"  # TLAXIS/0,-1,0 and a table turned by 90 degrees about x
+        written, part = self.points(name), self.points(name, "--frame", "part")
+        self.assertNear(written[0], [67.5, 120.5, 25])
+        self.assertNear(part[0], [67.5, -25, 120.5, 0, -1, 0])
+        self.assertEqual({len(p) for p in written}, {3})
+        self.assertEqual({tuple(round(x, 9) + 0.0 for x in p[3:]) for p in part}, {(0, -1, 0)})
+        # Its third operation does not turn the table back; OPFEATEND does.
+        # BOX/0,76.4,0,115,20,115: the holes of the first operation begin on its face y = 20, within the depth of the spot drill
+        self.assertTrue(all(abs(p[1] - 21.927686) < 1e-9 for p in part[1:7]))
+
+    def test_catia_writes_places_in_its_axis_system(self):
+        name = "karlo-catia/DEMO2.txt"  # $$*CATIA0 with a shift of 60 along z
+        for a, b in zip(self.points(name), self.points(name, "--frame", "part"), strict=True):
+            self.assertNear([a[0], a[1], a[2] + 60], b)
 
 
 class JsonIsRead(ArelemCase):

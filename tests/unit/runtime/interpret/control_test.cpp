@@ -152,7 +152,7 @@ TEST(RunControl, WithoutEffectIsCounted) {
   Builder b;
   b.command(Word::NOPOST);
   b.command(Word::NOPOST);
-  b.command(Word::DEBUG, {Word::ON});
+  b.command(Word::CLPRNT);
   b.run();
   EXPECT_THAT(b.reported(), ElementsAre("W0474", "W0474"));
   EXPECT_THAT(b.sink.all()[0].message, HasSubstr("(2 times)"));
