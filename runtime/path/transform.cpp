@@ -284,6 +284,14 @@ class Chain : public Transformer {
   void repeat(const cl::Record& record, const CopyPlan& plan, const Range& range) {
     cl::Record head = record;
     head.body = cl::Post{Word::INDEX, "", {plan.index}};
+    // Nests of COPY multiply: what cannot be written is told before it is begun.
+    const double all =
+        static_cast<double>(plan.times) * static_cast<double>(range.records.size() + 1);
+    if (!stopped_ && static_cast<double>(written_) + all > static_cast<double>(limits_.records)) {
+      report(record, fail(diag::LimitRecords, limits_.records));
+      stopped_ = true;
+      return;
+    }
     Affine matrix;
     for (std::uint64_t k = 1; k <= plan.times && !stopped_; ++k) {
       matrix = plan.step(k, matrix);

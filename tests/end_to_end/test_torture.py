@@ -47,6 +47,13 @@ class Tangent(Torture):
     LINE = "{mode}INTOL/0\nOUTTOL/.001\nCUTTER/2\nL1=LINE/0,0,1,0\nC1=CIRCLE/10,{y!r},3\nFROM/0,-5,0\n" \
            "GO/TO,L1\nTLRGT,GORGT/L1,{condition},C1\n"
 
+    def test_nests_of_copies_are_counted_before_they_are_written(self):
+        # 10^15 locations: the innermost COPY is 100 000, the next would be 10^10
+        self.write("a.apt", "INDEX/1\nINDEX/2\nINDEX/3\nGOTO/1,2,3\nCOPY/3,SAME,100000\nCOPY/2,SAME,100000\nCOPY/1,SAME,100000\nFINI\n")
+        self.assertExit(7, "compile", "a.apt", "-o", "a.cls")
+        self.assertIn("a.apt:6:1: error[E0803]", self.err)
+        self.assertEqual(self.files(), ["a.apt"])
+
     def test_nearly_touched_circle_is_reported_with_its_closest_approach(self):
         # The cutter of radius 1 runs below y = 0, the circle of radius 3 begins at y = 3 - 0.003 below its center.
         for mode in ("", "3DCALC\n"):
