@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "app/messages.h"
 
@@ -24,6 +25,8 @@ Allowed rounding(const Allowed& given, const robot::Machine& machine, double mil
 
 struct Found {
   Location location;
+  bool straight = false;  ///< L, else P
+  int speed = 0;
   bool surplus = false;  ///< may stand for a code alone
 };
 
@@ -37,26 +40,72 @@ void switchBy(const std::string& code, std::set<int>& on) {
   rises ? void(on.insert(output)) : void(on.erase(output));
 }
 
+bool sameTarget(const g97::Block& a, const g97::Block& b) {
+  return a.pose == b.pose && a.speed == b.speed;
+}
+
+/// Whether a program begins with a block of its own: a P move to where the program before ended, or
+/// to its first location with the code for S63.
+bool isLed(const g97::Program& program, const g97::Program* before, const std::string& s63) {
+  const std::vector<g97::Block>& blocks = program.blocks;
+  if (blocks.size() < 2 || blocks[0].straight || blocks[0].code != s63) {
+    return false;
+  }
+  return (blocks[1].straight && before != nullptr &&
+          sameTarget(blocks[0], before->blocks.back())) ||
+         (!s63.empty() && sameTarget(blocks[0], blocks[1]));
+}
+
 std::vector<Found> locationsOf(const std::vector<g97::Program>& programs,
                                const robot::Machine& machine,
                                double millimeters) {
   std::vector<Found> all;
   std::set<int> on;
+  const g97::Program* programBefore = nullptr;
   for (const g97::Program& program : programs) {
     const g97::Block* before = nullptr;
-    for (const g97::Block& block : program.blocks) {
+    const bool led = isLed(program, programBefore, machine.g97.s63);
+    programBefore = &program;
+    for (std::size_t i = led ? 1 : 0; i < program.blocks.size(); ++i) {
+      const g97::Block& block = program.blocks[i];
       const robot::Pose pose = g97::poseOf(machine, block.pose);
-      const bool repeats = before != nullptr && before->pose == block.pose &&
-                           !before->code.empty() && !block.code.empty();
+      const bool repeats = before != nullptr && sameTarget(*before, block) &&
+                           before->straight == block.straight && !before->code.empty() &&
+                           !block.code.empty();
       before = &block;
-      if (!block.code.empty() && block.code == machine.g97.s63) {
-        continue;
-      }
       switchBy(block.code, on);
-      all.push_back({{pose.point / millimeters, pose.axis, pose.side, nowhere, on}, repeats});
+      Found& found = all.emplace_back();
+      found.location.point = pose.point / millimeters;
+      found.location.axis = pose.axis;
+      found.location.side = pose.side;
+      found.location.on = on;
+      found.straight = block.straight;
+      found.speed = block.speed;
+      found.surplus = repeats;
     }
   }
   return all;
+}
+
+/// How the move to a location differs: L or P, or its speed. The first location is a traverse.
+std::optional<Diagnostic> differentWay(const Location& wanted,
+                                       const Found& found,
+                                       std::size_t number,
+                                       const std::string& name,
+                                       const robot::Machine& machine) {
+  const auto moveName = [](bool straight) {
+    return straight ? "straight move (L)" : "move of the joints (P)";
+  };
+  const bool traverse = wanted.rapid || number == 1;
+  if (found.straight == traverse) {
+    return diagnose(wanted.origin, diag::MoveDiffers, number, name, moveName(found.straight),
+                    moveName(!traverse));
+  }
+  const double speed = traverse ? machine.rapid : wanted.speed;
+  if (std::round(speed) != found.speed) {
+    return diagnose(wanted.origin, diag::SpeedDiffers, number, name, double(found.speed), speed);
+  }
+  return std::nullopt;
 }
 
 /// The controller's outputs of the program's.
@@ -100,6 +149,9 @@ std::optional<std::size_t> verifyG97(std::string_view text,
         over ? diagnose(nowhere, diag::PathLength, name, found.size(), wanted.locations.size())
              : difference(asWritten(wanted.locations[i], machine), found[k].location, i + 1, name,
                           allowed);
+    if (!differs) {
+      differs = differentWay(wanted.locations[i], found[k], i + 1, name, machine);
+    }
     if (differs && !found[k].surplus) {
       log.accept(*std::move(differs));
       return std::nullopt;

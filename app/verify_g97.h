@@ -9,9 +9,10 @@ namespace arelem::app {
 
 class DiagnosticLog;
 
-/// Reads G97 programs to the letter and compares poses and outputs with the program's, but for what
-/// two decimals take away. Blocks that only carry one more code at their place are no locations.
-/// The first difference is told. Returns the number of locations, or none after an error.
+/// Reads G97 programs to the letter and compares poses, kinds of moves, speeds and outputs with the
+/// program's, but for what their digits take away. Blocks that only carry one more code at their
+/// place, or begin a program where the one before ended, are no locations. The first difference is
+/// told. Returns the number of locations, or none after an error.
 [[nodiscard]] std::optional<std::size_t> verifyG97(std::string_view text,
                                                    const std::string& name,
                                                    const robot::Machine& machine,

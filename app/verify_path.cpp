@@ -42,6 +42,7 @@ void Path::accept(const cl::Record& record) {
     if (cycles_.now() != nullptr && !isFrom) {
       location.hole = *cycles_.now();
     }
+    location.rapid = isFrom || rapid_;
     location.speed = isFrom || (rapid_ && !location.hole) ? 0.0 : speed_;
     rapid_ = false;
     locations.push_back(location);

@@ -22,6 +22,7 @@ struct Location {
   double speed = 0.0;  ///< of the move to it, mm/s; 0: rapid, or unknown
   double wait = 0.0;   ///< of DELAY behind it, s
   std::optional<backend::hole::Cycle> hole = std::nullopt;  ///< drilled there
+  bool rapid = false;  ///< the tool comes to it by RAPID or FROM
 };
 
 /// Keeps the locations of a stream of records and forgets the rest.

@@ -115,6 +115,9 @@ class Reader {
       }
       last = block(program);
     }
+    if (!failure_ && program.blocks.front().code != style_.s63 && !style_.s63.empty()) {
+      wrong(fmt::format("the program does not begin with `{}`", style_.s63));
+    }
     if (!failure_ && !on_.empty()) {
       wrong(fmt::format("the program ends with output {} on", *on_.begin()));
     }

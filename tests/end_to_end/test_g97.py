@@ -86,6 +86,39 @@ class G97(ArelemCase):
         for program in programs:
             self.assertEqual(program.count("RON,1"), program.count("ROF,1"))
             self.assertTrue(program.endswith("ROF,1 PE\r\n"))
+        self.assertExit(0, "verify", "a.lng", "--with", "a.apt")
+        # The block that begins the second program must lead to where the first one ended.
+        second = text.index("O0002")
+        place = text.index("X ", second)
+        (self.folder / "b.lng").write_bytes((text[:place] + "X 1" + text[place + 2:]).encode())
+        self.assertExit(5, "verify", "b.lng", "--with", "a.apt")
+
+    def test_divided_with_a_code_in_front(self):
+        self.write("m.toml", "[g97]\nblocks = 5\ns63 = \"S63,1,1,1\"\n")
+        moves = "".join(f"GOTO/{i},0,0\n" for i in range(1, 12)) + "RAPID\nGOTO/0,5,0\nGOTO/3,5,0\n"
+        self.write("a.apt", f"UNITS/MM\nFROM/0,0,0\nFEDRAT/50,MMPS\n{moves}FINI\n")
+        self.assertExit(0, "a.apt", "-o", "a.lng", "--machine", "m.toml")
+        self.assertExit(0, "verify", "a.lng", "--with", "a.apt", "--machine", "m.toml")
+        text = (self.folder / "a.lng").read_bytes().decode()
+        self.assertEqual(text.count("S63,1,1,1 BE"), text.count("PE\r\n"))
+        (self.folder / "b.lng").write_bytes(text.replace("S63,1,1,1 ", "", 1).encode())
+        self.assertExit(3, "verify", "b.lng", "--with", "a.apt", "--machine", "m.toml")
+        self.assertIn("E0645", self.err)
+
+    def test_verify_sees_speeds_and_kinds_of_moves(self):
+        self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nFEDRAT/50,MMPS\nGOTO/10,0,0\nGOTO/20,0,0\nRAPID\nGOTO/20,9,0\n"
+                            "FEDRAT/7.5,MMPS\nGOTO/0,9,0\nFINI\n")
+        self.assertExit(0, "a.apt", "-o", "a.lng")
+        self.assertExit(0, "verify", "a.lng", "--with", "a.apt")
+        text = (self.folder / "a.lng").read_bytes().decode()
+        for old, new, code in (("L F0050M", "L F0051M", "E0922"), ("N0003 L", "N0003 P", "E0925"),
+                               ("N0004 P", "N0004 L", "E0925"), ("P F0500M", "P F0300M", "E0922"),
+                               ("F0008M", "F0007M", "E0922")):
+            with self.subTest(old):
+                self.assertIn(old, text)
+                (self.folder / "b.lng").write_bytes(text.replace(old, new, 1).encode())
+                self.assertExit(5, "verify", "b.lng", "--with", "a.apt")
+                self.assertIn(code, self.err)
 
     def test_more_blocks_than_a_program_takes(self):
         # 5 by 9000 mm with passes of 1.65 mm: 5455 passes of two blocks.
