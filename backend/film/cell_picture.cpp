@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "backend/svg/canvas.h"
+#include "ir/space/spray_tolerance.h"
 
 namespace arelem::backend {
 
@@ -53,8 +54,8 @@ class Sheet {
       lowX_ = lowY_ = 0.0;
       highX_ = highY_ = 1.0;
     }
-    scale_ = std::min(longest / std::max(highX_ - lowX_, 1e-9),
-                      tallest / std::max(highY_ - lowY_, 1e-9));
+    scale_ = std::min(longest / std::max(highX_ - lowX_, tolerance::pictureExtent),
+                      tallest / std::max(highY_ - lowY_, tolerance::pictureExtent));
   }
 
   void write(std::ostream& out) const {

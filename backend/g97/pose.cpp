@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ir/diag/robot.h"
+#include "ir/space/spray_tolerance.h"
 
 namespace arelem::g97 {
 
@@ -12,7 +13,6 @@ using robot::Matrix3;
 using robot::Pose;
 
 constexpr double radian = std::numbers::pi / 180.0;
-constexpr double singular = 1e-9;      // sine of an angle
 constexpr double farthest = 9999.994;  // rounds to 9999.99
 
 Matrix3 about(const Vec3& axis, double degrees) {
@@ -38,26 +38,30 @@ Angles anglesOfFrame(bool fixedAxes, const Matrix3& m) {
   if (fixedAxes) {
     const double level = std::hypot(m(0, 0), m(1, 0));
     const double q = degrees(-m(2, 0), level);
-    return level < singular ? Angles{degrees(-m(1, 2), m(1, 1)), q, 0.0}
-                            : Angles{degrees(m(2, 1), m(2, 2)), q, degrees(m(1, 0), m(0, 0))};
+    return level < tolerance::uprightAxis
+               ? Angles{degrees(-m(1, 2), m(1, 1)), q, 0.0}
+               : Angles{degrees(m(2, 1), m(2, 2)), q, degrees(m(1, 0), m(0, 0))};
   }
   const double level = std::hypot(m(0, 0), m(0, 1));
   const double q = degrees(m(0, 2), level);
-  return level < singular ? Angles{degrees(m(2, 1), m(1, 1)), q, 0.0}
-                          : Angles{degrees(-m(1, 2), m(2, 2)), q, degrees(-m(0, 1), m(0, 0))};
+  return level < tolerance::uprightAxis
+             ? Angles{degrees(m(2, 1), m(1, 1)), q, 0.0}
+             : Angles{degrees(-m(1, 2), m(2, 2)), q, degrees(-m(0, 1), m(0, 0))};
 }
 
 Angles anglesOfAxis(const robot::G97Style& style, const Vec3& n) {
   if (style.fixedAxes) {
-    const double q = std::hypot(n.x(), n.z()) < singular ? 0.0 : degrees(n.x(), n.z());
+    const double q =
+        std::hypot(n.x(), n.z()) < tolerance::uprightAxis ? 0.0 : degrees(n.x(), n.z());
     const double p = degrees(-n.y(), std::hypot(n.x(), n.z()));
     // The same direction with Q on this side of 90 degrees.
     return std::abs(q) <= 90.0 ? Angles{p, q, 0.0}
                                : Angles{p + 180.0, std::remainder(180.0 - q, 360.0), 180.0};
   }
   const double level = std::hypot(n.y(), n.z());
-  Angles angles{level < singular ? 0.0 : degrees(-n.y(), n.z()), degrees(n.x(), level), 0.0};
-  if (style.uprightRoll && std::hypot(n.x(), n.y()) >= singular) {
+  Angles angles{level < tolerance::uprightAxis ? 0.0 : degrees(-n.y(), n.z()),
+                degrees(n.x(), level), 0.0};
+  if (style.uprightRoll && std::hypot(n.x(), n.y()) >= tolerance::uprightAxis) {
     angles.r = degrees(-std::sin(angles.p * radian),
                        std::cos(angles.p * radian) * std::sin(angles.q * radian));
   }

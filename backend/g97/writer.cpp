@@ -37,6 +37,12 @@ class G97Writer : public Writer {
 
   void finish() override {
     switchOffAtEnd();
+    if (steps_.empty()) {
+      if (reported_ == 0) {
+        sink_.accept(fail(diag::G97NoBlock));
+      }
+      return;
+    }
     if (worstOff_ > 0.01) {
       sink_.accept(diagnose(nowhere, diag::G97CompatOff, worstOff_));
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/space/spray_tolerance.h"
 #include "runtime/film/surface_map.h"
 
 namespace arelem::film {
@@ -78,7 +79,7 @@ std::pair<long, long> columnsUnder(const Map& map, const Line& line, double reac
   double high = map.low.x() + map.cell * static_cast<double>(map.columns);
   const auto clip = [&](const Vec2& direction, double from, double to) {
     const double offset = direction.y() * (y - line.from.y()) - direction.x() * line.from.x();
-    if (std::abs(direction.x()) < 1e-12) {
+    if (std::abs(direction.x()) < tolerance::filmRow) {
       if (offset < from || offset > to) {
         high = low - 1.0;
       }

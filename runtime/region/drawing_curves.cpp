@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ir/diag/spray.h"
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/region/drawing_spline.h"
 
@@ -20,8 +21,9 @@ constexpr double mostChords = 100'000.0;
 /// Chords of an arc whose middle is at most `chord` off.
 int chordsOf(double radius, double sweep, double chord) {
   const double half = std::acos(std::clamp(1.0 - chord / radius, -1.0, 1.0));
-  return static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / std::max(2.0 * half, 1e-9)),
-                                     std::abs(sweep) > 3.0 ? 4.0 : 1.0, mostChords));
+  return static_cast<int>(
+      std::clamp(std::ceil(std::abs(sweep) / std::max(2.0 * half, tolerance::arcStep)),
+                 std::abs(sweep) > 3.0 ? 4.0 : 1.0, mostChords));
 }
 
 /// Appends f over (from, to] so finely that chords stay near the curve.

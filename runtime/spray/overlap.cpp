@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::spray {
@@ -143,7 +144,7 @@ class Piece {
     if (middle < std::abs(excess(from)) || middle < std::abs(excess(to))) {
       return 0.0;
     }
-    while (to - from > 1e-6) {
+    while (to - from > tolerance::filmPeak) {
       const double left = to - golden * (to - from);
       const double right = from + golden * (to - from);
       (std::abs(excess(left)) > std::abs(excess(right)) ? to : from) =

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "ir/diag/spray.h"
+#include "ir/space/spray_tolerance.h"
 
 namespace arelem::spray {
 
@@ -51,7 +52,8 @@ class Planner {
         return fail(diag::SprayValue, fmt::format("the end of {}", name), r.to,
                     "not below its begin");
       }
-      if ((r.to - r.from) / std::max(r.step, 1e-300) > mostTrials && r.to != r.from) {
+      if ((r.to - r.from) / std::max(r.step, tolerance::searchStep) > mostTrials &&
+          r.to != r.from) {
         return fail(diag::SprayValue, fmt::format("the number of steps of {}", name),
                     (r.to - r.from) / r.step, fmt::format("at most {}", mostTrials));
       }

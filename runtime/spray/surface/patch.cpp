@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ir/diag/spray.h"
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/ruled_surface.h"
 #include "runtime/geometry/tabulated_cylinder.h"
@@ -17,10 +18,6 @@ namespace arelem::spray {
 
 namespace {
 constexpr double degree = std::numbers::pi / 180.0;
-/// Steps of the differences, relative to the range of a parameter: the third and fourth root of the
-/// rounding, where the errors of the difference and of the rounding are alike.
-constexpr double firstStep = 6e-6;
-constexpr double secondStep = 2e-4;
 
 /// A place turned about an axis.
 struct Turning {
@@ -327,8 +324,8 @@ class Builder {
 
 Vec3 Patch::normal(double u, double v) const {
   // Inside by a step, so that poles and ends have the normal of what lies beside them.
-  const double hu = firstStep * (u1 - u0);
-  const double hv = firstStep * (v1 - v0);
+  const double hu = tolerance::normalStep * (u1 - u0);
+  const double hv = tolerance::normalStep * (v1 - v0);
   const double uc = std::clamp(u, u0 + hu, u1 - hu);
   const double vc = std::clamp(v, v0 + hv, v1 - hv);
   const Vec3 ru = at(uc + hu, vc) - at(uc - hu, vc);
@@ -338,7 +335,7 @@ Vec3 Patch::normal(double u, double v) const {
 }
 
 double Patch::curvature(double u, double v, bool alongU) const {
-  const double h = secondStep * (alongU ? u1 - u0 : v1 - v0);
+  const double h = tolerance::curvatureStep * (alongU ? u1 - u0 : v1 - v0);
   const double uc = alongU ? std::clamp(u, u0 + h, u1 - h) : u;
   const double vc = alongU ? v : std::clamp(v, v0 + h, v1 - h);
   const auto place = [&](double step) { return alongU ? at(uc + step, vc) : at(uc, vc + step); };

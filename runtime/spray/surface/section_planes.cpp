@@ -5,6 +5,8 @@
 #include <functional>
 #include <numbers>
 
+#include "ir/diag/spray.h"
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/region/region.h"
 #include "runtime/spray/surface/gap.h"
@@ -59,9 +61,9 @@ struct Levels {
   double step = 0.0;   ///< mm, where they are farthest apart
 };
 
-/// Equal steps between the extremes; the outermost sections lie a hair inside. Radial sections of
+/// Equal steps between the extremes; the outermost sections lie a little inside. Radial sections of
 /// a whole turn have no double one; those of less begin behind the empty side.
-Levels levelsOf(const SurfaceJob& job, double widest) {
+Result<Levels> levelsOf(const SurfaceJob& job, double widest) {
   const KeptGrid grid = gridOf(job);
   Levels levels;
   double lengthOfUnit = 1.0;
@@ -86,23 +88,30 @@ Levels levelsOf(const SurfaceJob& job, double widest) {
     lengthOfUnit = arm.second * degree;
   }
   const auto [low, high] = wholeTurn ? std::pair{0.0, 360.0} : rangeOf(grid, levels.field);
-  const LineCount count =
-      lineCount(std::min((high - low) * lengthOfUnit, mostSections * widest), widest);
-  const double hair = 1e-6 * (high - low);
+  const double length = (high - low) * lengthOfUnit;
+  if (!(length / widest <= mostSections)) {
+    return fail(diag::SprayPasses, static_cast<std::size_t>(mostSections),
+                job.gun.footprint.across);
+  }
+  const LineCount count = lineCount(length, widest);
+  const double margin = tolerance::sectionMargin * (high - low);
   const int last = count.intervals - (wholeTurn ? 1 : 0);
   for (int i = 0; i <= last; ++i) {
-    levels.values.push_back(low + hair + (high - low - 2.0 * hair) * i / count.intervals);
+    levels.values.push_back(low + margin + (high - low - 2.0 * margin) * i / count.intervals);
   }
   levels.step = count.step;
   return levels;
 }
 }  // namespace
 
-SectionPlanes sectionPlanes(const SurfaceJob& job, double widest) {
+Result<SectionPlanes> sectionPlanes(const SurfaceJob& job, double widest) {
   SectionPlanes result;
-  const Levels levels = levelsOf(job, widest);
-  result.step = levels.step;
-  for (const double level : levels.values) {
+  const Result<Levels> levels = levelsOf(job, widest);
+  if (!levels) {
+    return levels.failure();
+  }
+  result.step = levels->step;
+  for (const double level : levels->values) {
     CuttingPlane& plane = result.planes.emplace_back();
     if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job.lines)) {
       plane.normal = parallel->normal;
@@ -111,7 +120,7 @@ SectionPlanes sectionPlanes(const SurfaceJob& job, double widest) {
     }
     const auto& radial = std::get<SurfaceJob::Radial>(job.lines);
     const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
-    const double angle = (levels.start + level) * degree;
+    const double angle = (levels->start + level) * degree;
     plane.half = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
     plane.place = radial.place;
     plane.normal = radial.axis.cross(*plane.half);

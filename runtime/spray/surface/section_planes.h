@@ -10,7 +10,8 @@ struct SectionPlanes {
   std::vector<CuttingPlane> planes;
   double step = 0.0;  ///< mm, where they are farthest apart
 };
-[[nodiscard]] SectionPlanes sectionPlanes(const SurfaceJob& job, double widest);
+/// Error E0375: more than `mostSections`.
+[[nodiscard]] Result<SectionPlanes> sectionPlanes(const SurfaceJob& job, double widest);
 
 /// A few planes square to them, for the curvature of a mesh the other way.
 [[nodiscard]] std::vector<CuttingPlane> planesAcross(const SurfaceJob& job);

@@ -6,6 +6,7 @@
 #include "ir/diag/spray.h"
 #include "ir/space/tolerance.h"
 #include "runtime/spray/surface/kept.h"
+#include "runtime/spray/surface/patch_grid.h"
 #include "runtime/spray/surface/section_planes.h"
 #include "runtime/spray/surface/spacing.h"
 
@@ -55,7 +56,11 @@ class Planner {
     const auto* way = std::get_if<SurfaceJob::Way>(&job_.lines);
     if (job_.mesh) {
       const double piece = job_.gun.footprint.across / piecesOfRadius;
-      s_.radiusAlong = job_.mesh->smallestRadius(sectionPlanes(job_, widest_).planes, piece);
+      const Result<SectionPlanes> sections = sectionPlanes(job_, widest_);
+      if (!sections) {
+        return sections.failure();
+      }
+      s_.radiusAlong = job_.mesh->smallestRadius(sections->planes, piece);
       s_.radiusAcross = job_.mesh->smallestRadius(planesAcross(job_), piece);
     } else {
       const Radii radii = smallestRadii(job_.patch);
@@ -91,10 +96,16 @@ class Planner {
       s_.step = set.count.step;
       cutOff();
     } else {
-      const SectionPlanes sections = sectionPlanes(job_, widest_);
-      s_.step = sections.step;
-      lines_ = job_.mesh ? job_.mesh->sections(sections.planes, job_.chord)
-                         : sectionsOfPatch(sections.planes);
+      const Result<SectionPlanes> sections = sectionPlanes(job_, widest_);
+      if (!sections) {
+        return sections.failure();
+      }
+      s_.step = sections->step;
+      if (job_.mesh) {
+        lines_ = job_.mesh->sections(sections->planes, job_.chord);
+      } else if (auto failure = cutPatch(sections->planes)) {
+        return failure;
+      }
     }
     s_.lines = lines_.size();
     s_.area = job_.mesh ? job_.mesh->area() : areaOf(job_.patch);
@@ -114,20 +125,21 @@ class Planner {
     }
   }
 
-  [[nodiscard]] std::vector<SurfaceLine> sectionsOfPatch(
-      const std::vector<CuttingPlane>& planes) const {
-    std::vector<SurfaceLine> all;
+  std::optional<Failure> cutPatch(const std::vector<CuttingPlane>& planes) {
+    const Result<PatchGrid> grid = PatchGrid::of(job_.patch, job_.chord);
+    if (!grid) {
+      return grid.failure();
+    }
     for (const CuttingPlane& plane : planes) {
-      const auto height = [&plane](const Vec3& p) { return plane.normal.dot(p); };
-      for (const SurfaceLine& line : sectionsOf(job_.patch, height, {plane.level}, job_.chord)) {
+      for (const SurfaceLine& line : sectionOf(job_.patch, *grid, plane, job_.chord)) {
         for (SurfaceLine& piece : onItsSide(line, plane)) {
           if (piece.size() >= 2) {
-            appendToAndFro(all, std::move(piece));
+            appendToAndFro(lines_, std::move(piece));
           }
         }
       }
     }
-    return all;
+    return std::nullopt;
   }
 
   std::optional<Failure> chooseSpeed() {

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::spray {
 
 namespace {
-constexpr int samples = 64;        // of a parameter, for lengths, areas and radii
-constexpr int deepest = 14;        // halvings of a line
-constexpr double flattest = 1e-7;  // curvature below it is none, 1/mm
+constexpr int samples = 64;  // of a parameter, for lengths, areas and radii
+constexpr int deepest = 14;  // halvings of a line
 
 double between(double from, double to, double share) {
   return from + share * (to - from);
@@ -45,8 +45,9 @@ class Tracer {
     const Vec3 a = at(from);
     const Vec3 step = at(to) - a;
     double off = 0.0;
-    for (const double share : {0.25, 0.5, 0.75}) {
-      const Vec3 p = at(between(from, to, share)) - a;
+    const int looks = std::max(fewestLooks, mostLooks >> (deepest - depth));
+    for (int i = 1; i < looks; ++i) {
+      const Vec3 p = at(between(from, to, i / double(looks))) - a;
       const double length = step.norm();
       off = std::max(off, length > 0.0 ? p.cross(step).norm() / length : p.norm());
     }
@@ -59,6 +60,9 @@ class Tracer {
     refine(middle, to, depth - 1);
   }
 
+  /// Long pieces are looked at in more places: a wave must not look straight.
+  static constexpr int fewestLooks = 4;
+  static constexpr int mostLooks = 64;
   const Patch& patch_;
   bool alongU_;
   double other_;
@@ -159,10 +163,13 @@ double areaOf(const Patch& patch) {
 Radii smallestRadii(const Patch& patch) {
   double alongU = 0.0;
   double alongV = 0.0;
-  for (int i = 1; i < samples; ++i) {
-    for (int k = 1; k < samples; ++k) {
-      const double u = between(patch.u0, patch.u1, i / double{samples});
-      const double v = between(patch.v0, patch.v1, k / double{samples});
+  const auto share = [](int i) {
+    return std::clamp(i / double{samples}, tolerance::rimMargin, 1.0 - tolerance::rimMargin);
+  };
+  for (int i = 0; i <= samples; ++i) {
+    for (int k = 0; k <= samples; ++k) {
+      const double u = between(patch.u0, patch.u1, share(i));
+      const double v = between(patch.v0, patch.v1, share(k));
       if (!patch.keeps(u, v)) {
         continue;
       }
@@ -171,7 +178,7 @@ Radii smallestRadii(const Patch& patch) {
     }
   }
   const auto radius = [](double curvature) {
-    return curvature > flattest ? std::optional(1.0 / curvature) : std::nullopt;
+    return curvature > tolerance::flat ? std::optional(1.0 / curvature) : std::nullopt;
   };
   return {radius(alongU), radius(alongV)};
 }

@@ -34,13 +34,6 @@ struct LineSet {
 /// the parameters: planes that cut the patch off do not cut them. Source: Sen 3.1, 5.2.
 [[nodiscard]] LineSet linesOn(const Patch& patch, const Layout& layout);
 
-/// Sections by parallel planes: `field` is the signed height over one of them, mm; lines lie at
-/// each of the levels, cut off by the planes of the patch.
-[[nodiscard]] std::vector<SurfaceLine> sectionsOf(const Patch& patch,
-                                                  const std::function<double(const Vec3&)>& field,
-                                                  const std::vector<double>& levels,
-                                                  double chord);
-
 /// Leaves out points whose places lie within the chord tolerance, and whose normals lie within
 /// 0.02 rad, of what is straight between those that stay (Douglas and Peucker).
 [[nodiscard]] SurfaceLine thinned(const SurfaceLine& line, double chord);

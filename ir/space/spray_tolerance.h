@@ -1,0 +1,34 @@
+#pragma once
+
+/// Tolerances of spray painting, films and regions, as ir/space/tolerance.h holds the others.
+namespace arelem::tolerance {
+
+/// A step of a search this small, or 0, has one value. Unit of the range.
+inline constexpr double searchStep = 1e-300;
+/// The place of a film's largest departure is known to this part of a smooth piece. Radians of its
+/// half circle.
+inline constexpr double filmPeak = 1e-6;
+/// The outermost sections of a surface lie this part of its extent inside, where a plane still
+/// meets it. Dimensionless.
+inline constexpr double sectionMargin = 1e-6;
+/// A surface that bends less is flat. 1/mm.
+inline constexpr double flat = 1e-7;
+/// The smallest radius of a surface is looked for as near to its ends as this part of its extent:
+/// at the ends themselves a pole or a vertex has none. Dimensionless.
+inline constexpr double rimMargin = 1e-3;
+
+/// Steps of the differences that give normals and curvatures, relative to the range of a
+/// parameter: the third and fourth root of the rounding, where the errors of the difference and of
+/// the rounding are alike.
+inline constexpr double normalStep = 6e-6;
+inline constexpr double curvatureStep = 2e-4;
+/// Arcs are drawn with at least this angle between corners. Radians.
+inline constexpr double arcStep = 1e-9;
+/// A row of film cells that runs along a pass, or square to it, but for this, does so. Sine.
+inline constexpr double filmRow = 1e-12;
+/// The smallest extent of a picture. mm.
+inline constexpr double pictureExtent = 1e-9;
+/// A tool axis that leans less has no direction to which it leans. Sine.
+inline constexpr double uprightAxis = 1e-9;
+
+}  // namespace arelem::tolerance
