@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/film_warnings.h"
 #include "app/library_path.h"
 #include "app/source_file.h"
 #include "app/stopwatch.h"
@@ -76,7 +77,11 @@ bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) 
       job.program,
       {job.settings.limits, &interrupted, dataFiles(job), history, job.progress, job.defined},
       job.log);
-  return job.evaluation.complete && job.log.errors() == 0 && !interrupted;
+  const bool good = job.evaluation.complete && job.log.errors() == 0 && !interrupted;
+  if (good) {
+    warnOfFilms(job);
+  }
+  return good;
 }
 
 bool execute(Compilation& job,

@@ -26,20 +26,7 @@ struct SprayOptions {
   bool table = false;
 };
 
-constexpr double noticedShare = 0.02;  // of the area of a surface
 constexpr double cellNoticed = 1.001;
-
-/// Lines that run together or too far apart on a surface. A region has its edges only.
-void warnOfFilm(Compilation& job, const spray::Sprayed& s, const film::Statistics& film) {
-  if (s.planar || film.astray < noticedShare) {
-    return;
-  }
-  job.log.accept(diagnose(s.origin, diag::SprayUneven, 1e3 * film.smallest, 1e3 * film.largest,
-                          s.work.empty() ? std::string("the surface") : s.work, 100.0 * film.astray,
-                          1e3 * film.wanted)
-                     .withHelp("`arelem spray --film film.png` shows where; other lines, a smaller "
-                               "STEP or narrower LIMITS make it more even"));
-}
 
 void show(Compilation& job, const SprayOptions& options) {
   const auto& all = job.evaluation.sprayed;
@@ -47,12 +34,9 @@ void show(Compilation& job, const SprayOptions& options) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const film::Map map = film::mapOf(*all[i], options.cell);
     reports.push_back(reported(job, *all[i], &map));
-    warnOfFilm(job, *all[i], map.statistics);
     if (options.cell > 0.0 && map.cell > options.cell * cellNoticed) {
-      std::cerr << fmt::format(
-          "arelem: cells of {:.6g} mm are too many; the film of statement {} has cells of {:.4g} "
-          "mm\n",
-          options.cell, i + 1, map.cell);
+      job.log.accept(
+          diagnose(all[i]->origin, diag::FilmCells, options.cell, all[i]->label(), map.cell));
     }
     const backend::FilmPicture picture = pictureOf(*all[i], map);
     for (const std::string& path : options.films) {

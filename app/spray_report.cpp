@@ -48,6 +48,7 @@ void addPath(backend::ReportedSpray& report, const spray::Sprayed& s) {
   report.deposited = chosen.cost.deposited * liter;
   report.overspray = chosen.cost.overspray * liter;
   report.sprayBy = chosen.cost.sprayBy * liter;
+  report.missing = chosen.cost.missing * liter;
   if (s.priced) {
     report.cost = {chosen.cost.total, chosen.cost.parts};
     for (const spray::Trial& trial : s.trials) {

@@ -39,7 +39,7 @@ class G97Writer : public Writer {
     switchOffAtEnd();
     if (steps_.empty()) {
       if (reported_ == 0) {
-        sink_.accept(fail(diag::G97NoBlock));
+        sink_.accept(diagnose(nowhere, diag::G97NoBlock));
       }
       return;
     }

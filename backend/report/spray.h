@@ -29,7 +29,8 @@ struct ReportedSpray {
   double shortestTime = 0.0;                                           ///< T_min
   double speed = 0.0, flow = 0.0;                                      ///< v, q
   double used = 0.0, deposited = 0.0, overspray = 0.0, sprayBy = 0.0;  ///< liters
-  std::array<double, 3> uniformity{};                                  ///< R1, R2, R3
+  double missing = 0.0;  ///< liters that the film on all the work takes more than is sprayed
+  std::array<double, 3> uniformity{};     ///< R1, R2, R3
   double edgeFilm = 0.0, edgeMean = 0.0;  ///< relative to the wanted film
   struct Cost {
     double total = 0.0;

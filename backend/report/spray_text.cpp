@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -66,9 +65,9 @@ void writeSprayText(std::ostream& out, const ReportedSpray& s) {
                       : ""));
   row(out, "paint",
       fmt::format("{:.4g} l used: {:.4g} on the work, {:.4g} overspray, {:.4g} beside the work{}",
-                  s.used, s.deposited, s.overspray, std::max(s.sprayBy, 0.0),
-                  s.sprayBy < -shareOfRounding * s.used
-                      ? fmt::format("; {:.4g} less than the film on all the work takes", -s.sprayBy)
+                  s.used, s.deposited, s.overspray, s.sprayBy,
+                  s.missing > shareOfRounding * s.used
+                      ? fmt::format("; {:.4g} less than the film on all the work takes", s.missing)
                       : ""));
   row(out, "uniformity",
       fmt::format(

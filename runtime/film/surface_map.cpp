@@ -13,6 +13,8 @@ namespace {
 constexpr double surfaceCells = 200.0;
 constexpr double mostSurfaceCells = 250'000.0;
 constexpr std::size_t mostSampledTriangles = 50'000;
+constexpr double roughCells = 60.0;  // in the longer way
+constexpr std::size_t roughTriangles = 4'000;
 constexpr int mostDivisions = 200;  // of a triangle's side
 
 double shareOf(std::size_t i, std::size_t count) {
@@ -141,10 +143,13 @@ class MeshPicture {
 };
 
 /// The statistics of a mesh are those of all its triangles, seen or hidden.
-Statistics statisticsOf(const spray::Sprayed& s, const Bursts& spray, double cell) {
+Statistics statisticsOf(const spray::Sprayed& s,
+                        const Bursts& spray,
+                        double cell,
+                        std::size_t mostTriangles) {
   const spray::MeshSurface& surface = *s.mesh;
   const std::size_t count = surface.mesh().triangles.size();
-  const std::size_t stride = count / mostSampledTriangles + 1;
+  const std::size_t stride = count / mostTriangles + 1;
   Map all;
   for (std::size_t t = 0; t < count; t += stride) {
     const double area = surface.spanned(t).norm() / 2.0;
@@ -180,6 +185,17 @@ spray::Vec2 placeInMap(const spray::Sprayed& s,
                                                               static_cast<double>(map.rows)));
 }
 
+Statistics roughStatistics(const spray::Sprayed& s) {
+  if (s.mesh) {
+    const double cell = std::sqrt(s.mesh->area()) / roughCells;
+    return statisticsOf(s, Bursts(s), cell, roughTriangles);
+  }
+  const double longest = std::max(longestWay(*s.patch, true), longestWay(*s.patch, false));
+  Map map = patchMap(s, longest / roughCells);
+  measure(map, s.film);
+  return map.statistics;
+}
+
 Map surfaceMapOf(const spray::Sprayed& s, double cell) {
   if (!s.mesh) {
     Map map = patchMap(s, cell);
@@ -188,7 +204,7 @@ Map surfaceMapOf(const spray::Sprayed& s, double cell) {
   }
   const Bursts spray(s);
   Map map = MeshPicture(s, cell).run(spray);
-  map.statistics = statisticsOf(s, spray, map.cell);
+  map.statistics = statisticsOf(s, spray, map.cell, mostSampledTriangles);
   return map;
 }
 

@@ -10,6 +10,9 @@ namespace arelem::film {
 /// normal; its statistics are those of all triangles.
 [[nodiscard]] Map surfaceMapOf(const spray::Sprayed& sprayed, double cell);
 
+/// The film on a surface looked at in a few thousand places: enough to see whether it is even.
+[[nodiscard]] Statistics roughStatistics(const spray::Sprayed& sprayed);
+
 /// Where a place of the surface, with its parameters, lies in the map.
 [[nodiscard]] spray::Vec2 placeInMap(const spray::Sprayed& sprayed,
                                      const Map& map,

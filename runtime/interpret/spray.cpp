@@ -91,7 +91,9 @@ class StrokeWriter {
   [[nodiscard]] double nozzleSpeed(const Stroke& s, double length) const {
     const double d = sprayed_.gun.standOff;
     const double way = (s.to + d * s.normalTo - s.from - d * s.normalFrom).norm();
-    return length > 0.0 ? s.speed * std::round(way / length * 1e6) / 1e6 : s.speed;
+    const double speed = length > 0.0 ? s.speed * std::round(way / length * 1e6) / 1e6 : s.speed;
+    const double fastest = sprayed_.gun.speed;
+    return !sprayed_.planar && fastest > 0.0 ? std::min(speed, fastest) : speed;
   }
 
   void stroke(std::size_t i) {
@@ -165,6 +167,7 @@ void sprayRegion(State& state, const SprayWords& words) {
   job.otherSide = words.otherSide;
   job.prices = words.prices;
   job.angles = words.angles;
+  job.mostPasses = state.options.limits.points;
   job.sizes = words.sizes;
   if (job.sizes) {
     for (double* value : {&job.sizes->from, &job.sizes->to, &job.sizes->step}) {
@@ -291,13 +294,37 @@ void spraySurface(State& state, const SprayWords& words) {
   finish(state, words, *std::move(sprayed));
 }
 
+/// SPRAY/ ON or OFF [, n]: an output is a whole number.
+void sprayGun(State& state, const ir::Command& command) {
+  constexpr double most = 9999.0;
+  auto items = evaluate(state, command.arguments, Use::motion);
+  if (!items) {
+    return;
+  }
+  const double* output = items->size() == 2 ? (*items)[1].number() : nullptr;
+  if (items->size() > 1 && output == nullptr) {
+    state.reportFailure(state.statement->span,
+                        fail(diag::SprayForm, describe(items->back()) + " behind ON or OFF",
+                             "one number may stand there, that of the output"));
+    return;
+  }
+  if (output != nullptr && !(*output >= 1.0 && *output <= most && *output == std::floor(*output))) {
+    reportAt(
+        state, state.statement->span,
+        fail(diag::SprayValue, "the output", *output, fmt::format("a whole number, 1 to {}", most)),
+        *items);
+    return;
+  }
+  post(state, command);
+}
+
 }  // namespace
 
 void spray(State& state, const ir::Command& command) {
   const Word* first =
       command.arguments.empty() ? nullptr : std::get_if<Word>(&command.arguments.front().value);
   if (first != nullptr && (*first == Word::ON || *first == Word::OFF)) {
-    post(state, command);
+    sprayGun(state, command);
     return;
   }
   auto items = evaluate(state, command.arguments, Use::motion);

@@ -64,7 +64,11 @@ class EndTable {
   }
 
  private:
-  [[nodiscard]] long cell(double x) const { return static_cast<long>(std::floor(x / joint_)); }
+  /// Places that are too far off for a cell of their own share one.
+  [[nodiscard]] long cell(double x) const {
+    constexpr double farthest = 1e15;
+    return static_cast<long>(std::floor(std::clamp(x / joint_, -farthest, farthest)));
+  }
   static std::uint64_t key(long x, long y) {
     return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(y);
   }

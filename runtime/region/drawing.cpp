@@ -76,7 +76,7 @@ double unitOf(const std::vector<Group>& groups) {
   for (std::size_t i = 0; i + 1 < groups.size(); ++i) {
     if (groups[i].code == 9 && groups[i].value == "$INSUNITS") {
       const Result<double> code = numberOf(groups[i + 1], "");
-      return code ? millimetersOf(static_cast<long>(*code)) : 0.0;
+      return code ? millimetersOf(wholeOf(*code)) : 0.0;
     }
   }
   return 0.0;
@@ -85,7 +85,10 @@ double unitOf(const std::vector<Group>& groups) {
 class Reader {
  public:
   Reader(std::string_view name, const DrawingRules& rules, double scale)
-      : name_(name), rules_(rules), scale_(scale), curves_(name, rules.chord / scale) {}
+      : name_(name),
+        rules_(rules),
+        scale_(scale),
+        curves_(name, rules.chord / scale, rules.mostPoints) {}
 
   Result<Drawing> run(const std::vector<DrawingObject>& entities) {
     for (std::size_t i = 0; i < entities.size(); ++i) {

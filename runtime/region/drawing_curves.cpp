@@ -32,7 +32,11 @@ void refine(const std::function<Vec2(double)>& f,
             double to,
             double chord,
             int depth,
+            std::size_t mostPoints,
             std::vector<Vec2>& points) {
+  if (points.size() > mostPoints) {
+    return;
+  }
   const Vec2 a = f(from);
   const Vec2 b = f(to);
   double off = 0.0;
@@ -47,8 +51,8 @@ void refine(const std::function<Vec2(double)>& f,
     return;
   }
   const double middle = (from + to) / 2.0;
-  refine(f, from, middle, chord, depth - 1, points);
-  refine(f, middle, to, chord, depth - 1, points);
+  refine(f, from, middle, chord, depth - 1, mostPoints, points);
+  refine(f, middle, to, chord, depth - 1, mostPoints, points);
 }
 constexpr int deepest = 16;
 }  // namespace
@@ -226,7 +230,8 @@ Result<Curve> CurveReader::ellipse(const DrawingObject& entity) const {
   };
   Curve curve{{at(v[5])}, whole};
   for (int i = 0; i < 8; ++i) {
-    refine(at, v[5] + sweep * i / 8.0, v[5] + sweep * (i + 1) / 8.0, chord_, deepest, curve.points);
+    refine(at, v[5] + sweep * i / 8.0, v[5] + sweep * (i + 1) / 8.0, chord_, deepest, mostPoints_,
+           curve.points);
   }
   if (whole) {
     curve.points.pop_back();
@@ -238,7 +243,7 @@ Curve CurveReader::bulged(const std::vector<Vertex>& vertices, bool closed) cons
   Curve curve;
   curve.closed = closed;
   const std::size_t n = vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n && curve.points.size() <= mostPoints_; ++i) {
     const Vertex& from = vertices[i];
     curve.points.push_back(from.place);
     if ((i + 1 == n && !closed) || from.bulge == 0.0) {
@@ -291,7 +296,7 @@ Result<Curve> CurveReader::lightPolyline(const DrawingObject& entity) const {
   if (vertices.empty()) {
     return wrong(entity, "has no vertices");
   }
-  return bulged(vertices, (static_cast<long>(*flags) & 1) != 0);
+  return bulged(vertices, (wholeOf(*flags) & 1) != 0);
 }
 
 Result<Curve> CurveReader::polyline(const DrawingObject& entity,
@@ -300,7 +305,7 @@ Result<Curve> CurveReader::polyline(const DrawingObject& entity,
   if (!flags) {
     return flags.takeFailure();
   }
-  const long bits = static_cast<long>(*flags);
+  const long bits = wholeOf(*flags);
   if ((bits & (8 | 16 | 64)) != 0) {
     return wrong(entity, "is three-dimensional, a grid or a mesh: it bounds nothing");
   }
@@ -317,7 +322,7 @@ Result<Curve> CurveReader::polyline(const DrawingObject& entity,
       return kind.takeFailure();
     }
     constexpr long frame = 16;  // a control point of the curve that the other vertices stand for
-    if ((static_cast<long>(*kind) & frame) == 0) {
+    if ((wholeOf(*kind) & frame) == 0) {
       list.push_back({{*x, *y}, *bulge});
     }
   }
@@ -343,7 +348,7 @@ Result<Curve> CurveReader::spline(const DrawingObject& entity) const {
     return degreeValue ? flags.takeFailure() : degreeValue.takeFailure();
   }
   const auto& [knots, x, y, weights] = lists;
-  const int degreeNumber = static_cast<int>(*degreeValue);
+  const int degreeNumber = static_cast<int>(wholeOf(*degreeValue));
   for (const auto& [code, found] : {std::pair{72, knots.size()}, std::pair{73, x.size()}}) {
     Result<double> said = number(entity, code, static_cast<double>(found));
     if (!said) {
@@ -381,7 +386,7 @@ Result<Curve> CurveReader::spline(const DrawingObject& entity) const {
   Curve result{{curve.at(spans.front())}, false};
   for (std::size_t i = 1; i < spans.size(); ++i) {
     refine([&curve](double t) { return curve.at(t); }, spans[i - 1], spans[i], chord_, deepest,
-           result.points);
+           mostPoints_, result.points);
   }
   return result;
 }

@@ -7,8 +7,10 @@ namespace arelem::region {
 /// Makes the curve of one entity, in units of the drawing. Errors: E0367.
 class CurveReader {
  public:
-  /// `chord` in units of the drawing.
-  CurveReader(std::string_view name, double chord) : name_(name), chord_(chord) {}
+  /// `chord` in units of the drawing. A curve of more points than `mostPoints` ends early: it is
+  /// refused by its number of points.
+  CurveReader(std::string_view name, double chord, std::size_t mostPoints)
+      : name_(name), chord_(chord), mostPoints_(mostPoints) {}
 
   [[nodiscard]] static bool knows(std::string_view entity);
   /// POLYLINE takes its vertices from `vertices`.
@@ -39,6 +41,7 @@ class CurveReader {
 
   std::string_view name_;
   double chord_;
+  std::size_t mostPoints_;
 };
 
 }  // namespace arelem::region

@@ -1,5 +1,6 @@
 #include "runtime/region/drawing_pairs.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -77,6 +78,11 @@ Result<double> numberOf(const Group& group, std::string_view name) {
         fmt::format("`{}` where a number belongs (group {})", text.substr(0, 40), group.code));
   }
   return value;
+}
+
+long wholeOf(double value) {
+  constexpr double most = 1e9;
+  return static_cast<long>(std::clamp(value, -most, most));
 }
 
 }  // namespace arelem::region

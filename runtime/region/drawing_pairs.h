@@ -29,5 +29,7 @@ struct DrawingObject {
 [[nodiscard]] Result<std::vector<Group>> groupsOf(std::string_view text, std::string_view name);
 /// The number of a group. Errors: E0367.
 [[nodiscard]] Result<double> numberOf(const Group& group, std::string_view name);
+/// A flag or a count without its fraction; where it has no room, the nearest that has.
+[[nodiscard]] long wholeOf(double value);
 
 }  // namespace arelem::region

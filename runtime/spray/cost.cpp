@@ -1,5 +1,7 @@
 #include "runtime/spray/cost.h"
 
+#include <algorithm>
+
 namespace arelem::spray {
 
 Operation operationFor(double film, double interval, const GunLimits& limits) {
@@ -21,8 +23,10 @@ Cost costOf(const PathLengths& path,
   cost.travelingTime = path.unpainted / limits.speed;
   cost.used = operation.flow * cost.paintingTime;
   cost.overspray = (1.0 - limits.efficiency) * cost.used;
-  cost.deposited = area * film;
-  cost.sprayBy = limits.efficiency * cost.used - cost.deposited;
+  const double sticks = limits.efficiency * cost.used;
+  cost.deposited = std::min(area * film, sticks);
+  cost.missing = area * film - cost.deposited;
+  cost.sprayBy = sticks - cost.deposited;
   const double hour = prices.time / secondsPerHour;
   const double liter = 1.0 / cubicMillimetersPerLiter;
   cost.parts = {hour * cost.paintingTime, hour * cost.travelingTime,

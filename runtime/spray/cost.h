@@ -37,14 +37,16 @@ struct PathLengths {
 };
 
 /// The five parts of the process cost, and what they are made of. Source: Bartlett (4.12), (4.14).
-/// `byMiss` is negative where the path sprays less than area times film: kept as it is.
+/// Where the path sprays less than area times film, all of it counts as film and nothing as
+/// spray-by; the source has a negative spray-by there.
 struct Cost {
   double paintingTime = 0.0;      ///< T_i, s
   double travelingTime = 0.0;     ///< T_o, s
   std::array<double, 5> parts{};  ///< painting time, other time, overspray, spray-by, film; $
   double total = 0.0;             ///< $
   double used = 0.0;              ///< paint that leaves the gun, mm3
-  double deposited = 0.0;         ///< that stays on the work, mm3: area times film
+  double deposited = 0.0;         ///< that stays on the work, mm3: area times film at most
+  double missing = 0.0;           ///< of area times film, mm3: more than the path sprays
   double overspray = 0.0;         ///< that does not stick, mm3
   double sprayBy = 0.0;           ///< that misses the work, mm3
 };

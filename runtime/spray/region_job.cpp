@@ -52,10 +52,10 @@ class Planner {
         return fail(diag::SprayValue, fmt::format("the end of {}", name), r.to,
                     "not below its begin");
       }
-      if ((r.to - r.from) / std::max(r.step, tolerance::searchStep) > mostTrials &&
+      if ((r.to - r.from) / std::max(r.step, tolerance::searchStep) > mostValues &&
           r.to != r.from) {
         return fail(diag::SprayValue, fmt::format("the number of steps of {}", name),
-                    (r.to - r.from) / r.step, fmt::format("at most {}", mostTrials));
+                    (r.to - r.from) / r.step, fmt::format("at most {}", mostValues));
       }
     }
     if (job_.sizes && !(job_.sizes->from > 0.0)) {
@@ -179,8 +179,11 @@ class Planner {
     if (job_.sizes || job_.angles) {
       const Range sizes = job_.sizes.value_or(Range{own, own, 0.0});
       const Range angles = job_.angles.value_or(Range{job_.degrees, job_.degrees, 0.0});
-      SearchResult found =
-          search(task_, sizes, angles, job_.sizes.has_value() && !program, interrupted_, progress_);
+      const bool preferredToo = job_.sizes.has_value() && !program;
+      if (auto failure = objectionToSearch(sizes, angles, preferredToo)) {
+        return failure;
+      }
+      SearchResult found = search(task_, sizes, angles, preferredToo, interrupted_, progress_);
       if (!found.complete) {
         return fail(diag::SprayInterrupted, found.trials.size());
       }
@@ -193,6 +196,21 @@ class Planner {
     s.gun.standOff = s.chosen.across == own ? s.gun.standOff : s.gun.standOffFor(s.chosen.across);
     s.shortestTime = spray::shortestTime(s.area, job_.film, task_.limits);
     return checkFlow();
+  }
+
+  std::optional<Failure> objectionToSearch(const Range& sizes,
+                                           const Range& angles,
+                                           bool preferredToo) const {
+    const SearchSize size = sizeOfSearch(task_, sizes, angles, preferredToo);
+    if (size.trials > static_cast<double>(mostTrials)) {
+      return fail(diag::SearchSize, size.sizes, size.angles, size.trials, "trials", mostTrials)
+          .withHelp("larger steps of HEIGHT and ANGLE make fewer");
+    }
+    if (size.passes > static_cast<double>(job_.mostPasses)) {
+      return fail(diag::SearchSize, size.sizes, size.angles, size.passes, "passes", job_.mostPasses)
+          .withHelp("larger steps of HEIGHT and ANGLE make fewer; --max-points allows more");
+    }
+    return std::nullopt;
   }
 
   std::optional<Failure> checkFlow() {
@@ -243,7 +261,7 @@ class Planner {
     return std::nullopt;
   }
 
-  static constexpr double mostTrials = 1e6;
+  static constexpr double mostValues = 1e6;  // of a range
   const RegionJob& job_;
   const InterruptFlag* interrupted_;
   const Progress& progress_;

@@ -21,8 +21,9 @@ struct RegionJob {
   std::optional<double> speed;  ///< wanted, mm/s
   bool otherSide = false;       ///< the gun stands on the far side of the normal
   std::optional<Prices> prices;
-  std::optional<Range> sizes;   ///< of b, mm
-  std::optional<Range> angles;  ///< degrees
+  std::optional<Range> sizes;                  ///< of b, mm
+  std::optional<Range> angles;                 ///< degrees
+  std::uint64_t mostPasses = Limits{}.points;  ///< of all trials of a search
 };
 
 struct RegionResult {
@@ -30,8 +31,8 @@ struct RegionResult {
   std::vector<Failure> warnings;
 };
 
-/// Chooses overlap, inset, size and angle, and plans the passes. Errors: E0353, E0373 to E0376,
-/// E0811.
+/// Chooses overlap, inset, size and angle, and plans the passes. Errors: E0353, E0359,
+/// E0373 to E0376, E0811.
 [[nodiscard]] Result<RegionResult> sprayRegion(const RegionJob& job,
                                                const InterruptFlag* interrupted,
                                                const Progress& progress);

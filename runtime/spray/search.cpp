@@ -22,6 +22,7 @@ Trial evaluateTurned(const Task& task, const Outline& outline, double area, doub
   Trial trial;
   trial.across = across;
   trial.passes = plan.passes.size();
+  trial.complete = plan.complete;
   trial.lengths = plan.lengths;
   trial.operation = operationFor(task.film, plan.interval, task.limits);
   trial.cost = costOf(plan.lengths, area, task.film, trial.operation, task.limits, task.prices);
@@ -33,7 +34,8 @@ std::vector<Trial> trialsAt(const Task& task,
                             double degrees,
                             const std::vector<double>& sizes,
                             bool preferredToo,
-                            double area) {
+                            double area,
+                            const std::function<bool()>& stopped) {
   const Outline outline = turned(task.outline, -radians(degrees));
   std::vector<std::pair<double, bool>> all;
   for (const double size : sizes) {
@@ -49,6 +51,9 @@ std::vector<Trial> trialsAt(const Task& task,
   }
   std::vector<Trial> trials;
   for (const auto& [size, preferred] : all) {
+    if (stopped()) {
+      break;
+    }
     Trial& trial = trials.emplace_back(evaluateTurned(task, outline, area, size));
     trial.degrees = degrees;
     trial.preferred = preferred;
@@ -60,7 +65,8 @@ std::size_t cheapest(const std::vector<Trial>& trials) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < trials.size(); ++i) {
     const double least = trials[best].cost.total;
-    if (trials[i].cost.total < least - tolerance::equalCost * std::abs(least)) {
+    const bool cheaper = trials[i].cost.total < least - tolerance::equalCost * std::abs(least);
+    if (trials[i].complete && (cheaper || !trials[best].complete)) {
       best = i;
     }
   }
@@ -116,6 +122,33 @@ std::vector<double> preferredSizes(
   return sizes;
 }
 
+SearchSize sizeOfSearch(const Task& task,
+                        const Range& sizes,
+                        const Range& angles,
+                        bool preferredToo) {
+  const std::vector<double> widths = sizes.values();
+  const Extent extent = extentOf(task.outline);
+  const double tallest = (extent.high - extent.low).norm();
+  const auto passes = [&](double across) {
+    return std::max(1.0, passesFor(tallest, task.overlap, task.insetRatio, across)) + 1.0;
+  };
+  SearchSize size;
+  size.sizes = widths.size();
+  size.angles = angles.values().size();
+  size.trials = static_cast<double>(widths.size());
+  for (const double across : widths) {
+    size.passes += passes(across);
+  }
+  if (preferredToo && !widths.empty()) {
+    const double most = std::min(passes(widths.front()), static_cast<double>(mostPasses));
+    size.trials += most;
+    size.passes += most * (most + 1.0) / 2.0;
+  }
+  size.trials *= static_cast<double>(size.angles);
+  size.passes *= static_cast<double>(size.angles);
+  return size;
+}
+
 SearchResult search(const Task& task,
                     const Range& sizes,
                     const Range& angles,
@@ -134,7 +167,7 @@ SearchResult search(const Task& task,
   };
   const auto work = [&] {
     for (std::size_t i = next++; i < degrees.size() && !stopped(); i = next++) {
-      byAngle[i] = trialsAt(task, degrees[i], widths, preferredToo, area);
+      byAngle[i] = trialsAt(task, degrees[i], widths, preferredToo, area, stopped);
       const std::lock_guard lock(mutex);
       ++done;
       if (progress) {

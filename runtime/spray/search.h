@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Task {
 struct Trial {
   double across = 0.0;     ///< b, mm
   double degrees = 0.0;    ///< of the passes
+  bool complete = true;    ///< false: more passes than `mostPasses`
   bool preferred = false;  ///< b fits a whole number of passes into the height of the work
   std::size_t passes = 0;
   PathLengths lengths;
@@ -50,6 +52,18 @@ struct Range {
 [[nodiscard]] std::vector<double> preferredSizes(
     double height, double overlap, double insetRatio, double smallest, double largest);
 
+/// What a search looks at, at most: no angle makes the work higher than it is wide across corners.
+struct SearchSize {
+  std::size_t sizes = 0, angles = 0;
+  double trials = 0.0;  ///< with preferred sizes
+  double passes = 0.0;  ///< of all trials
+};
+inline constexpr std::uint64_t mostTrials = 1'000'000;
+[[nodiscard]] SearchSize sizeOfSearch(const Task& task,
+                                      const Range& sizes,
+                                      const Range& angles,
+                                      bool preferredToo);
+
 struct SearchResult {
   std::vector<Trial> trials;  ///< by angle, then size
   std::size_t best = 0;       ///< least cost; equal costs: smaller angle, then smaller size
@@ -60,7 +74,8 @@ struct SearchResult {
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Every size at every angle, and at every angle its preferred sizes too if asked for. Runs on all
-/// processors; the result does not depend on their number.
+/// processors; the result does not depend on their number. Trials that are not complete are not
+/// the best unless all are.
 [[nodiscard]] SearchResult search(const Task& task,
                                   const Range& sizes,
                                   const Range& angles,

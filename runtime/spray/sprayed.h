@@ -32,6 +32,9 @@ struct Sprayed {
   Span origin;
   int isn = 0;
   std::string work;  ///< name of the region or surface, "" when nested
+  [[nodiscard]] std::string label() const {
+    return !work.empty() ? work : planar ? "the region" : "the surface";
+  }
   bool planar = true;
   Gun gun;            ///< with the footprint and stand-off that are used
   double film = 0.0;  ///< wanted

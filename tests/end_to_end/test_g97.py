@@ -142,6 +142,12 @@ class G97(ArelemCase):
             self.assertEqual(part.count("PE\r\n"), 1)
             self.assertLessEqual(part.count("\nN"), 9999)
 
+    def test_a_program_without_motion(self):
+        self.write("a.apt", "PARTNO A\nUNITS/MM\nFINI\n")
+        self.assertExit(6, "a.apt", "-o", "a.lng")
+        self.assertIn("E0647", self.err)
+        self.assertFalse((self.folder / "a.lng").exists())
+
     def test_program_numbers_end(self):
         self.write("m.toml", "[g97]\nblocks = 2\nprogram = 9999\n")
         self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nRAPID\nGOTO/1,0,0\nRAPID\nGOTO/2,0,0\nFINI\n")

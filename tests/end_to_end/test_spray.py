@@ -6,7 +6,7 @@ import re
 import struct
 import unittest
 
-from arelem_run import ArelemCase
+from arelem_run import PROJECT, ArelemCase
 
 GUN = "UNITS/MM\nG1=GUN/ELLIPS,.7,1,SPEED,1000,FLOW,1,EFFIC,.65\n"
 PLATE = "R1=REGION/(0,0),(1000,0),(1000,800),(0,800)\n"
@@ -88,7 +88,9 @@ class Spray(ArelemCase):
         ball = "UNITS/MM\nG1=GUN/CONE,30,STNDOF,100,SPEED,200\nS1=SPHERE/0,0,0,200\nSPRAY/S1,GUN,G1,FILM,.02,VLINES"
         self.write("part.apt", ball + "\nFINI\n")
         self.assertExit(0, "spray", "part.apt")
-        self.assertIn("W0352", self.err)
+        self.assertEqual(self.err.count("W0352"), 1)
+        self.assertExit(0, "compile", "part.apt", "-o", "part.cls")
+        self.assertEqual(self.err.count("W0352"), 1)
         self.write("part.apt", ball + ",LIMITS,0,360,-20,20\nFINI\n")
         self.assertExit(0, "spray", "part.apt")
         self.assertNotIn("W0352", self.err)
@@ -103,11 +105,58 @@ class Spray(ArelemCase):
         self.assertExit(2, "spray", "part.apt", "--cell", "0")
         self.assertIn("`0` is not a number above 0", self.err)
         self.assertExit(0, "spray", "part.apt", "--cell", ".0001")
-        self.assertIn("arelem: cells of 0.0001 mm are too many; the film of statement 1 has cells of", self.err)
+        self.assertIn("W0353", self.err)
+        self.assertIn("cells of 0.0001 mm are too many for the film of S1: it has cells of", self.err)
         self.write("part.apt", "UNITS/MM\nG1=GUN/CALIB,'nogun',PRESS,300,VALVE,30\nFINI\n")
         self.assertExit(3, "compile", "part.apt")
         self.assertIn("stdlib/guns", self.err)
         self.assertIn("'binks'", self.err)
+
+    def test_the_gun_stands_off_along_the_normal(self):
+        # The row of the golden cases: a place of the work, its normal and a stand-off give the place of the gun. One pass
+        # in the middle of a strip ends where the far edge of the footprint, half axis 20, has left the work.
+        cases = json.loads((PROJECT / "tests/data/golden/cases_sen.json").read_text())
+        rows = [c for c in cases if c.get("fn") == "fn_sen.gun_pos"]
+        self.assertEqual(len(rows), 1)
+        x, y, z = rows[0]["inputs"]["xw"]
+        self.assertEqual(rows[0]["inputs"]["n"], [0, 0, 1])
+        corners = ",".join(f"(POINT/{px},{py},{z})" for px, py in ((x - 300, y - 10), (x - 20, y - 10), (x - 20, y + 10), (x - 300, y + 10)))
+        self.write("part.apt", f"UNITS/MM\nG1=GUN/ELLIPS,20,20,STNDOF,{rows[0]['inputs']['d']},SPEED,100\nR1=REGION/{corners}\n"
+                               "SPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+        self.assertExit(0, "compile", "part.apt")
+        last = [line for line in self.out.splitlines() if "GOTO" in line][-1]
+        place = [float(v) for v in last.split("/")[1].split(",")]
+        for got, wanted in zip(place, rows[0]["expected"]["p"] + rows[0]["inputs"]["n"]):
+            self.assertAlmostEqual(got, wanted, delta=rows[0]["tolerance"])
+
+    def test_outputs_are_whole_numbers(self):
+        for words, what in (("ON,1.7", "the output of SPRAY is 1.7; it must be a whole number, 1 to 9999"),
+                            ("OFF,0", "the output of SPRAY is 0"), ("ON,OFF", "behind ON or OFF"),
+                            ("ON,1,2", "behind ON or OFF")):
+            with self.subTest(words):
+                self.write("part.apt", f"FROM/0,0,0\nSPRAY/{words}\nGOTO/1,0,0\nFINI\n")
+                self.assertExit(4, "compile", "part.apt", "-o", "part.cls")
+                self.assertIn(what, self.err)
+                self.assertEqual(self.files(), ["part.apt"])
+
+    def test_a_path_that_sprays_too_little_has_no_negative_paint(self):
+        # One pass of 20 along the far edge of a strip of 40: half of its paint falls beside the work, the rest lacks.
+        one = self.spray("UNITS/MM\nG1=GUN/ELLIPS,10,10,SPEED,100\nR1=REGION/(0,0),(500,0),(500,40),(0,40)\n"
+                         "SPRAY/R1,GUN,G1,FILM,.05,OVRLAP,0,INSET,10,MINCST,60,10,2,2\n")[0]
+        for key, value in one["paint"].items():
+            self.assertGreaterEqual(value, 0, key)
+        self.assertAlmostEqual(one["paint"]["deposited"] + one["paint"]["missing"], 500 * 40 * .05e-6, places=12)
+        self.assertAlmostEqual(one["paint"]["used"], sum(one["paint"][k] for k in ("deposited", "overspray", "sprayBy")), places=12)
+        self.assertGreaterEqual(min(one["cost"].values()), 0)
+
+    def test_searches_have_a_limit(self):
+        search = GUN + PLATE + "SPRAY/R1,GUN,G1,FILM,.051,MINCST,60,10,2,2,HEIGHT,40,70,2,ANGLE,0,90,5\n"
+        self.write("part.apt", search + "FINI\n")
+        self.assertExit(0, "compile", "part.apt", "-o", "part.cls")
+        self.assertExit(4, "compile", "part.apt", "-o", "other.cls", "--max-points", "2000")
+        self.assertIn("E0359", self.err)
+        self.assertIn("16 sizes at 19 angles", self.err)
+        self.assertNotIn("other.cls", self.files())
 
     def test_nothing_is_written_after_an_error(self):
         self.write("part.apt", GUN + "R1=REGION/(0,0),(9,9),(9,0),(0,9)\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")

@@ -45,7 +45,7 @@ REASONS = {
         "E0388 E0690 W0620 E0621 E0622 E0630 W0631 W0632 E0633 E0605 E0650 E0651 E0652 E0660 E0661 E0662 E0663 E0664 E0665 "
         "E0666 E0634 E0635 E0636 E0637 E0922 E0923 E0924 E0680 E0681 E0682 E0683 E0684 E0685 E0686 W0687 E0689",
     "a machine file or a G97 program; tests/unit/backend/g97 and tests/end_to_end/test_g97.py show them":
-        "E0640 E0641 E0642 E0643 E0644 E0645 E0646 W0640 W0641 W0642 W0643 W0644 E0667 E0921 E0925",
+        "E0640 E0641 E0642 E0643 E0644 E0645 E0646 E0647 W0640 W0641 W0642 W0643 W0644 E0667 E0921 E0925",
     "a signal; tests/end_to_end/test_faults.py sends it": "E0810 E0811 E0890",
     "a program built in memory: the front end refuses the text first; tests/unit/runtime shows them":
         "E0407 E0408 E0410 E0411 E0412 E0414 E0416 E0417 E0419 E0420 E0421 E0422 E0423 E0424 E0425 E0426 E0429 "
@@ -53,7 +53,7 @@ REASONS = {
     "what Section 1 refuses before the motion or Section 3 sees it": "E0482 E0483 E0485 E0514 E0515 E0523 E0524",
     "a search that fails for rare data only": "E0340 E0512 E0541",
     "a command of the REPL; tests/end_to_end/test_repl.py shows it": "E0341",
-    "told by `arelem spray`; tests/end_to_end/test_spray.py shows it": "W0352",
+    "told by `arelem spray`; tests/end_to_end/test_spray.py shows it": "W0353",
     "what is not computed yet: the message names it": "E0473",
 }
 EXEMPT = {code: reason for reason, codes in REASONS.items() for code in codes.split()}

@@ -31,7 +31,7 @@ class Nodes {
 
  private:
   void divide(double from, double to, int depth) {
-    if (nodes_.size() > PatchGrid::mostSteps) {
+    if (nodes_.size() > PatchGrid::mostSteps + 1) {
       return;  // told when all are counted
     }
     const double middle = (from + to) / 2.0;

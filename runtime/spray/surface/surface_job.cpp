@@ -15,6 +15,7 @@ namespace arelem::spray {
 namespace {
 constexpr double alike = 0.999;         // radii that are measured to less are the same
 constexpr double piecesOfRadius = 4.0;  // of the footprint, over which a mesh's bend is measured
+constexpr double bentMost = 0.95;       // of the way: at its sharpest bends the gun slows down
 
 class Planner {
  public:
@@ -142,12 +143,44 @@ class Planner {
     return std::nullopt;
   }
 
+  /// How much faster the nozzle goes than its spray, 1 where it goes slower.
+  [[nodiscard]] double ahead(const LinePoint& a, const LinePoint& b) const {
+    const double d = job_.gun.standOff;
+    const double length = (b.place - a.place).norm();
+    const double way = (b.place + d * b.normal - a.place - d * a.normal).norm();
+    return length > 0.0 ? std::max(1.0, way / length) : 1.0;
+  }
+
+  /// The same for nearly all of the way.
+  [[nodiscard]] double aheadMostly() const {
+    std::vector<std::pair<double, double>> pieces;  // how much, and length
+    double all = 0.0;
+    for (const SurfaceLine& line : lines_) {
+      for (std::size_t i = 1; i < line.size(); ++i) {
+        pieces.emplace_back(ahead(line[i - 1], line[i]),
+                            (line[i].place - line[i - 1].place).norm());
+        all += pieces.back().second;
+      }
+    }
+    std::sort(pieces.begin(), pieces.end());
+    double sum = 0.0;
+    for (const auto& [share, length] : pieces) {
+      sum += length;
+      if (sum >= bentMost * all) {
+        return share;
+      }
+    }
+    return 1.0;
+  }
+
+  /// The gun's largest speed is that of the nozzle, which is ahead of its spray on a bent surface.
   std::optional<Failure> chooseSpeed() {
     const Gun& gun = job_.gun;
+    const double fastest = gun.speed / aheadMostly();
     Operation& o = s_.chosen.operation;
     const double flow = gun.flow * gun.efficiency;
     if (job_.speed || gun.flow == 0.0) {
-      o.speed = job_.speed.value_or(gun.speed);
+      o.speed = job_.speed.value_or(fastest);
       if (!(o.speed > 0.0)) {
         return fail(diag::SprayGun, "SPEED or FLOW");
       }
@@ -160,16 +193,17 @@ class Planner {
     } else {
       o.flow = gun.flow;
       o.speed = flow / (job_.film * s_.step);
-      if (gun.kind != Gun::Kind::calibrated && gun.speed > 0.0 && o.speed > gun.speed) {
-        o.speed = gun.speed;  // with less flow
+      if (gun.kind != Gun::Kind::calibrated && gun.speed > 0.0 && o.speed > fastest) {
+        o.speed = fastest;  // with less flow
         o.flow = job_.film * s_.step * o.speed / gun.efficiency;
       }
     }
-    if (gun.speed > 0.0 && o.speed > gun.speed) {
-      return fail(diag::SprayValue, job_.speed ? "SPEED" : "the speed that the gun's flow asks for",
-                  o.speed,
-                  fmt::format("at most {:.9g} mm/s, its largest{}", gun.speed,
-                              job_.speed ? "" : ": lower the valve or the pressure"));
+    if (gun.speed > 0.0 && o.speed > fastest) {
+      return fail(
+          diag::SprayValue, job_.speed ? "SPEED" : "the speed that the gun's flow asks for",
+          o.speed,
+          fmt::format("at most {:.9g} mm/s, at which the nozzle goes {:.9g}, its largest{}",
+                      fastest, gun.speed, job_.speed ? "" : ": lower the valve or the pressure"));
     }
     return std::nullopt;
   }
@@ -187,7 +221,6 @@ class Planner {
     chosen.passes = lines_.size();
     const bool follows = speedFollowsSpacing();
     const Spacing spacing(follows ? whole_ : none_);
-    const double fastest = job_.gun.speed > 0.0 ? job_.gun.speed : HUGE_VAL;
     double seconds = 0.0;
     for (std::size_t n = 0; n < lines_.size(); ++n) {
       const SurfaceLine& line = lines_[n];
@@ -206,6 +239,7 @@ class Planner {
             continue;
           }
           const double share = follows ? spacing.share(ranks_[n], (a.place + b.place) / 2.0) : 1.0;
+          const double fastest = job_.gun.speed > 0.0 ? job_.gun.speed / ahead(a, b) : HUGE_VAL;
           const double speed = std::min(chosen.operation.speed / share, fastest);
           s_.strokes.push_back(
               {a.place, b.place, a.normal, b.normal, speed, true, begins, a.uv, b.uv});

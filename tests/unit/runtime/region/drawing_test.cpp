@@ -185,6 +185,26 @@ TEST(Drawing, ManyPointsHaveALimit) {
   ASSERT_FALSE(drawing.ok());
 }
 
+TEST(Drawing, PointsAreCountedBeforeTheyAreMade) {
+  // 10 000 arcs that look up to 100 000 chords each: all of them would take 16 gigabytes.
+  std::string arcs = "0\nLWPOLYLINE\n90\n10000\n";
+  for (int i = 0; i < 10'000; ++i) {
+    arcs += fmt::format("10\n{}\n20\n0\n42\n1\n", 1000 * (i % 2));
+  }
+  DrawingRules r = rules(1e-9);
+  r.mostPoints = 200'000;
+  const Result<Drawing> drawing = readDrawing(file(arcs), "a.dxf", r);
+  ASSERT_FALSE(drawing.ok());
+  EXPECT_NE(drawing.failure().message.find("more than 200000 points"), std::string::npos);
+}
+
+TEST(Drawing, FlagsOfAnySizeAreRead) {
+  EXPECT_NE(errorOf(file("0\nLWPOLYLINE\n70\n1e300\n90\n3\n10\n0\n20\n0\n")).find("says 3"),
+            std::string::npos);
+  EXPECT_NE(errorOf(file("0\nSPLINE\n71\n-1e300\n40\n0\n10\n0\n20\n0\n")).find("degree"),
+            std::string::npos);
+}
+
 std::string chainError(std::vector<Curve> curves) {
   const auto loops = chained(std::move(curves), "a.dxf", 1e-3);
   return loops ? "" : std::string(loops.failure().row->code);

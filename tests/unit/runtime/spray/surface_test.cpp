@@ -1,10 +1,12 @@
 // Lines on surfaces: numbers of lines, chords, normals, curvature, against closed forms.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "runtime/geometry/tabulated_cylinder.h"
 #include "runtime/spray/surface/kept.h"
+#include "runtime/spray/surface/patch_grid.h"
 #include "runtime/spray/surface/surface_job.h"
 
 namespace arelem::spray {
@@ -261,7 +263,7 @@ double farthestFrom(const SurfaceLine& line, double waves) {
 TEST(SurfaceLines, SectionsKeepToTheChordTolerance) {
   const double waves = 2.0;  // 64 of them: a grid of 160 steps would have 2.5 a wave
   const Patch p = washboard(waves);
-  for (const double chord : {0.5, 0.02}) {
+  for (const double chord : {0.5, 0.05}) {
     const Result<PatchGrid> grid = PatchGrid::of(p, chord);
     ASSERT_TRUE(grid.ok());
     const auto sections = sectionOf(p, *grid, {Vec3::UnitX(), 77.7, {}, {}}, chord);
@@ -297,6 +299,23 @@ TEST(SurfaceLines, RadiiAtTheRimCount) {
   p.v1 = 400.0;
   ASSERT_TRUE(smallestRadii(p).alongU.has_value());
   EXPECT_NEAR(*smallestRadii(p).alongU, 100.0, 0.4);
+}
+
+TEST(SurfaceJobs, TheNozzleKeepsTheLargestSpeed) {
+  // Round a cylinder of 100 with the nozzle 150 off it: the nozzle goes 2.5 times as fast.
+  SurfaceJob round = job(patch(cylinder, Limits4{0, 180, 0, 400}));
+  round.gun.flow = 0.0;
+  round.gun.speed = 500.0;
+  const Result<Sprayed> s = spraySurface(round);
+  ASSERT_TRUE(s.ok()) << s.failure().message;
+  EXPECT_NEAR(s->chosen.operation.speed, 200.0, 1e-9);
+  EXPECT_NEAR(s->chosen.operation.flow, 0.12 * s->step * 200.0 / 0.45, 1e-9);
+  round.speed = 201.0;
+  EXPECT_EQ(spraySurface(round).failure().row->code, "E0373");
+  // Along it both go the same way.
+  round.lines = SurfaceJob::Way::alongV;
+  round.speed = 500.0;
+  EXPECT_TRUE(spraySurface(round).ok());
 }
 
 TEST(SurfaceJobs, TooManySectionsAreRefused) {

@@ -1,0 +1,34 @@
+#include "app/film_warnings.h"
+
+#include "app/pipeline.h"
+
+#include "ir/diag/render_text.h"
+#include "ir/diag/spray.h"
+#include "runtime/film/surface_map.h"
+
+namespace arelem::app {
+
+namespace {
+constexpr double noticedShare = 0.02;  // of the area of a surface
+constexpr double micrometers = 1e3;
+}  // namespace
+
+void warnOfFilms(Compilation& job) {
+  for (const auto& sprayed : job.evaluation.sprayed) {
+    if (sprayed->planar) {
+      continue;
+    }
+    const film::Statistics film = film::roughStatistics(*sprayed);
+    if (film.astray < noticedShare) {
+      continue;
+    }
+    job.log.accept(
+        diagnose(sprayed->origin, diag::SprayUneven, micrometers * film.smallest,
+                 micrometers * film.largest, sprayed->label(), 100.0 * film.astray,
+                 micrometers * film.wanted)
+            .withHelp("`arelem spray --film film.png` shows where; other lines, a smaller STEP or "
+                      "narrower LIMITS make it more even"));
+  }
+}
+
+}  // namespace arelem::app
