@@ -133,6 +133,10 @@ Result<Curve> CurveReader::read(const DrawingObject& entity,
   if (curve) {
     curve->height = own ? *up * *z : *z;
   }
+  if (curve && !std::all_of(curve->points.begin(), curve->points.end(),
+                            [](const Vec2& p) { return p.allFinite(); })) {
+    return wrong(entity, "leads farther than numbers go");
+  }
   if (curve && own && *up < 0.0) {
     for (Vec2& p : curve->points) {
       p.x() = -p.x();

@@ -32,7 +32,7 @@ class G97(ArelemCase):
         place = text.index("Q ", text.index("N0009"))
         end = text.index(" R", place)
         for old, new, code, result in ((text[place:end], "Q 3.33", "E0903", 5), ("RON,1 BE", "RON,2 BE", "E0645", 3),
-                               ("X ", "X 1", "E0901", 5), ("N0002", "N0007", "E0645", 3)):
+                               ("Y ", "Y 1", "E0901", 5), ("N0002", "N0007", "E0645", 3)):
             with self.subTest(new):
                 (self.folder / "b.lng").write_bytes(text.replace(old, new, 1).encode())
                 self.assertExit(result, "verify", "b.lng", "--with", program)

@@ -198,6 +198,12 @@ TEST(Drawing, PointsAreCountedBeforeTheyAreMade) {
   EXPECT_NE(drawing.failure().message.find("more than 200000 points"), std::string::npos);
 }
 
+TEST(Drawing, CurvesBeyondAllNumbersAreRefused) {
+  EXPECT_NE(errorOf(file("0\nLWPOLYLINE\n70\n1\n90\n2\n10\n0\n20\n0\n42\n1e300\n10\n9\n20\n0\n"))
+                .find("leads farther than numbers go"),
+            std::string::npos);
+}
+
 TEST(Drawing, FlagsOfAnySizeAreRead) {
   EXPECT_NE(errorOf(file("0\nLWPOLYLINE\n70\n1e300\n90\n3\n10\n0\n20\n0\n")).find("says 3"),
             std::string::npos);
