@@ -66,13 +66,18 @@ ExitCode certify(const CertifyRequest& request,
       if (request.path.empty()) {
         whole = execute(job, *certificate, interrupted, true);
       } else if (swarf) {
-        job.log.accept(diagnose(*swarf, diag::NotCertified,
-                                "a CL file has the tilted tool of the section, whose walls are not "
-                                "surfaces of the program"));
+        Diagnostic refusal = diagnose(*swarf, diag::NotCertified,
+                                      "a CL file has the tilted tool of the section, whose walls "
+                                      "are not surfaces of the program");
+        refusal.help =
+            "`arelem verify CL --with PROGRAM` compares its locations and axes; without "
+            "the file the path is proven as it was before the tool was tilted";
+        job.log.accept(std::move(refusal));
       } else {
         whole = readPath(request.path, std::move(bytes), settings, *certificate, interrupted, exit);
       }
-      if (whole || job.log.errors() > 0) {
+      const bool judged = !swarf || request.path.empty();
+      if (judged && (whole || job.log.errors() > 0)) {
         certificate->finish();
       }
     }
