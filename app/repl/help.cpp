@@ -93,10 +93,21 @@ const ManualPage* pageOf(std::span<const ManualPage> pages, const std::string& c
   return found == pages.end() ? nullptr : &*found;
 }
 
+/// A page without the comment in front of a page that is made by a program.
+std::string_view shownText(const ManualPage& page) {
+  constexpr std::string_view end = "-->";
+  std::string_view text = page.text;
+  if (text.starts_with("<!--")) {
+    text.remove_prefix(std::min(text.size(), text.find(end) + end.size()));
+    text.remove_prefix(std::min(text.size(), text.find_first_not_of('\n')));
+  }
+  return text;
+}
+
 void printTopics(Console& console) {
   for (const ManualPage& page : manualTopics()) {
-    const std::string_view title = page.text.substr(0, page.text.find('\n'));
-    console.out << fmt::format("{:<14}{}\n", page.code,
+    const std::string_view text = shownText(page), title = text.substr(0, text.find('\n'));
+    console.out << fmt::format("{:<18}{}\n", page.code,
                                title.substr(std::min(title.find_first_not_of("# "), title.size())));
   }
 }
@@ -147,7 +158,7 @@ bool printTopic(Console& console, const std::string& subject) {
   const std::string name =
       subject.ends_with(".md") ? subject.substr(0, subject.size() - 3) : subject;
   if (const ManualPage* page = pageOf(manualTopics(), name)) {
-    console.out << page->text;
+    console.out << shownText(*page);
     return true;
   }
   for (const Command& command : app::commands()) {
@@ -183,7 +194,7 @@ std::string help(Console& console, const std::string& rest) {
     return "";
   }
   if (const ManualPage* page = pageOf(manualPages(), word)) {
-    console.out << page->text;
+    console.out << shownText(*page);
     return "";
   }
   const std::optional<Word> known = findWord(word);

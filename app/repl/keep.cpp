@@ -10,6 +10,8 @@
 #include "app/source_file.h"
 #include "app/view/scene_builder.h"
 
+#include "ir/diag/display_text.h"
+
 namespace arelem::app::repl {
 
 namespace {
@@ -75,8 +77,14 @@ std::string save(Console& console, const std::string& rest) {
   if (rest.empty()) {
     return "the name of a file is missing; - shows the program";
   }
+  const std::string waits = console.session.waiting();
+  const std::string leftOut =
+      waits.empty() ? "" : "`" + displayText(waits) + "` is left out: it waits for the next motion";
   if (rest == "-") {
-    console.out << console.session.program();
+    console.out << console.session.program() << std::flush;
+    if (!leftOut.empty()) {
+      std::cerr << leftOut << '\n';
+    }
     return "";
   }
   auto file = openOutput(rest);
@@ -90,7 +98,7 @@ std::string save(Console& console, const std::string& rest) {
   if (auto name = (*file)->commit(false); !name) {
     return wordsOf(name.failure());
   }
-  console.out << "saved as " << rest << '\n';
+  console.out << "saved as " << rest << '\n' << leftOut << (leftOut.empty() ? "" : "\n");
   return "";
 }
 

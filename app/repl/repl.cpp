@@ -167,6 +167,11 @@ class Loop {
   void answer(const std::string& entry, const std::string& line) {
     const Session::Answer answer = console_.session.submit(entry, console_.interrupt.flag());
     using State = Verdict::State;
+    if (!answer.objection.empty()) {
+      printError(answer.objection);
+      console_.worst = worse(console_.worst, ExitCode::programHasErrors);
+      return;
+    }
     if (answer.verdict.state == State::interrupted) {
       printError("interrupted; the statement is not taken");
       pending_.clear();
@@ -175,26 +180,20 @@ class Loop {
     } else if (answer.verdict.state == State::refused) {
       printDiagnostics(console_, *answer.run, answer.verdict.found);
       refuse(answer);
-      const bool block = !pending_.empty();
-      const bool readable = block && !unreadableLine(answer);
-      pending_ = readable || !block ? "" : pending_;
-      if (block) {
-        console_.out << (readable ? "the open statements are dropped; the history has them\n"
-                                  : "this line is not taken: `" + displayText(line) + "`\n");
+      if (pending_.empty()) {
+        return;
       }
+      if (answer.verdict.unreadable) {
+        console_.out << "this line is not taken: `" << displayText(line) << "`\n";
+        return;
+      }
+      console_.out << "the open statements are dropped"
+                   << (lines_.isTerminal() ? "; the history has them\n" : "\n");
+      pending_.clear();
     } else {
       accept(answer);
       pending_.clear();
     }
-  }
-
-  /// Whether only the last line of an open entry is at fault.
-  static bool unreadableLine(const Session::Answer& answer) {
-    return std::all_of(answer.verdict.found.begin(), answer.verdict.found.end(),
-                       [](const Diagnostic& d) {
-                         return d.kind().code < "E0116" || d.kind().code == "E0230" ||
-                                d.kind().code == "E0221" || d.kind().code == "E0291";
-                       });
   }
 
   void refuse(const Session::Answer& answer) {

@@ -44,9 +44,14 @@ bool isKnown(const Diagnostic& d, const Run* before) {
   });
 }
 
-/// Whether a line can be read at all; other errors of an open block are judged when it is closed.
+/// Whether a line cannot be read whatever stands around it; other errors of an open block are
+/// judged when it is closed.
 bool isUnreadable(const Diagnostic& d) {
-  return isError(d) && !isOpen(d) && d.kind().code < "E0116";
+  static const std::array rows = {diag::BadStatementStart.row, diag::UnmatchedClose.row,
+                                  diag::UnmatchedOpen.row,     diag::EndsWithPunctuation.row,
+                                  diag::AdjacentOperators.row, diag::OperatorExpected.row,
+                                  diag::EmptyParentheses.row};
+  return isError(d) && !isOpen(d) && (d.kind().code < "E0116" || isOneOf(d, rows));
 }
 
 bool moves(const runtime::Action& action) {
@@ -69,6 +74,8 @@ void judge(Run& run, Verdict& verdict, const InterruptFlag& interrupted) {
     verdict.state = State::interrupted;
   } else if (std::any_of(found.begin(), found.end(), isUnreadable)) {
     verdict.state = State::refused;
+    verdict.unreadable = true;
+    std::erase_if(found, isOpen);  // the end may still come
   } else if (std::any_of(found.begin(), found.end(), isOpen)) {
     verdict.state = State::open;
   } else if (std::any_of(found.begin(), found.end(),
@@ -76,7 +83,11 @@ void judge(Run& run, Verdict& verdict, const InterruptFlag& interrupted) {
     verdict.state = State::refused;
   }
   if (verdict.state == State::good) {
-    run.waiting = std::any_of(found.begin(), found.end(), isWaiting);
+    const auto& all = run.job.log.all();  // what waited before still does
+    const auto waits = std::find_if(all.begin(), all.end(), isWaiting);
+    if (waits != all.end()) {
+      run.waiting = waits->calledFrom.empty() ? waits->at : waits->calledFrom.back();
+    }
     std::erase_if(found, isWaiting);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct Run {
   Compilation job;
   /// Shared with the run before it where no motion was added.
   std::shared_ptr<const cl::Recording> path = std::make_shared<cl::Recording>();
-  bool waiting = false;  ///< the last motion waits for the next one, which tells where it ends
+  /// Where the last motion stands, if it waits for the next one, which tells where it ends.
+  std::optional<Span> waiting;
 };
 
 /// What came of the statements that were added to a run.
@@ -24,6 +26,7 @@ struct Verdict {
   enum class State : std::uint8_t { good, open, refused, interrupted };
   State state = State::good;
   std::vector<Diagnostic> found;  ///< not known from the run before
+  bool unreadable = false;        ///< refused for the sake of one line, whatever stands before it
 };
 
 /// Compiles `text` under the name `name`. Of what it reports only that is found which `before`

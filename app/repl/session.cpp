@@ -1,6 +1,7 @@
 #include "app/repl/session.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 
@@ -60,6 +61,24 @@ std::string beforeFini(const std::string& text, const Settings& settings) {
   return text;
 }
 
+bool isText(const frontend::OutlinedStatement& statement) {
+  constexpr std::array words = {Word::PARTNO, Word::PPRINT, Word::INSERT, Word::TITLES,
+                                Word::REMARK};
+  return std::find(words.begin(), words.end(), statement.head) != words.end();
+}
+
+std::string withoutStatementAt(const std::string& text,
+                               std::uint32_t offset,
+                               const Settings& settings) {
+  std::string kept;
+  for (const auto& s : frontend::outline(text, settings.dialect, settings.limits)) {
+    if (offset < s.begin || offset >= s.end) {
+      kept += text.substr(s.begin, s.end - s.begin);
+    }
+  }
+  return kept;
+}
+
 std::string withLineEnd(std::string text) {
   if (!text.empty() && text.back() != '\n') {
     text += '\n';
@@ -99,8 +118,20 @@ bool Session::isName(const std::string& text) const {
                      [&](const ir::Symbol& s) { return s.name == text; });
 }
 
+/// Whether ANS in these statements is not the last result: in a text, or a name of the program's
+/// own.
+bool Session::isOwnAnswer(const std::string& entry) const {
+  const auto statements = statementsOf(entry, settings_);
+  return isName("ANS") || std::any_of(statements.begin(), statements.end(),
+                                      [](const frontend::OutlinedStatement& s) {
+                                        return isText(s) || s.text.starts_with("ANS=") ||
+                                               s.text.starts_with("ANS)") ||
+                                               s.text.starts_with("RESERV/");
+                                      });
+}
+
 std::string Session::withAnswer(const std::string& text) const {
-  return answer_.empty() || isName("ANS") ? text : replaceName(text, "ANS", answer_);
+  return answer_.empty() || isOwnAnswer(text) ? text : replaceName(text, "ANS", answer_);
 }
 
 Session::Answer Session::submit(const std::string& text, const InterruptFlag& interrupted) {
@@ -112,6 +143,10 @@ Session::Answer Session::submit(const std::string& text, const InterruptFlag& in
     answer.verdict.state = entry.find('$') == std::string::npos || entry.find("$$") != entry.npos
                                ? Verdict::State::good
                                : Verdict::State::open;
+    return answer;
+  }
+  if (answer_.empty() && !isOwnAnswer(entry) && replaceName(entry, "ANS", "X") != entry) {
+    answer.objection = "ANS is the last unnamed result, and there is none yet: try 3*SINF(30)";
     return answer;
   }
   const auto& first = statements.front();
@@ -224,15 +259,33 @@ std::string Session::text() const {
   return all;
 }
 
+std::string Session::waiting() const {
+  if (!run_->waiting) {
+    return "";
+  }
+  for (const auto& s : statementsOf(text(), settings_)) {
+    if (s.begin <= run_->waiting->begin && run_->waiting->begin < s.end) {
+      return s.text;
+    }
+  }
+  return "";
+}
+
 std::string Session::program() const {
+  const std::uint32_t waits = run_->waiting ? run_->waiting->begin : UINT32_MAX;
+  std::uint32_t begin = static_cast<std::uint32_t>(text().size());  // of the entry
   std::vector<std::string> kept;
   std::string later;
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    begin -= static_cast<std::uint32_t>(entry->text.size());
     const std::string name = entry->answer;
+    std::string text = waits >= begin && waits - begin < entry->text.size()
+                           ? withoutStatementAt(entry->text, waits - begin, settings_)
+                           : entry->text;
     const bool unused = entry->unnamed && replaceName(later, name, name + "X") == later;
     if (!unused) {
-      kept.push_back(entry->text);
-      later += entry->text;
+      later += text;
+      kept.push_back(std::move(text));
     }
   }
   std::string all;

@@ -20,6 +20,7 @@ class Session {
     std::shared_ptr<const Run> run;     ///< with the sources of the diagnostics; null: nothing done
     std::shared_ptr<const Run> before;  ///< what was there before
     std::string shown;                  ///< name that was only asked for
+    std::string objection;              ///< why nothing was tried
     bool ended = false;                 ///< the entry is FINI, which :save adds
   };
 
@@ -36,8 +37,11 @@ class Session {
   std::size_t redo(std::size_t n, const InterruptFlag& interrupted);
 
   [[nodiscard]] const std::shared_ptr<const Run>& run() const { return run_; }
-  /// The accepted statements, unnamed results that nothing uses left out, with FINI.
+  /// The accepted statements with FINI. Left out: unnamed results that nothing uses, and the motion
+  /// that waits for the next one, with which the program would have an error.
   [[nodiscard]] std::string program() const;
+  /// The statement that waits; "" of none.
+  [[nodiscard]] std::string waiting() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] const std::string& answerName() const { return answer_; }
   [[nodiscard]] std::vector<frontend::KnownName> names() const;
@@ -51,6 +55,7 @@ class Session {
   };
   void rebuild(const InterruptFlag& interrupted);
   [[nodiscard]] std::string withAnswer(const std::string& text) const;
+  [[nodiscard]] bool isOwnAnswer(const std::string& entry) const;
   [[nodiscard]] bool isName(const std::string& text) const;
 
   const Settings& settings_;

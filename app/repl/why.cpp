@@ -132,8 +132,12 @@ void printOthers(std::ostream& out, const Solved& solved, const Style& style) {
   }
   const bool byPlace = std::any_of(all.others.begin(), all.others.end(),
                                    [](const Alternative& a) { return a.near.has_value(); });
-  out << fmt::format("   candidates: {}, of {} other {}\n", solutions, all.tried,
-                     byPlace ? "modifiers and near points" : "combinations of modifiers");
+  if (all.form == define::FormId::PT_14) {
+    out << fmt::format("   candidates: {}, the places where the distance is least\n", solutions);
+  } else {
+    out << fmt::format("   candidates: {}, of {} other {}\n", solutions, all.tried,
+                       byPlace ? "modifiers and near points" : "combinations of modifiers");
+  }
   out << "   " << inked(style, Ink::good, "+ " + readable(all.chosen, style)) << "  chosen\n";
   for (const Alternative& other : all.others) {
     const std::string words = wordsOf(other, solved.parameters);

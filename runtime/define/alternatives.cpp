@@ -7,6 +7,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/define/parameter_symbol.h"
 #include "runtime/geometry/tabulated_cylinder.h"
+#include "runtime/spline/cubic.h"
 
 namespace arelem::define {
 
@@ -86,6 +87,38 @@ std::vector<Vec3> placesAlong(std::span<const Parameter> parameters) {
   return places;
 }
 
+/// A place where the distance is least, and how far apart the neighbors are between which it lies.
+struct Foot {
+  Vec3 place;
+  double reach;
+};
+
+/// Where the distance from a point of a path spline to `p` is least among its neighbors, ends
+/// included; in the order of the parameter.
+std::vector<Foot> feetOn(const spline::CubicSpline& curve, const Vec3& p) {
+  constexpr int inEachSpan = 24;
+  constexpr int halvings = 48;
+  const int count = inEachSpan * static_cast<int>(curve.spans());
+  const double step = (curve.end() - curve.begin()) / count;
+  const auto off = [&](double t) { return (curve.at(t) - p).norm(); };
+  std::vector<Foot> feet;
+  for (int i = 0; i <= count; ++i) {
+    const double t = curve.begin() + step * i;
+    const double reach = (curve.at(t + step) - curve.at(t - step)).norm();
+    double low = curve.closed() || i > 0 ? t - step : t;
+    double high = curve.closed() || i < count ? t + step : t;
+    if (off(low) < off(t) || off(high) < off(t) || (curve.closed() && i == count)) {
+      continue;
+    }
+    for (int k = 0; k < halvings; ++k) {  // one least value lies between: thirds
+      const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+      (off(a) <= off(b) ? high : low) = off(a) <= off(b) ? b : a;
+    }
+    feet.push_back({curve.at((low + high) / 2.0), reach});
+  }
+  return feet;
+}
+
 EntityPtr pointAt(const Vec3& place) {
   Entity entity;
   entity.type = EntityType::point;
@@ -107,6 +140,20 @@ class Trials {
     }
     std::stable_partition(out.others.begin(), out.others.end(),
                           [](const Alternative& a) { return a.result.ok(); });
+  }
+
+  /// Of a point that is next to another one on a path spline.
+  void runFeet(Alternatives& out) {
+    const auto* spline = std::get_if<EntityPtr>(parameters_.data());
+    const auto* point = std::get_if<EntityPtr>(&parameters_[1]);
+    const auto curve = spline::CubicSpline::of((*spline)->canon);
+    const Vec3 chosen(out.chosen.canon.data());
+    for (const Foot& foot : feetOn(*curve, Vec3((*point)->canon.data()))) {
+      ++out.tried;
+      if ((foot.place - chosen).norm() > foot.reach) {
+        out.others.push_back({{}, foot.place, Result<Entity>(Entity(*pointAt(foot.place)))});
+      }
+    }
   }
 
   /// Tries other near points; those that lead to nothing new are forgotten.
@@ -189,6 +236,9 @@ Result<Alternatives> alternatives(EntityType type,
   if (found.form != FormId::count) {
     Trials trials(type, parameters, context);
     trials.run(choices(found.form, parameters), found);
+    if (found.form == FormId::PT_14) {
+      trials.runFeet(found);
+    }
     if (const auto near = nearPointOf(found.form, parameters.size())) {
       trials.runAlong(*near, found);
     }

@@ -32,7 +32,9 @@ struct Alternatives {
 inline constexpr std::size_t mostAlternatives = 512;
 
 /// Computes the definition again with every word in the places where its form has a choice, and
-/// with near points along the tabulated cylinder where it has one. Fails as the definition itself.
+/// with near points along the tabulated cylinder where it has one; the other places of a path
+/// spline where the distance to a point has a least value are results too. Fails as the definition
+/// itself.
 [[nodiscard]] Result<Alternatives> alternatives(EntityType type,
                                                 std::span<const Parameter> parameters,
                                                 const Context& context);

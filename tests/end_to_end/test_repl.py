@@ -47,6 +47,43 @@ class Piped(ArelemCase):
         self.assertIn("this line is not taken", out)
         self.assertIn("P1 = POINT  (1, 7, 0)", out)
 
+        # Brackets that do not match are wrong whatever stands around them; that the macro is not yet ended is no error.
+        out = self.session("M=MACRO/Q\n)) ((\nP1=POINT/2,Q\nTERMAC\nCALL/M,Q=7\n", code=1)
+        self.assertIn("this line is not taken: `)) ((`", out)
+        self.assertIn("P1 = POINT  (2, 7, 0)", out)
+        self.assertNotIn("E0230", self.err)
+
+    def test_blocks_that_are_wrong_as_a_whole(self):
+        out = self.session("M=MACRO/Q\nP1=POINT/QQ,Q\nTERMAC\nCALL/M,Q=7\n", code=1)
+        self.assertNotIn("history", out)  # there is none without a terminal
+
+    def test_answers_before_any_result(self):
+        self.session("ANS\n3+ANS\nC1=CIRCLE/0,0,ANS\n", code=1)
+        self.assertEqual(self.err.count("ANS is the last unnamed result, and there is none yet"), 3)
+        self.assertNotIn("E0", self.err)
+        out = self.session("PARTNO ANS\n3+4\nPARTNO ANS\nX=2*ANS\n:save -\nANS=5\nANS\n")
+        self.assertEqual(out.count("PARTNO ANS\n"), 2)  # a text is a text
+        self.assertIn("X = 14\n", out)
+        self.assertIn("ANS = 5\n", out)
+
+    def test_a_motion_that_waits_is_not_saved(self):
+        out = self.session("CUTTER/2\nL1=LINE/0,0,1,0\nFROM/0,9\nGO/TO,L1\nGORGT/L1\nP1=POINT/1,2\n:save s.apt\n:save -\n")
+        self.assertIn("`GORGT/L1` is left out: it waits for the next motion", out)
+        self.assertEqual((self.folder / "s.apt").read_text(), "CUTTER/2\nL1=LINE/0,0,1,0\nFROM/0,9\nGO/TO,L1\nP1=POINT/1,2\nFINI\n")
+        self.assertExit(0, "check", "s.apt")
+        self.session("CUTTER/2\nL1=LINE/0,0,1,0\nL2=LINE/5,0,5,1\nFROM/0,9\nGO/TO,L1\nGOLFT/L1\nGOLFT/L2,PAST,(LINE/0,7,1,7)\n:save t.apt\n")
+        self.assertIn("GOLFT/L1\nGOLFT/L2", (self.folder / "t.apt").read_text())
+
+    def test_why_of_a_place_on_a_spline(self):
+        out = self.session("B=BSPLIN/(-4,9),(-4,6),(-4,3),(-4,0),(-4,-3),(4,-3),(4,0),(4,3),(4,6),(4,9)\nQ=POINT/B,(POINT/1,4)\n:why Q\n")
+        self.assertIn("candidates: 2, the places where the distance is least", out)
+        self.assertIn("- (-4, 4, 0)  lost: it is the one next to (-4, 4, 0); 5 from the near point, the chosen one 3", out)
+
+    def test_topics(self):
+        out = self.session(":help topics\n:help roadway_alphabet\n")
+        self.assertNotIn("<!--", out)
+        self.assertRegex(out, r"roadway_alphabet +The roadway alphabet\n")
+
     def test_input_that_ends_too_early(self):
         self.session("M=MACRO/Q\n", code=1)
         self.assertIn("the input ended within", self.err)

@@ -86,6 +86,21 @@ TEST(Alternatives, OtherPlacesOfACurve) {
   EXPECT_TRUE(other);
 }
 
+TEST(Alternatives, OtherFeetOnASpline) {
+  // A U about the y axis, and a point above it a little right: the feet are on both arms. A spline
+  // of collinear control points with equal steps is the straight line, away from its ends.
+  const EntityPtr u = definedPtr(
+      T::pathSpline, {point(-4, 9), point(-4, 6), point(-4, 3), point(-4, 0), point(-4, -3),
+                      point(4, -3), point(4, 0), point(4, 3), point(4, 6), point(4, 9)});
+  const Alternatives found = of(T::point, {u, point(1, 4)});
+  EXPECT_NEAR(found.chosen.canon[0], 4.0, 1e-9);
+  EXPECT_NEAR(found.chosen.canon[1], 4.0, 1e-6);
+  ASSERT_EQ(solutions(found), 1U);
+  EXPECT_NEAR(found.others.front().result->canon[0], -4.0, 1e-6);
+  EXPECT_NEAR(found.others.front().result->canon[1], 4.0, 1e-6);
+  EXPECT_TRUE(found.others.front().near.has_value());
+}
+
 TEST(Alternatives, WithoutAChoice) {
   const Alternatives found = of(T::point, {1.0, 2.0});
   EXPECT_EQ(found.tried, 0U);
