@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/view/curves.h"
+#include "app/view/faults.h"
 #include "app/view/path_trace.h"
 #include "app/view/scene_surfaces.h"
 
@@ -127,6 +128,7 @@ backend::Scene buildScene(Compilation& job, const InterruptFlag& interrupted) {
     chords->accept(record);
   }
   trace.finish();
+  scene.faults = faultsOf(job, records);
   if (proven && !interrupted) {
     certificate->finish();
     addBounds(*certificate, trace.isns(), scene);

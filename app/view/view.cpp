@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/options.h"
 #include "app/output_file.h"
+#include "app/view/faults.h"
 #include "app/view/raster.h"
 #include "app/view/scene_builder.h"
 #include <fmt/ranges.h>
@@ -92,8 +93,8 @@ std::string warningOf(const Compilation& job) {
 std::string pictureOf(Compilation& job, const ViewOptions& options, const cl::Recording& records) {
   std::ostringstream out;
   const backend::Context context = backendContext(job);
-  const auto writer =
-      backend::makePictureWriter(out, context, viewsOf(options.views), warningOf(job));
+  const auto writer = backend::makePictureWriter(out, context, viewsOf(options.views),
+                                                 {warningOf(job), faultsOf(job, records)});
   const auto chords = path::makeChordStage(*writer, job.log);
   for (const cl::Record& record : records.records) {
     chords->accept(record);

@@ -94,6 +94,13 @@ Json headOf(const Scene& scene) {
   for (const SceneCutter& c : scene.cutters) {
     head["cutters"].push_back({{"first", c.first}, {"diameter", c.diameter}, {"corner", c.corner}});
   }
+  head["faults"] = Json::array();
+  for (const FaultMark& mark : scene.faults) {
+    const Vec3 next = mark.next.value_or(mark.place);
+    head["faults"].push_back({{"line", mark.line},
+                              {"place", {mark.place.x(), mark.place.y(), mark.place.z()}},
+                              {"next", {next.x(), next.y(), next.z()}}});
+  }
   head["meshes"] = Json::array();
   for (const SceneMesh& mesh : scene.meshes) {
     head["meshes"].push_back({{"name", mesh.name}, {"auxiliary", mesh.auxiliary}});

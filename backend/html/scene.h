@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "backend/backend.h"
+#include "backend/fault_mark.h"
 #include "ir/geometry/entity.h"
 #include "ir/space/vector.h"
 
@@ -70,6 +71,7 @@ struct Scene {
   std::vector<Curves> curves;  ///< as in Context
   std::vector<SceneStretch> stretches;
   std::vector<SceneCutter> cutters;
+  std::vector<FaultMark> faults;  ///< motions of the first source that are missing
   std::vector<SceneMesh> meshes;
   std::vector<double> box;  ///< low and high of x, y, z: what of the meshes is shown
   std::vector<SceneFilm> films;

@@ -32,6 +32,9 @@ constexpr std::string_view styles = R"(  <style>
     .tool { fill: #0b57d0; fill-opacity: 0.05; stroke: #0b57d0; stroke-opacity: 0.35; stroke-width: 0.8; }
     .begin { fill: #1a7f37; stroke: #ffffff; stroke-width: 1; }
     .finish { fill: #8a1c7c; stroke: #ffffff; stroke-width: 1; }
+    .name.wrong { fill: #d1242f; }
+    .fault { stroke: #d1242f; stroke-width: 2; }
+    .doubt { stroke: #ffd33d; stroke-width: 2.2; stroke-dasharray: 2 4; }
     .scale { stroke: #30363d; stroke-width: 1.5; }
   </style>
 )";

@@ -107,6 +107,18 @@ bool GeometryDrawer::draw(const Entity& entity, const Curves& curves) {
   }
 }
 
+void GeometryDrawer::line(const Pixel& from, const Pixel& to) {
+  canvas_.line(from, to, geometryClass);
+  labels_.avoid(from, to, Labels::Line::geometry);
+}
+
+void GeometryDrawer::polyline(const std::vector<Pixel>& points) {
+  canvas_.polyline(points, geometryClass);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    labels_.avoid(points[i - 1], points[i], Labels::Line::geometry);
+  }
+}
+
 void GeometryDrawer::cross(const Vec3& place) {
   const Pixel p = view_(place);
   canvas_.line({p.x - crossArm, p.y}, {p.x + crossArm, p.y}, geometryClass);
@@ -116,8 +128,7 @@ void GeometryDrawer::cross(const Vec3& place) {
 bool GeometryDrawer::point(const Entity& entity) {
   const Vec3 place = vectorAt(entity.canon, 0);
   cross(place);
-  const Pixel p = view_(place);
-  labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}, {p.x - 20, p.y - 4}});
+  labels_.add(nameOf(entity), {view_(place)});
   return true;
 }
 
@@ -125,10 +136,11 @@ bool GeometryDrawer::pattern(const Entity& entity) {
   for (std::size_t i = 0; i + 3 <= entity.canon.size(); i += 3) {
     cross(vectorAt(entity.canon, i));
   }
-  if (entity.canon.size() >= 3) {
-    const Pixel p = view_(vectorAt(entity.canon, 0));
-    labels_.place(nameOf(entity), {{p.x + 6, p.y - 5}, {p.x + 6, p.y + 13}});
+  std::vector<Pixel> places;
+  for (std::size_t i = 0; i + 3 <= entity.canon.size(); i += 3) {
+    places.push_back(view_(vectorAt(entity.canon, i)));
   }
+  labels_.addAlong(nameOf(entity), places);
   return true;
 }
 
@@ -139,14 +151,12 @@ void GeometryDrawer::edge(double a, double b, double d, const std::string& name)
   }
   const Pixel from = view_.place((*ends)[0].x(), (*ends)[0].y());
   const Pixel to = view_.place((*ends)[1].x(), (*ends)[1].y());
-  canvas_.line(from, to, geometryClass);
-  std::vector<Pixel> candidates;
+  line(from, to);
+  std::vector<Pixel> anchors;
   for (const double t : {0.93, 0.07, 0.85, 0.15, 0.75, 0.25, 0.6, 0.4, 0.5}) {
-    const Pixel on{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
-    candidates.push_back({on.x + 4, on.y - 3});
-    candidates.push_back({on.x + 4, on.y + 12});
+    anchors.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
   }
-  labels_.place(name, candidates);
+  labels_.add(name, std::move(anchors));
 }
 
 bool GeometryDrawer::plane(const Entity& entity) {
@@ -163,13 +173,17 @@ void GeometryDrawer::ring(const Vec3& center, double radius, const std::string& 
   const Pixel p = view_(center);
   const double r = std::abs(radius) * view_.scale;
   canvas_.circle(p, r, geometryClass);
-  const double d = r * std::sqrt(0.5);
-  labels_.place(name, {{p.x + d + 3, p.y - d - 2},
-                       {p.x + d + 3, p.y + d + 10},
-                       {p.x + 5, p.y - 4},
-                       {p.x - 6, p.y - r - 3},
-                       {p.x - 6, p.y - r + 13},
-                       {p.x - 6, p.y + 4}});
+  std::vector<Pixel> anchors;
+  constexpr int around = 12;  // from the upper right on
+  for (int k = 0; k < around; ++k) {
+    const double turn = 2.0 * std::numbers::pi * (k + 1.5) / around;
+    anchors.push_back({p.x + r * std::cos(turn), p.y - r * std::sin(turn)});
+    if (k > 0) {
+      labels_.avoid(anchors[anchors.size() - 2], anchors.back(), Labels::Line::geometry);
+    }
+  }
+  labels_.avoid(anchors.back(), anchors.front(), Labels::Line::geometry);
+  labels_.add(name, std::move(anchors));
 }
 
 bool GeometryDrawer::sphere(const Entity& entity) {
@@ -205,7 +219,7 @@ bool GeometryDrawer::cone(const Entity& entity) {
   const double depth = axis[view_.depth];
   cross(vertex);
   const Pixel tip = view_(vertex);
-  labels_.place(nameOf(entity), {{tip.x + 5, tip.y - 4}});
+  labels_.add(nameOf(entity), {tip});
   // The generators whose normal lies in the view: cos(angle to the seen axis) =
   // sqrt(cos(half angle)^2 - depth^2) / |seen|. Seen from within the cone there is none.
   const double square = cosine * cosine - depth * depth;
@@ -218,7 +232,7 @@ bool GeometryDrawer::cone(const Entity& entity) {
     const Eigen::Vector2d along = Eigen::Rotation2Dd(side * angle) * seen.normalized();
     const Eigen::Vector2d end =
         Eigen::Vector2d(vertex[view_.across], vertex[view_.up]) + reach * along;
-    canvas_.line(tip, view_.place(end.x(), end.y()), geometryClass);
+    line(tip, view_.place(end.x(), end.y()));
   }
   return true;
 }
@@ -241,7 +255,7 @@ void GeometryDrawer::besideEllipse(const Vec3& center,
     const Eigen::Vector2d place = flat(center + radius * out) + beside;
     curve.push_back(view_.place(place.x(), place.y()));
   }
-  canvas_.polyline(curve, geometryClass);
+  polyline(curve);
 }
 
 bool GeometryDrawer::torus(const Entity& entity) {
@@ -254,8 +268,7 @@ bool GeometryDrawer::torus(const Entity& entity) {
   }
   besideEllipse(center, axis, entity.canon[6], entity.canon[7]);
   besideEllipse(center, axis, entity.canon[6], -entity.canon[7]);
-  const Pixel p = view_(center);
-  labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}});
+  labels_.add(nameOf(entity), {view_(center)});
   return true;
 }
 
@@ -265,11 +278,14 @@ bool GeometryDrawer::conic(const Entity& entity) {
   }
   const std::vector<Segment> segments = conicInView(entity.canon, view_);
   for (const Segment& s : segments) {
-    canvas_.line(s.from, s.to, geometryClass);
+    line(s.from, s.to);
   }
   if (!segments.empty()) {
-    const Pixel p = segments[segments.size() / 3].from;
-    labels_.place(nameOf(entity), {{p.x + 5, p.y - 4}, {p.x + 5, p.y + 12}});
+    std::vector<Pixel> places;
+    for (const Segment& s : segments) {
+      places.push_back(s.from);
+    }
+    labels_.addAlong(nameOf(entity), places);
   }
   return true;
 }
@@ -279,13 +295,13 @@ bool GeometryDrawer::drawCurves(const Entity& entity, const Curves& curves) {
     std::vector<Pixel> points;
     std::transform(curve.begin(), curve.end(), std::back_inserter(points),
                    [this](const Vec3& p) { return view_(p); });
-    canvas_.polyline(points, geometryClass);
+    polyline(points);
   }
-  const auto& first = curves.front();
-  if (!first.empty()) {
-    const Pixel p = view_(first[first.size() / 3]);
-    labels_.place(nameOf(entity), {{p.x + 5, p.y - 5}, {p.x + 5, p.y + 13}, {p.x - 30, p.y - 5}});
+  std::vector<Pixel> places;
+  for (const Vec3& p : curves.front()) {
+    places.push_back(view_(p));
   }
+  labels_.addAlong(nameOf(entity), places);
   return true;
 }
 
@@ -299,9 +315,8 @@ bool GeometryDrawer::tabulated(const Entity& entity) {
   for (const Vec3& p : curve) {
     points.push_back(view_(p));
   }
-  canvas_.polyline(points, geometryClass);
-  const Pixel p = points[points.size() / 4];
-  labels_.place(nameOf(entity), {{p.x + 5, p.y - 5}, {p.x + 5, p.y + 13}});
+  polyline(points);
+  labels_.addAlong(nameOf(entity), points);
   return true;
 }
 

@@ -37,6 +37,9 @@ class GeometryDrawer {
   bool tabulated(const Entity& entity);
   bool drawCurves(const Entity& entity, const Curves& curves);
 
+  /// Lines that names better do not cover.
+  void line(const Pixel& from, const Pixel& to);
+  void polyline(const std::vector<Pixel>& points);
   void cross(const Vec3& place);
   /// The curve at this distance from a circle seen at an angle: an outline of a torus.
   void besideEllipse(const Vec3& center, const Vec3& axis, double radius, double distance);

@@ -1,8 +1,9 @@
 #include "backend/svg/labels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 namespace arelem::backend::svg {
 
@@ -10,7 +11,8 @@ namespace {
 constexpr double letterWidth = 6.6;
 constexpr double letterHeight = 11.0;
 constexpr std::size_t longest = 24;
-constexpr double cell = 4.0;  // pixels
+constexpr double cell = 4.0;        // pixels
+constexpr std::size_t places = 12;  // along a curve
 
 bool overlap(const Box& a, const Box& b) {
   return a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height &&
@@ -21,15 +23,25 @@ bool inside(const Box& a, const Box& area) {
   return a.left >= area.left && a.top >= area.top && a.left + a.width <= area.left + area.width &&
          a.top + a.height <= area.top + area.height;
 }
+
+/// Where a name of this width may stand beside a place: right, left, above, below.
+std::array<Pixel, 6> besides(const Pixel& p, double width) {
+  return {Pixel{p.x + 5, p.y - 4},     {p.x + 5, p.y + 13},          {p.x - width - 5, p.y - 4},
+          {p.x - width - 5, p.y + 13}, {p.x - 0.5 * width, p.y - 8}, {p.x - 0.5 * width, p.y + 17}};
+}
+
+Box boxOf(const Pixel& at, double width) {
+  return {at.x, at.y - letterHeight, width, letterHeight + 2.0};
+}
 }  // namespace
 
 Labels::Labels(const Box& area)
     : area_(area),
       columns_(static_cast<std::size_t>(std::ceil(area.width / cell)) + 1),
       rows_(static_cast<std::size_t>(std::ceil(area.height / cell)) + 1),
-      crossed_(columns_ * rows_, false) {}
+      crossed_(columns_ * rows_, 0) {}
 
-void Labels::avoid(Pixel a, Pixel b) {
+void Labels::avoid(Pixel a, Pixel b, Line line) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   const double longestLine =
       4.0 * (area_.width + area_.height);  // what is longer lies outside anyway
@@ -40,56 +52,66 @@ void Labels::avoid(Pixel a, Pixel b) {
     const double y = (a.y + t * (b.y - a.y) - area_.top) / cell;
     if (x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) &&
         y < static_cast<double>(rows_)) {
-      crossed_[static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x)] = true;
+      unsigned char& known =
+          crossed_[static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x)];
+      known = std::max(known, static_cast<unsigned char>(line));
     }
   }
 }
 
 /// `box` lies in the area.
-bool Labels::isCrossed(const Box& box) const {
+unsigned Labels::cost(const Box& box) const {
   const auto column = static_cast<std::size_t>((box.left - area_.left) / cell);
   const auto row = static_cast<std::size_t>((box.top - area_.top) / cell);
   const auto lastColumn = static_cast<std::size_t>((box.left + box.width - area_.left) / cell);
   const auto lastRow = static_cast<std::size_t>((box.top + box.height - area_.top) / cell);
+  unsigned sum = 0;
   for (std::size_t r = row; r <= lastRow; ++r) {
     for (std::size_t c = column; c <= lastColumn; ++c) {
-      if (crossed_[r * columns_ + c]) {
-        return true;
-      }
+      sum += crossed_[r * columns_ + c];
     }
   }
-  return false;
+  return sum;
 }
 
-void Labels::place(const std::string& words, const std::vector<Pixel>& candidates) {
-  if (words.empty() || words.size() > longest || labels_.size() >= most) {
-    return;
+void Labels::add(const std::string& words, std::vector<Pixel> anchors, bool wrong) {
+  if (!words.empty() && words.size() <= longest && requests_.size() < most) {
+    requests_.push_back({words, std::move(anchors), wrong});
   }
-  std::optional<Label> found;
-  for (const Pixel& at : candidates) {
-    const Box box{at.x, at.y - letterHeight, letterWidth * static_cast<double>(words.size()),
-                  letterHeight + 2.0};
-    const bool taken = std::any_of(labels_.begin(), labels_.end(),
-                                   [&](const Label& l) { return overlap(l.box, box); });
-    if (taken || !inside(box, area_)) {
-      continue;
-    }
-    const bool crossed = isCrossed(box);
-    if (!found || !crossed) {
-      found = {words, at, box};
-    }
-    if (!crossed) {
-      break;
-    }
+}
+
+void Labels::addAlong(const std::string& words, const std::vector<Pixel>& curve) {
+  std::vector<Pixel> anchors;
+  for (std::size_t k = 0; k < places && !curve.empty(); ++k) {
+    // From a third on, going round.
+    anchors.push_back(curve[(curve.size() / 3 + k * curve.size() / places) % curve.size()]);
   }
-  if (found) {
-    labels_.push_back(*std::move(found));
-  }
+  add(words, std::move(anchors));
 }
 
 void Labels::draw(Canvas& canvas) const {
-  for (const Label& label : labels_) {
-    canvas.text(label.at, label.words, "class=\"name\"");
+  std::vector<Box> taken;
+  for (const Request& request : requests_) {
+    const double width = letterWidth * static_cast<double>(request.words.size());
+    unsigned least = std::numeric_limits<unsigned>::max();
+    Pixel best;
+    for (const Pixel& anchor : request.anchors) {
+      for (const Pixel& at : besides(anchor, width)) {
+        const Box box = boxOf(at, width);
+        const bool free = inside(box, area_) &&
+                          std::none_of(taken.begin(), taken.end(),
+                                       [&](const Box& other) { return overlap(other, box); });
+        const unsigned covered = free ? cost(box) : least;
+        if (covered < least) {
+          least = covered;
+          best = at;
+        }
+      }
+    }
+    if (least < std::numeric_limits<unsigned>::max()) {
+      taken.push_back(boxOf(best, width));
+      canvas.text(best, request.words, request.wrong ? "class=\"name wrong\"" : "class=\"name\"");
+    }
   }
 }
 

@@ -6,33 +6,35 @@
 
 namespace arelem::backend::svg {
 
-/// Places names where no other name stands, and beside the path where there is room for that; those
-/// that find no room are left out.
+/// Names beside what they name. All lines are told first; then each name goes where it covers the
+/// least of them and no other name. Names that find no room are left out.
 class Labels {
  public:
   explicit Labels(const Box& area);
 
-  /// A line that names better do not cover.
-  void avoid(Pixel a, Pixel b);
-
-  /// Tries the places in order; the first one that is free of lines, else the first one.
-  void place(const std::string& words, const std::vector<Pixel>& candidates);
+  /// What a name should not cover, the heavier the less.
+  enum class Line : unsigned char { geometry = 1, path = 6 };
+  void avoid(Pixel a, Pixel b, Line line);
+  /// A name beside one of these places, the earlier the better.
+  void add(const std::string& words, std::vector<Pixel> anchors, bool wrong = false);
+  /// The same along a curve.
+  void addAlong(const std::string& words, const std::vector<Pixel>& curve);
   void draw(Canvas& canvas) const;
 
   static constexpr std::size_t most = 80;
 
  private:
-  struct Label {
+  struct Request {
     std::string words;
-    Pixel at;
-    Box box;
+    std::vector<Pixel> anchors;
+    bool wrong = false;
   };
-  [[nodiscard]] bool isCrossed(const Box& box) const;
+  [[nodiscard]] unsigned cost(const Box& box) const;
 
   Box area_;
   std::size_t columns_ = 0, rows_ = 0;
-  std::vector<bool> crossed_;  ///< cells of the area that a line passes
-  std::vector<Label> labels_;
+  std::vector<unsigned char> crossed_;  ///< cells of the area: the heaviest line that passes
+  std::vector<Request> requests_;
 };
 
 }  // namespace arelem::backend::svg

@@ -109,6 +109,9 @@ void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {
         fmt::format("cutter {} at {} of {} stops", shortNumber(path.cutterDiameter()),
                     shown.toolOutlines, path.stopCount()));
   }
+  if (shown.faults) {
+    sample(canvas, rows.next(), "class=\"doubt\"", "behind a motion with an error");
+  }
   if (shown.geometry) {
     sample(canvas, rows.next(), "class=\"geometry\"", "geometry");
   }

@@ -13,6 +13,7 @@ struct Shown {
   std::size_t vertices = 0;      ///< drawn
   std::size_t toolOutlines = 0;  ///< drawn
   bool geometry = false;
+  bool faults = false;
   std::string notDrawn;  ///< "2 QADRIC, 1 RLDSRF", or ""
 };
 

@@ -169,9 +169,19 @@ void PathDrawer::drawArrows() {
 }
 
 void PathDrawer::reserve(Labels& labels) const {
+  constexpr double dot = 6.0;  // about the radius of the marks of start and end
+  for (const Vertex* v :
+       {path_.empty() ? nullptr : &path_.front(), path_.empty() ? nullptr : &path_.back()}) {
+    if (v != nullptr) {
+      const Pixel p = view_(v->place);
+      for (const double y : {-dot, -0.5 * dot, 0.0, 0.5 * dot, dot}) {
+        labels.avoid({p.x - dot, p.y + y}, {p.x + dot, p.y + y}, Labels::Line::path);
+      }
+    }
+  }
   for (std::size_t i = 1; i < path_.size(); ++i) {
     if (path_[i].kind != MoveKind::start) {
-      labels.avoid(view_(path_[i - 1].place), view_(path_[i].place));
+      labels.avoid(view_(path_[i - 1].place), view_(path_[i].place), Labels::Line::path);
     }
   }
 }

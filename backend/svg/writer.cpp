@@ -26,11 +26,14 @@ constexpr double border = 0.04;
 
 class PictureWriter : public Writer {
  public:
-  PictureWriter(std::ostream& out, const Context& context, PictureViews views, std::string warning)
+  PictureWriter(std::ostream& out,
+                const Context& context,
+                PictureViews views,
+                Shortcomings shortcomings)
       : out_(out),
         context_(context),
         views_(views),
-        warning_(std::move(warning)),
+        wrong_(std::move(shortcomings)),
         path_(mostVertices) {}
 
   void accept(const cl::Record& record) override { path_.accept(record); }
@@ -47,17 +50,17 @@ class PictureWriter : public Writer {
     canvas.begin(title, fmt::format("Tool path of {} locations", path_.locations()));
     canvas.text({24, 30}, title, "class=\"title\"");
     canvas.text({24, 49}, extents(), "class=\"soft\"");
-    if (!warning_.empty()) {
-      canvas.text({24, 64}, warning_, "class=\"wrong\"");
+    if (!wrong_.warning.empty()) {
+      canvas.text({24, 64}, wrong_.warning, "class=\"wrong\"");
     }
     drawn_.assign(context_.entities.size(), false);
     int id = 0;
     for (const View& view : page.views) {
       drawView(canvas, view, id++);
     }
-    drawLegend(
-        canvas, page.legend,
-        {path_, scale, path_.vertices().size(), outlines_, !context_.entities.empty(), notDrawn()});
+    drawLegend(canvas, page.legend,
+               {path_, scale, path_.vertices().size(), outlines_, !context_.entities.empty(),
+                !wrong_.marks.empty(), notDrawn()});
     canvas.end();
     out_.flush();
   }
@@ -142,6 +145,7 @@ class PictureWriter : public Writer {
       drawOutlines(canvas, view);
     }
     path.draw();
+    drawFaults(canvas, view, geometry.labels());
     geometry.drawNames();
     canvas.endGroup();
     drawEnds(canvas, view);
@@ -159,6 +163,20 @@ class PictureWriter : public Writer {
     }
     outlines_ = count;
   }
+  /// Where motions are missing: a cross, and the way of the next motion, which does not begin where
+  /// the program meant.
+  void drawFaults(Canvas& canvas, const View& view, Labels& labels) const {
+    constexpr double arm = 5.0;  // pixels
+    for (const FaultMark& mark : wrong_.marks) {
+      const Pixel p = view(mark.place);
+      if (mark.next) {
+        canvas.line(p, view(*mark.next), "class=\"doubt\"");
+      }
+      canvas.line({p.x - arm, p.y - arm}, {p.x + arm, p.y + arm}, "class=\"fault\"");
+      canvas.line({p.x - arm, p.y + arm}, {p.x + arm, p.y - arm}, "class=\"fault\"");
+      labels.add(fmt::format("line {}", mark.line), {p}, true);
+    }
+  }
   void drawEnds(Canvas& canvas, const View& view) const {
     if (!path_.vertices().empty()) {
       canvas.circle(view(path_.vertices().back().place), 5.5, "class=\"finish\"");
@@ -169,7 +187,7 @@ class PictureWriter : public Writer {
   std::ostream& out_;
   const Context& context_;
   PictureViews views_;
-  std::string warning_;
+  Shortcomings wrong_;
   PathCollector path_;
   std::size_t outlines_ = 0;
   std::vector<bool> drawn_;  // by entity: some view shows it
@@ -179,14 +197,14 @@ class PictureWriter : public Writer {
 std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                           const Context& context,
                                           DiagnosticSink&) {
-  return makePictureWriter(out, context, PictureViews::automatic, "");
+  return makePictureWriter(out, context, PictureViews::automatic, {});
 }
 
 std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                           const Context& context,
                                           PictureViews views,
-                                          std::string warning) {
-  return std::make_unique<PictureWriter>(out, context, views, std::move(warning));
+                                          Shortcomings shortcomings) {
+  return std::make_unique<PictureWriter>(out, context, views, std::move(shortcomings));
 }
 
 }  // namespace arelem::backend

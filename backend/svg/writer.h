@@ -1,7 +1,10 @@
 #pragma once
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "backend/backend.h"
+#include "backend/fault_mark.h"
 
 namespace arelem::backend {
 
@@ -14,10 +17,15 @@ enum class PictureViews : std::uint8_t { automatic, plan, front, side, all };
 [[nodiscard]] std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                                         const Context& context,
                                                         DiagnosticSink& sink);
-/// The same with the views that are asked for, and a warning below the title ("": none).
+/// What a picture of a program with errors says about them.
+struct Shortcomings {
+  std::string warning;           ///< below the title; "": none
+  std::vector<FaultMark> marks;  ///< places of the path
+};
+/// The same with the views that are asked for.
 [[nodiscard]] std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                                         const Context& context,
                                                         PictureViews views,
-                                                        std::string warning = "");
+                                                        Shortcomings shortcomings = {});
 
 }  // namespace arelem::backend

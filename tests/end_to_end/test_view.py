@@ -69,6 +69,22 @@ class Pictures(ArelemCase):
             self.assertIn(part, text)
         self.assertIn("gun on, ", self.svg("sen_plane.apt"))
 
+    def test_names_do_not_cover_the_path_or_each_other(self):
+        text = self.svg("profile.apt")
+        plan = text[:text.index(">XZ<")]
+        names = {n: (float(x), float(y)) for x, y, n in re.findall(r'<text x="([0-9.]+)" y="([0-9.]+)" class="name">([A-Z0-9]+)<', plan)}
+        self.assertEqual(set(names), {"SETPT", "BOTTOM", "TOP", "LEFT1", "RIGHT1", "BULGE", "CORNER"})
+        boxes = {n: (x, y - 11, x + 6.6 * len(n), y + 2) for n, (x, y) in names.items()}
+        for one, a in boxes.items():
+            for other, b in boxes.items():
+                if one < other:
+                    self.assertFalse(a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3], (one, other))
+
+    def test_revolved_surfaces_are_drawn(self):
+        text = self.svg("sen_revolved.apt")
+        self.assertNotIn("not drawn", text)
+        self.assertIn(">VASE<", text)
+
     def test_arcs_are_arcs(self):
         arc = self.write("a.cls", "UNITS/MM\nFROM/0,0,0\nGOTO/10,0,0\nCIRCLE/10,10,0,0,0,1,10\nGOTO/20,10,0\n"
                                   "CIRCLE/10,10,0,0,0,1,10\nGOTO/20,10,0\nFINI\n")
@@ -110,6 +126,10 @@ class Pictures(ArelemCase):
         broken = (self.folder / "b.svg").read_text()
         self.assertIn("not all of it: errors in lines 3, 7", broken)
         self.assertRegex(broken, r'class="feed')                        # the moves before and behind
+        # GOTO/C1 of line 7 is missing: a cross of two lines where the tool stood, and the way from there is in doubt.
+        self.assertEqual(broken.count('class="fault"'), 2)
+        self.assertEqual(broken.count('class="doubt"'), 2)              # one of them in the legend
+        self.assertIn(">line 7<", broken)
         hostile = (self.folder / "h.svg").read_text()
         self.assertNotIn("<script", hostile)
         self.assertNotIn("\x01", hostile)
@@ -169,7 +189,7 @@ class Page(ArelemCase):
                      "[...window.arelem.scene.inner].filter(v => !Number.isNaN(v)).length", "window.arelem.choose(-1)"]},
             {"source": HOSTILE, "run": [state]},
             {"source": BROKEN, "run": [state, "[...document.querySelectorAll('.row.bad')].map(r => Number(r.dataset.line))",
-                                       "window.arelem.scene.count"]}, {"source": "", "run": [state]},
+                                       "window.arelem.scene.count", "document.querySelector('#labels .wrong').textContent"]}, {"source": "", "run": [state]},
             {"source": "CUTTER/1\nFROM/0,0,0\nFEDRAT/1000\n" + many + "FINI\n",
              "run": ["window.arelem.levels()", "document.querySelectorAll('.row').length", "window.arelem.stage.path.drawn"],
              # Close to the path all of its moves are drawn, those in sight.
@@ -190,6 +210,7 @@ class Page(ArelemCase):
         self.assertTrue(broken["run"][0]["messages"][0].startswith("E0201, line 3"), broken["run"][0])
         self.assertEqual(broken["run"][1], [3, 7])
         self.assertGreaterEqual(broken["run"][2], 2)        # what can be computed is there
+        self.assertIn("line 7", broken["run"][3])           # a mark where the motion is missing
         self.assertEqual(empty["run"][0]["rows"] <= 1, True)
         levels, rows, drawn = large["run"]
         self.assertEqual(levels[0], 100_001)

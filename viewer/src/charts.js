@@ -3,6 +3,8 @@ import {number, locationAt, RAPID, START} from "./data.js";
 
 // Thousands of narrow bars: the processor paints them at once, what stands in for a graphics card takes seconds.
 const inMemory = {willReadFrequently: true};
+// A circle of this many sizes of the path is a straight line with rounded coordinates.
+const straight = 1e-6;
 const names = ["speed", "curvature", "deviation"];
 
 export class Charts {
@@ -38,8 +40,9 @@ export class Charts {
       if (s.curvature[i] > 0 && curved.length < 200000) curved.push(s.curvature[i]);
     }
     this.top[0] = this.top[0] > 0 ? 1.15 * this.top[0] : rapid; // rapid moves would dwarf the rest: they reach over the edge
-    curved.sort((a, b) => a - b);
-    this.top[1] = curved.length ? curved[Math.floor(0.98 * (curved.length - 1))] * 1.15 : 0; // a single corner would dwarf the rest
+    const bends = Float32Array.from(curved).sort();
+    const bend = bends.length ? bends[Math.floor(0.98 * (bends.length - 1))] : 0; // a single corner would dwarf the rest
+    this.top[1] = bend * s.size > straight ? 1.15 * bend : 0;
     for (let k = 0; k < s.first.length; ++k) for (const a of [s.inner, s.outer, s.allowedInner, s.allowedOuter]) {
       if (!Number.isNaN(a[k])) this.top[2] = Math.max(this.top[2], Math.abs(a[k]));
     }
@@ -98,9 +101,9 @@ export class Charts {
       g.strokeStyle = ink("--line");
       g.strokeRect(left - 0.5, y0 - 0.5, width + 1, tall + 1);
       g.fillStyle = ink("--soft");
-      g.fillText(name, 8, y0 + 12);
-      g.fillText(this.top[row] > 0 ? number(this.top[row], 3) : "", 8, y0 + 25);
-      g.fillText(this.top[row] > 0 ? [this.scene.unit + "/s", "1/" + this.scene.unit, this.scene.unit][row] : "", 8, y0 + 37);
+      const most = this.top[row] > 0 ? number(this.top[row], 3) : "", unit = most ? [this.scene.unit + "/s", "1/" + this.scene.unit, this.scene.unit][row] : "";
+      const words = tall < 30 ? [name, `${most} ${unit}`] : [name, most, unit];
+      words.forEach((text, k) => g.fillText(text, 8, y0 + 11 + 12.5 * k));
       if (this.scene.count < 2 || !(this.top[row] > 0)) {
         g.fillText(row === 2 ? "no motion along surfaces was proven" : row === 1 ? "straight" : this.scene.count > 1 && !this.scene.timed ? "no feed: not timed" : "none", left + 8, y0 + tall / 2 + 4);
         return;

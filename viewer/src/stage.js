@@ -1,7 +1,7 @@
 // The three-dimensional view: camera, lights, section plane, labels, and what a place of the screen is.
 import * as THREE from "three";
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
-import {drawEntities, drawSurfaces, drawFilms, Tool} from "./things.js";
+import {drawEntities, drawFaults, drawSurfaces, drawFilms, Tool} from "./things.js";
 import {Path} from "./path.js";
 import {visible} from "./source.js";
 import {Speed} from "./speed.js";
@@ -41,8 +41,10 @@ export class Stage {
       unnamed: drawSurfaces(scene, this.center, true),
       film: drawFilms(scene, this.center), geometry: group, tool: (this.tool = new Tool(scene)).group,
     };
+    this.world.add(drawFaults(scene, this.center, labels));
+    labels.sort((a, b) => Boolean(b.wrong) - Boolean(a.wrong)); // those come first where there is little room
     this.labels = labels.map(l => Object.assign(l, {element: document.createElement("span")}));
-    for (const l of this.labels) { l.element.textContent = visible(l.name); document.getElementById("labels").append(l.element); }
+    for (const l of this.labels) { l.element.textContent = visible(l.name); l.element.classList.toggle("wrong", Boolean(l.wrong)); document.getElementById("labels").append(l.element); }
     this.layers.unnamed.visible = this.layers.unnamed.children.length < 7; // nested planes of a loop would hide the rest
     for (const layer of Object.values(this.layers)) this.world.add(layer);
     this.marks = new THREE.Group();
@@ -187,7 +189,7 @@ export class Stage {
     const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
     for (const l of this.labels) {
       const p = l.place.clone().project(this.camera), x = (p.x * 0.5 + 0.5) * w, y = (0.5 - p.y * 0.5) * h, wide = 6.5 * l.name.length + 6;
-      const shown = this.layers.geometry.visible && this.shows(l.place) && x > 0 && x < w && y > 12 && y < h &&
+      const shown = (l.wrong || this.layers.geometry.visible) && this.shows(l.place) && x > 0 && x < w && y > 12 && y < h &&
         !taken.some(t => Math.abs(t.x - x) < (t.wide + wide) / 2 && Math.abs(t.y - y) < 14);
       l.element.style.display = shown ? "" : "none";
       if (shown) { taken.push({x, y, wide}); l.element.style.left = x + "px"; l.element.style.top = y + "px"; }

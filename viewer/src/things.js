@@ -25,12 +25,12 @@ export function drawEntities(scene, center, material) {
   const label = (name, p) => { if (near(p) && labels.length < 250) labels.push({name, place: p}); };
   for (const e of scene.entities.slice(0, 2000)) {
     const c = e.canon;
-    for (const curve of e.curves || []) {
+    (e.curves || []).forEach((curve, n) => {
       const points = [];
       for (let k = 0; k < curve.length; k += 3) points.push(at(curve, k));
       group.add(wire(points, material));
-      if (points.length) label(e.name, points[Math.floor(points.length / 3)]);
-    }
+      if (points.length && n === 0) label(e.name, points[Math.floor(points.length / 3)]);
+    });
     if (e.type === "POINT") {
       const p = at(c), d = 0.007 * scene.size;
       if (!near(p)) continue;
@@ -64,6 +64,19 @@ export function drawEntities(scene, center, material) {
   }
   labelSurfaces(scene, center, labels);
   return {group, labels};
+}
+
+// Where motions are missing: their lines, and the way of the next motion, which does not begin where the program meant.
+export function drawFaults(scene, center, labels) {
+  const group = new THREE.Group(), material = new THREE.LineDashedMaterial({color: 0xffd33d, dashSize: 0.008 * scene.size, gapSize: 0.008 * scene.size, depthTest: false, transparent: true});
+  const at = p => new THREE.Vector3(...p.map((v, a) => v - center[a]));
+  for (const f of scene.faults) {
+    const line = wire([at(f.place), at(f.next)], material).computeLineDistances();
+    line.renderOrder = 4;
+    group.add(line);
+    labels.push({name: `\u2716 line ${f.line}`, place: at(f.place), wrong: true});
+  }
+  return group;
 }
 
 // The names of surfaces that have no lines: at their highest place in the box.
