@@ -11,6 +11,8 @@ import sys
 import tempfile
 import time
 
+import paths
+
 HERE = pathlib.Path(__file__).resolve().parent
 SPEED = HERE.parent / "tests" / "data" / "speed"
 REPEATS = 5
@@ -160,11 +162,24 @@ def sprays(arelem):
     return rows
 
 
+def certified(arelem):
+    """`arelem verify` of a program: its path is computed and proven."""
+    rows = []
+    for program, what, _ in CASES[:5]:
+        run = median_run([arelem, "verify", str(program)], 3)
+        match = re.search(r"(\d+) cut vectors", run.told)
+        count = int(match.group(1)) if match else 0
+        rows.append((f"verify: {what}", f"{count} cut vectors" if run.code == 0 else f"exit {run.code}", f"{run.seconds:.3f}",
+                     f"{count / run.seconds:,.0f}" if run.code == 0 else "", f"{run.megabytes:.0f}"))
+    return rows
+
+
 def measure(arelem):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         out = str(pathlib.Path(folder) / "out.cltape")
-        for program, what, unit in CASES:
+        grown = [(program, what, unit) for what, program, unit in paths.cases(folder)]
+        for program, what, unit in CASES + grown:
             run = median_run([arelem, "compile", str(program), "-o", out])
             count = cut_vectors(Run([arelem, "compile", str(program), "-v", "-o", out]).told)  # -v computes the machining time too
             if run.code != 0:
@@ -172,6 +187,7 @@ def measure(arelem):
                 rows.append((what, f"exit {run.code} {code.group(1) if code else ''}".rstrip(), "", "", ""))
                 continue
             rows.append((what, f"{count} {unit}", f"{run.seconds:.3f}", f"{count / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
+        rows += certified(arelem)
         lines = 1_000_000
         source = pathlib.Path(folder) / "bench.cls"
         cl_file(source, lines)

@@ -62,13 +62,26 @@ class CoreGap {
   }
 
   [[nodiscard]] Range over(const Node& a, const Node& b) const {
+    return between(a, b, b.s - a.s, bySpeed(bends(a, b), speed_, aside_), speed_);
+  }
+  /// The same where the normal is to keep a component of at least `least` along the axis: without
+  /// upper bound where that is not certain.
+  [[nodiscard]] Range overBelow(const Node& a, const Node& b, double least) const {
     const double h = b.s - a.s;
-    // Every place between is within half the way of one of the two.
-    const Curving bends = bendsOnSide(surface_, relation_.side, a, b, 0.5 * speed_ * h);
-    return between(a, b, h, bySpeed(bends, speed_, aside_), speed_);
+    const Curving c = bends(a, b);
+    Range range = between(a, b, h, bySpeed(c, speed_, aside_), speed_);
+    const double turn = std::max(std::abs(c.least), std::abs(c.most)) * speed_ + chord_->turn();
+    const double lowest = std::min(a.normal.dot(a.axis), b.normal.dot(b.axis)) - 0.5 * turn * h;
+    range.high = lowest >= least ? range.high : unbounded;
+    return range;
   }
 
  private:
+  /// Every place between is within half the way of one of the two.
+  [[nodiscard]] Curving bends(const Node& a, const Node& b) const {
+    return bendsOnSide(surface_, relation_.side, a, b, 0.5 * speed_ * (b.s - a.s));
+  }
+
   const S& surface_;
   Relation relation_;
   typename S::Hint hint_{};

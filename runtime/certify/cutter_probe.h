@@ -22,7 +22,8 @@ template <surface::Surface S>
 
 /// A cutter against any kind of surface. It takes one of four ways:
 ///   wall     a wall along the axis meets the cutter as a ball of its largest radius
-///   ball     a ball end is its ball; what is beside it is cleared by the plane that supports the
+///   ball     a ball end is its ball, or the arc of it below the top of the cutter, where the
+///            contact is on that; what is beside it is cleared by the plane that supports the
 ///            contact, else searched; where that does not do, one of the next two ways (widen)
 ///   convex   outside a convex solid the gap of a convex cutter is a convex function of the tool
 ///   end:
@@ -52,7 +53,7 @@ class CutterProbe final : public Probe {
     if (isWall()) {
       way_ = Way::wall;
       core_.take(chord_, {0.0, cutter_.maxRadius()});
-    } else if (!cutter_.ring && cutter_.e == 0.0 && pieces_.front().radius == 0.0) {
+    } else if (!cutter_.ring && cutter_.e == 0.0 && (!isCut() || cutter_.alpha == 0.0)) {
       way_ = Way::ball;
       core_.take(chord_, {cutter_.f, cutter_.r});
     } else {
@@ -61,7 +62,7 @@ class CutterProbe final : public Probe {
   }
 
   bool widen() override {
-    if (way_ != Way::ball || pieces_.size() == 1) {
+    if (way_ != Way::ball || (pieces_.size() == 1 && !isCut())) {
       return false;
     }
     way_ = convex_ ? Way::convex : Way::general;
@@ -74,7 +75,11 @@ class CutterProbe final : public Probe {
 
   Node at(double s) override {
     if (way_ == Way::wall || way_ == Way::ball) {
-      return core_.at(s);
+      Node core = core_.at(s);
+      if (way_ == Way::ball && isCut() && core.normal.dot(core.axis) < cutter_.sinBeta) {
+        core.high = unbounded;
+      }
+      return core;
     }
     Node n;
     n.s = s;
@@ -87,11 +92,12 @@ class CutterProbe final : public Probe {
 
   Stretch over(const Node& a, const Node& b, double aim) override {
     Stretch result;
-    if (way_ == Way::wall || way_ == Way::ball) {
+    if (way_ == Way::wall) {
       static_cast<Range&>(result) = core_.over(a, b);
-      if (way_ == Way::ball) {
-        clearRest(a, b, aim, result);
-      }
+    } else if (way_ == Way::ball) {
+      static_cast<Range&>(result) =
+          isCut() ? core_.overBelow(a, b, cutter_.sinBeta) : core_.over(a, b);
+      clearRest(a, b, aim, result);
     } else if (way_ == Way::convex) {
       static_cast<Range&>(result) = overConvex(a, b);
     } else {
@@ -125,6 +131,9 @@ class CutterProbe final : public Probe {
     return chord_.turn() == 0.0 && !cutter_.ring && wall.squaredNorm() > 0.5 &&
            wall.cross(chord_.axis(0.0)).norm() <= alongAxis;
   }
+
+  /// True where the ball looks out at the top of the cutter, so that only an arc of it cuts.
+  [[nodiscard]] bool isCut() const { return pieces_.front().radius > 0.0; }
 
   /// Measures the gap at a point of the cutter that is likely to be the contact.
   void touch(Node& n) {
@@ -194,7 +203,11 @@ class CutterProbe final : public Probe {
                              double aim) const {
     const double h = b.s - a.s;
     const double way = h * (chord_.length() + chord_.turn() * reach_);
-    const double size = reach_ + cutter_.f + way;
+    double size = way;
+    for (const Piece& p : rest) {
+      size = std::max(size, way + std::max(std::hypot(p.a.rho, p.a.z - cutter_.f),
+                                           std::hypot(p.b.rho, p.b.z - cutter_.f)));
+    }
     const surface::Bends bends = surface_.bends(a.point, a.foot, size);
     const double low = std::min(0.0, relation_.side > 0.0 ? bends.low : -bends.high);
     const double nz = a.normal.dot(a.axis);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace arelem::certify {
 
@@ -29,22 +28,13 @@ class Proof {
     verdict_.greatest = {-unbounded, -unbounded, 0.0};
     see(first);
     see(last);
-    parts_.push_back({first, last});
-    while (!parts_.empty() && (figures_ || !refuted())) {
-      const Part part = parts_.back();
-      parts_.pop_back();
-      decide(part);
-    }
+    decide(first, last);
     finish();
     first = last;
     return verdict_;
   }
 
  private:
-  struct Part {
-    Node a, b;
-  };
-
   void see(const Node& n) {
     ++verdict_.nodes;
     if (n.high < verdict_.least.measured) {
@@ -73,8 +63,12 @@ class Proof {
     return measured > ceiling_ ? measured + figure_ : std::min(ceiling_, measured + figure_);
   }
 
-  void decide(const Part& part) {
-    const Stretch range = probe_.over(part.a, part.b, lowAim());
+  /// Parts are halved at most as often as smallestPart allows, so this goes 30 deep.
+  void decide(const Node& a, const Node& b) {
+    if (!figures_ && refuted()) {
+      return;
+    }
+    const Stretch range = probe_.over(a, b, lowAim());
     if (range.sample < verdict_.least.measured) {
       verdict_.least.measured = range.sample;
       verdict_.least.at = range.sampleAt;
@@ -83,14 +77,14 @@ class Proof {
       take(range);
       return;
     }
-    if (part.b.s - part.a.s <= smallestPart || verdict_.nodes >= nodeLimit) {
+    if (b.s - a.s <= smallestPart || verdict_.nodes >= nodeLimit) {
       take(range);
       return;
     }
-    const Node middle = probe_.at(0.5 * (part.a.s + part.b.s));
+    const Node middle = probe_.at(0.5 * (a.s + b.s));
     see(middle);
-    parts_.push_back({part.a, middle});
-    parts_.push_back({middle, part.b});
+    decide(middle, b);
+    decide(a, middle);
   }
 
   void take(const Range& range) {
@@ -119,7 +113,6 @@ class Proof {
   Probe& probe_;
   double floor_, ceiling_, figure_;
   bool figures_;
-  std::vector<Part> parts_;
   Verdict verdict_;
   Node farthest_;
 };

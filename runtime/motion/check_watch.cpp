@@ -47,10 +47,7 @@ void CheckWatch::note(double distance, const Vec3& place) {
 
 /// Largest change of any gap per length of the segment. The axis turns fastest in the middle, by
 /// twice the tangent of half the angle per length.
-double CheckWatch::steepest(const Segment& s) const {
-  if (!s.turning || arm_ == 0.0) {
-    return 1.0;
-  }
+double CheckWatch::steepestTurning(const Segment& s) const {
   const double tangent = (s.axisTo - s.axisFrom).norm() / (s.axisTo + s.axisFrom).norm();
   return 1.0 + 2.0 * arm_ * tangent / std::max(s.length, tolerance::sameSide);
 }
@@ -93,13 +90,13 @@ void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
 }
 
 std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& guide) {
-  const double most = steepest(segment) * segment.length;
+  if (isFree(segment)) {
+    pass(segment);
+    return std::nullopt;
+  }
   if (close_) {
     now_.free = 0.0;
     looks_.clear();
-  } else if (now_.free > most) {
-    now_.free -= most;
-    return std::nullopt;
   }
   auto hit = tangent_ ? scanTangent(segment, guide) : scanCrossing(segment);
   if (close_ && !hit) {

@@ -44,6 +44,12 @@ class CheckWatch {
   /// `guide` is the field that a tangent check surface touches: the drive (TANTO) or part surface
   /// (PSTAN).
   [[nodiscard]] std::optional<Hit> scan(const Segment& segment, Field& guide);
+  /// True where the segment is free by what is known already; then `pass` takes the place of
+  /// `scan`.
+  [[nodiscard]] bool isFree(const Segment& segment) const {
+    return !close_ && now_.free > steepest(segment) * segment.length;
+  }
+  void pass(const Segment& segment) { now_.free -= steepest(segment) * segment.length; }
 
   /// True where a gap found at a tangency is contact within the tolerance.
   [[nodiscard]] bool touches(double gap) const {
@@ -81,7 +87,10 @@ class CheckWatch {
     Field* field = nullptr;
   };
   Measure measure(const Segment& segment, double along);
-  [[nodiscard]] double steepest(const Segment& segment) const;
+  [[nodiscard]] double steepest(const Segment& s) const {
+    return !s.turning || arm_ == 0.0 ? 1.0 : steepestTurning(s);
+  }
+  [[nodiscard]] double steepestTurning(const Segment& s) const;
   [[nodiscard]] bool isLinear(const Segment& segment) const {
     return plus_->flat() && !segment.turning && !segment.isArc();
   }

@@ -183,10 +183,10 @@ class Planner {
     for (Guide& g : course_.path.guides) {
       g.rest =
           restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact);
-      g.bend = g.flat() ? 0.0
-                        : curvatureAlong(*g.field, state_.toolEnd, course_.path.axis,
-                                         course_.start.tangent,
-                                         probeShare * std::sqrt(g.inner + g.outer));
+      g.startAnew(g.flat() ? 0.0
+                           : curvatureAlong(*g.field, state_.toolEnd, course_.path.axis,
+                                            course_.start.tangent,
+                                            probeShare * std::sqrt(g.inner + g.outer)));
     }
     if (course_.isArc()) {
       // A circle keeps the radius on which the tool stands (spec 4.8).

@@ -62,14 +62,15 @@ class Follower {
   /// The next cut vector: to the output and the statistics.
   void put(const PathPoint& p) {
     const Vec3 step = p.toolEnd - last_.toolEnd;
-    result_.length += step.norm();
+    const double length = step.norm();
+    result_.length += length;
     ++result_.cutVectors;
     sink_.put(p.toolEnd, p.axis);
     result_.partInner = std::min(result_.partInner, p.contacts[0].gap);
     result_.partOuter = std::max(result_.partOuter, p.contacts[0].gap);
     result_.driveInner = std::min(result_.driveInner, p.contacts[1].gap);
     result_.driveOuter = std::max(result_.driveOuter, p.contacts[1].gap);
-    result_.forward = step.norm() > 0.0 ? step : p.tangent;
+    result_.forward = length > 0.0 ? step : p.tangent;
     last_ = p;
   }
 
@@ -140,7 +141,7 @@ class Follower {
         corner_ = a.toolEnd;
         last_ = *turned;
         for (Guide& g : course_.path.guides) {
-          g.bend = 0.0;
+          g.startAnew(0.0);
         }
         continue;
       }
@@ -199,7 +200,7 @@ class Follower {
     if (rounds_ >= turnsAllowed()) {
       return true;
     }
-    turned_ += std::acos(std::clamp(a.tangent.dot(b.tangent), -1.0, 1.0));
+    turned_ += (b.tangent - a.tangent).norm();  // at most the angle
     const Vec3 chord = b.toolEnd - a.toolEnd;
     const Vec3 back = course_.start.toolEnd - a.toolEnd;
     const double share = std::clamp(back.dot(chord) / chord.squaredNorm(), 0.0, 1.0);

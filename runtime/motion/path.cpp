@@ -75,16 +75,23 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
                                     double along,
                                     const std::array<double, 2>& gaps,
                                     double accept) {
-  // Second-order prediction: the path bends by -bend along each contact normal.
+  // The path bends by -bend along each contact normal.
   const Vec3& n0 = from.contacts[0].normal;
   const Vec3& n1 = from.contacts[1].normal;
   const double c = n0.dot(n1);
   const double det = 1.0 - c * c;
   Vec3 guess = from.toolEnd + along * from.tangent;
   if (det > tolerance::nullDirection) {
-    const double r0 = gaps[0] - from.contacts[0].gap - 0.5 * along * along * guides[0].bend;
-    const double r1 = gaps[1] - from.contacts[1].gap - 0.5 * along * along * guides[1].bend;
-    guess += ((r0 - c * r1) * n0 + (r1 - c * r0) * n1) / det;
+    const auto drop = [&](std::size_t i) {
+      const Guide& g = guides[i];
+      return gaps[i] - from.contacts[i].gap -
+             0.5 * along * along * (g.bend + along / 3.0 * g.trend);
+    };
+    const double r0 = drop(0);
+    const double r1 = drop(1);
+    const Vec3 aside = ((r0 - c * r1) * n0 + (r1 - c * r0) * n1) / det;
+    // A circle lies aside of its parabola by this share.
+    guess += (1.0 + aside.squaredNorm() / (along * along)) * aside;
   }
   const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
                           Wanted{guides[1].field.get(), gaps[1]}};

@@ -13,14 +13,26 @@ struct Guide {
   double inner = 0.0, outer = 0.0;  ///< the gap may lie in [-inner, outer]
   double rest = 0.0;                ///< gap at stops
   double bend = 0.0;                ///< present estimate of the curvature along the path
+  double trend = 0.0;               ///< its change per length of path
+  double mean = 0.0, spread = 0.0;  ///< curvature of the last cut vector, and its length
+
+  /// Nothing is known of what comes but, perhaps, the curvature.
+  void startAnew(double curvature) {
+    bend = mean = curvature;
+    trend = spread = 0.0;
+  }
 
   /// True where the gap changes linearly along a cut vector.
   [[nodiscard]] bool flat() const { return field->flat() && !turning; }
-  /// Gap at which the next cut vector should end: the edge that leaves the chord most room.
+  /// Gap at which the next cut vector should end: the edge that leaves the chord most room, but for
+  /// what positions may be off.
   [[nodiscard]] double vertexGap() const {
     const bool straight = flat() || (field->flat() && bend == 0.0);
-    return straight ? rest : bend >= 0.0 ? outer : -inner;
+    const double off = aimShare * (inner + outer);
+    return straight ? rest : bend >= 0.0 ? outer - off : off - inner;
   }
+  /// Cut vectors end within this share of the band of the gap aimed at.
+  static constexpr double aimShare = 2e-4;
 };
 
 /// A place on the path: tool position, contacts with part (0) and drive (1) surface, and the

@@ -49,6 +49,14 @@ bool StopFinder::isContact(const Met& met, const PathPoint& end) {
 }
 
 std::optional<Found> StopFinder::find(const PathPoint& a, const Segment& segment) {
+  auto& watches = course_.watches;
+  if (std::all_of(watches.begin(), watches.end(),
+                  [&](const CheckWatch& w) { return w.isFree(segment); })) {
+    for (CheckWatch& w : watches) {
+      w.pass(segment);
+    }
+    return std::nullopt;
+  }
   keep();
   std::optional<Found> found;
   while (const auto met = scan(segment)) {

@@ -8,11 +8,12 @@
 namespace arelem::motion {
 
 namespace {
-/// Interior cut vectors end within this share of the band of the gap aimed at.
-constexpr double aimShare = 1e-5;
 /// A chord is taken when it could grow by less than this factor.
 constexpr double goodFit = 1.01;
-constexpr double safety = 0.9995;
+constexpr double safety = 0.9994;
+/// Share of the change of curvature over a cut vector by which the next one is planned shorter.
+constexpr double doubt = 0.1;
+constexpr double mostDoubt = 3e-3;
 constexpr int tryLimit = 60;
 /// A cut vector up to a corner of the path ends this near to it. Part unit.
 constexpr double nearCorner = 1e-8;
@@ -22,18 +23,24 @@ constexpr int patience = 5;
 /// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
 /// turns.
 constexpr double levelChange = 1e-11;
+/// Largest change of curvature over a cut vector that is expected of the next, as a share of it.
+constexpr double mostTrend = 0.25;
 /// Largest turn of the path over one cut vector, as a cosine.
 constexpr double turnCosine = 0.2;
 }  // namespace
 
-/// Longest chord that the bands allow by the present curvature.
+/// Longest chord that the bands allow by the present curvature and its trend.
 double Stride::planned(const PathPoint& a) const {
   double length = path_.flat() ? tolerance::farAway : longest_;
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     const Guide& g = path_.guides[i];
     const double from = a.contacts[i].gap;
-    length = std::min(length, longestChord(g.bend, from, g.vertexGap(), std::max(g.inner, -from),
-                                           std::max(g.outer, from)));
+    const double middle = g.bend + 0.5 * g.spread * g.trend;
+    const double longest = longestChord(middle, from, g.vertexGap(), std::max(g.inner, -from),
+                                        std::max(g.outer, from));
+    // The less even the curvature, the less certain its trend.
+    const double uneven = std::abs(g.trend) * g.spread / std::max(std::abs(g.bend), levelChange);
+    length = std::min(length, (safety - std::min(doubt * uneven, mostDoubt)) * longest);
   }
   return length;
 }
@@ -66,7 +73,7 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   double length = std::min(planned(a), cap);
   double accept = tolerance::farAway;
   for (const Guide& g : path_.guides) {
-    accept = std::min(accept, aimShare * (g.inner + g.outer));
+    accept = std::min(accept, Guide::aimShare * (g.inner + g.outer));
   }
   std::optional<PathPoint> best;
   double bestLength = 0.0;
@@ -120,26 +127,53 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   return best;
 }
 
+/// Mean curvature along a cut vector; none where it is the same everywhere.
+std::optional<double> Stride::curvature(const Guide& guide,
+                                        std::size_t role,
+                                        const PathPoint& a,
+                                        const PathPoint& b) const {
+  const Vec3 chord = b.toolEnd - a.toolEnd;
+  const double squared = chord.squaredNorm();
+  if (guide.flat() || squared <= 0.0) {
+    return std::nullopt;
+  }
+  const double length = std::sqrt(squared);
+  double change = (b.contacts[role].normal - a.contacts[role].normal).dot(chord) / length;
+  if (a.axis != b.axis) {
+    const Vec3 turn = spin(a.axis, b.axis, length);
+    change = slopeAlong(b.contacts[role], b.toolEnd, chord / length, turn) -
+             slopeAlong(a.contacts[role], a.toolEnd, chord / length, turn);
+  }
+  return std::abs(change) <= levelChange ? 0.0 : change / length;
+}
+
 /// Takes over the curvatures of a trial chord where their sign differs; true where one does.
 bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
-  auto& guides = path_.guides;
-  const std::array before{guides[0].bend >= 0.0, guides[1].bend >= 0.0};
-  learn(a, b);
-  return (guides[0].bend >= 0.0) != before[0] || (guides[1].bend >= 0.0) != before[1];
+  bool turns = false;
+  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
+    Guide& g = path_.guides[i];
+    const auto bend = curvature(g, i, a, b);
+    if (bend) {
+      turns = turns || (*bend >= 0.0) != (g.bend >= 0.0);
+      g.startAnew(*bend);
+    }
+  }
+  return turns;
 }
 
 void Stride::learn(const PathPoint& a, const PathPoint& b) {
-  const Vec3 chord = b.toolEnd - a.toolEnd;
-  const double squared = chord.squaredNorm();
-  const double length = std::sqrt(squared);
-  const Vec3 turn = a.axis != b.axis ? spin(a.axis, b.axis, length) : Vec3(Vec3::Zero());
-  for (std::size_t i = 0; i < path_.guides.size() && squared > 0.0; ++i) {
+  const double length = (b.toolEnd - a.toolEnd).norm();
+  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
-    if (!g.flat()) {
-      const Vec3 direction = chord / length;
-      const double change = slopeAlong(b.contacts[i], b.toolEnd, direction, turn) -
-                            slopeAlong(a.contacts[i], a.toolEnd, direction, turn);
-      g.bend = std::abs(change) <= levelChange ? 0.0 : change / length;
+    if (const auto bend = curvature(g, i, a, b)) {
+      // The mean is the curvature of the middle, so the change is that between two middles.
+      const double most = mostTrend * std::abs(*bend) / length;
+      g.trend = g.spread > 0.0
+                    ? std::clamp(2.0 * (*bend - g.mean) / (length + g.spread), -most, most)
+                    : 0.0;
+      g.mean = *bend;
+      g.spread = length;
+      g.bend = *bend + 0.5 * length * g.trend;
     }
   }
 }

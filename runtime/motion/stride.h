@@ -17,6 +17,10 @@ class Stride {
 
  private:
   [[nodiscard]] double planned(const PathPoint& a) const;
+  [[nodiscard]] std::optional<double> curvature(const Guide& guide,
+                                                std::size_t role,
+                                                const PathPoint& a,
+                                                const PathPoint& b) const;
   bool learnTurn(const PathPoint& a, const PathPoint& b);
 
   Path& path_;

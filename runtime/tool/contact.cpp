@@ -5,6 +5,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/tool/contact_search.h"
 #include "runtime/tool/mesh_contact.h"
+#include "runtime/tool/rounded.h"
 
 namespace arelem::tool {
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double alongAxis = 1e-12;
 
 bool isWall(const Vec3& generatrix, const Vec3& axis) {
-  return generatrix.squaredNorm() > 0.5 && generatrix.cross(axis).norm() <= alongAxis;
+  return std::abs(generatrix.dot(axis)) > 0.5 && generatrix.cross(axis).norm() <= alongAxis;
 }
 
 /// A wall along the tool axis: the cutter is a disc of its largest radius.
@@ -74,6 +75,16 @@ Contact contactOf(const surface::Sphere& s,
                   const Vec3& te,
                   const Vec3& axis,
                   Search<surface::Sphere>&) {
+  if (side > 0.0 && isRoundBall(cutter)) {
+    // Two convex bodies: what is nearest nearby is nearest of all.
+    const Vec3 ball = te + cutter.f * axis;
+    const Vec3 away = ball - s.center;
+    const double distance = away.norm();
+    const Vec3 normal = away / distance;
+    if (normal.dot(axis) >= cutter.sinBeta) {
+      return {distance - cutter.r - s.radius, normal, ball - cutter.r * normal};
+    }
+  }
   const Vec3 w = s.center - te;
   const double z = w.dot(axis);
   const Vec3 across = w - z * axis;

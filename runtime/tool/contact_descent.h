@@ -12,20 +12,29 @@ namespace arelem::tool {
 template <surface::Surface S>
 class ContactDescent {
  public:
-  /// The direction about the axis is carried on from the last contact in `search`, or aimed at the
-  /// surface.
   ContactDescent(const S& s,
                  double side,
                  const Profile& cutter,
                  const Vec3& te,
                  const Vec3& axis,
                  Search<S>& search)
-      : surface_(s), side_(side), cutter_(cutter), te_(te), axis_(axis), search_(search) {
+      : surface_(s), side_(side), cutter_(cutter), te_(te), axis_(axis), search_(search) {}
+
+  /// The direction about the axis is carried on from the last contact in `search`, or aimed at the
+  /// surface.
+  void begin() {
     if (!search_.valid) {
       search_.toward = -sample(te_ + cutter_.f * axis_).gradient;
     }
     turnTo(search_.toward);
     search_.valid = true;
+  }
+
+  /// The contact of a ball about the corner's center, which is on the axis.
+  Contact ofBall() {
+    last_ = sample(te_ + cutter_.f * axis_);
+    search_.toward = -last_.gradient;
+    return result(cutter_.r);
   }
 
   /// From the corner circle into the piece of the profile to which the normal there points.
@@ -78,8 +87,9 @@ class ContactDescent {
   static constexpr int limit = 60;
   /// Iterations after which a bracket is halved whatever Newton says.
   static constexpr int patience = 12;
-  /// Newton's error after a turn this small is rounding. Radians.
-  static constexpr double smallTurn = 1e-8;
+  /// Newton's error after a turn this small is its square, and that of the distance the square of
+  /// that. Radians.
+  static constexpr double smallTurn = 1e-6;
   static constexpr double smallestTurn = 1e-15;
   static constexpr double largestTurn = 1.0;
   /// A normal at the center of a ball with a larger cosine to the axis points nowhere about it.

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "runtime/tool/contact_descent.h"
+#include "runtime/tool/rounded.h"
 
 /// The general contact: the least side * distance over the whole cutter. Private to runtime/tool.
 ///
@@ -29,9 +30,18 @@ class ContactSearch {
         descent_(s, sign, cutter, te, axis, search) {}
 
   Contact run() {
+    if (search_.valid && isRoundBall(cutter_)) {
+      const Contact ball = descent_.ofBall();
+      const bool below = ball.normal.dot(axis_) >= cutter_.sinBeta;
+      if (below && (search_.convex || (bottomIsProven(ball, true) && shankIsClear(ball.gap)))) {
+        return ball;
+      }
+    }
+    descent_.begin();
     const Contact local = descent_.nearestPiece();
-    const bool proven =
-        search_.convex ? supports(local) : bottomIsProven(local) && shankIsClear(local.gap);
+    const bool proven = search_.convex
+                            ? supports(local)
+                            : bottomIsProven(local, descent_.onCorner()) && shankIsClear(local.gap);
     return proven ? local : survey(local);
   }
 
@@ -63,14 +73,14 @@ class ContactSearch {
   /// the bound of the bend towards the cutter, the distance at a point x of the disc is at least
   /// that at the contact's q plus n.(x - q) - K/2 |x - q|^2, which is positive all over the disc if
   /// the slope of n towards q is at least K e; and from x upwards it rises.
-  [[nodiscard]] bool bottomIsProven(const Contact& c) {
+  [[nodiscard]] bool bottomIsProven(const Contact& c, bool onCorner) {
     if (cutter_.alpha > 0.0) {
       return false;
     }
     const double high = lowHeight();
     const Vec3 q = te_ + cutter_.e * search_.toward + cutter_.f * axis_;
     const double off = (c.point + cutter_.r * c.normal - q).norm();
-    if (cutter_.e == 0.0 ? !descent_.onCorner() : off > supportSlack * (1.0 + cutter_.e)) {
+    if (cutter_.e == 0.0 ? !onCorner : off > supportSlack * (1.0 + cutter_.e)) {
       return false;
     }
     const double radius = 2.0 * cutter_.e + high;

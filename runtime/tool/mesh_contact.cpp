@@ -5,6 +5,7 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/triangle_tree.h"
+#include "runtime/tool/rounded.h"
 
 namespace arelem::tool {
 
@@ -32,7 +33,12 @@ TriangleCutter::TriangleCutter(const Profile& cutter,
                                const Vec3& te,
                                const Vec3& axis,
                                const Vec3& sweep)
-    : cutter_(cutter), te_(te), axis_(axis), sweep_(sweep) {}
+    : cutter_(cutter), te_(te), axis_(axis), sweep_(sweep), upright_(axis == Vec3::UnitZ()) {
+  straight_ = isRounded(cutter) && cutter.alpha == 0.0 && cutter.beta == 0.0;
+  radius_ = straight_ ? cutter.e : cutter.maxRadius();
+  height_ = straight_ ? cutter.f : 0.0;
+  ball_ = straight_ ? cutter.r : 0.0;
+}
 
 double TriangleCutter::distance(const Vec3& place) const {
   const Vec3 w = place - te_;
@@ -249,7 +255,25 @@ bool TriangleCutter::mayReachAround(const Vec3& center, double gap, Spread sprea
   return low - steep * s <= gap;
 }
 
+/// True where a box is farther than `gap` from the cylinder around an upright cutter, all the way:
+/// cheap, and enough for most boxes.
+bool TriangleCutter::isBeside(const Vec3& low, const Vec3& high, double gap) const {
+  const Vec3 sweep = sweep_.cwiseAbs();
+  const double dx = std::max({low.x() - sweep.x() - te_.x(), te_.x() - sweep.x() - high.x(), 0.0});
+  const double dy = std::max({low.y() - sweep.y() - te_.y(), te_.y() - sweep.y() - high.y(), 0.0});
+  const double beside = std::max(std::sqrt(dx * dx + dy * dy) - radius_, 0.0);
+  const double below = std::max(te_.z() + height_ - sweep.z() - high.z(), 0.0);
+  const double most = gap + ball_;
+  return most < 0.0 ? beside > 0.0 || below > 0.0 : beside * beside + below * below > most * most;
+}
+
 bool TriangleCutter::mayReach(const Vec3& center, const Vec3& half, double gap) const {
+  if (upright_) {
+    const bool beside = isBeside(center - half, center + half, gap);
+    if (beside || straight_) {
+      return !beside;
+    }
+  }
   if (cutter_.ring) {
     return distance(center) - half.norm() - sweep_.norm() <= gap;
   }
@@ -262,6 +286,12 @@ bool TriangleCutter::mayReach(const geometry::TriangleMesh& mesh,
   const Vec3& a = mesh.corner(triangle, 0);
   const Vec3& b = mesh.corner(triangle, 1);
   const Vec3& c = mesh.corner(triangle, 2);
+  if (upright_ && isBeside(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), gap)) {
+    return false;
+  }
+  if (upright_ && straight_ && radius_ == 0.0 && sweep_.isZero(0.0)) {
+    return true;  // a ball's gap itself costs no more
+  }
   const Vec3 center = (a + b + c) / 3.0;
   if (cutter_.ring) {
     const double radius = std::sqrt(std::max(

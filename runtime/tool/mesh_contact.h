@@ -43,6 +43,7 @@ class TriangleCutter {
     Vec3 onCutter = Vec3::Zero();
   };
   [[nodiscard]] Away away(const Vec3& place) const;
+  [[nodiscard]] bool isBeside(const Vec3& low, const Vec3& high, double gap) const;
   template <class Spread>
   [[nodiscard]] bool mayReachAround(const Vec3& center, double gap, Spread spread) const;
   [[nodiscard]] double distance(const Vec3& place) const;
@@ -56,6 +57,11 @@ class TriangleCutter {
 
   const Profile& cutter_;
   Vec3 te_, axis_, sweep_;
+  bool upright_;   ///< the axis is z
+  bool straight_;  ///< the sides are parallel to the axis, the bottom is square to it
+  /// The cutter lies within the upright cylinder of this radius from this height above the tool end
+  /// upwards, thickened by the ball.
+  double radius_, height_, ball_;
 };
 
 /// The least gap to a mesh. `triangle` is one that is likely to be near, and becomes the nearest.

@@ -5,6 +5,7 @@
 
 #include "ir/diag/motion.h"
 #include "runtime/tool/profile_check.h"
+#include "runtime/tool/rounded.h"
 
 namespace arelem::tool {
 
@@ -143,13 +144,18 @@ double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
     nearest = {p.e, p.f};
     return apart(c, nearest);
   }
-  Nearest best{c, apart(c, {0.0, 0.0}), {0.0, 0.0}};
-  best.considerLine({0.0, 0.0}, p.bottomEnd);
-  best.considerLine(p.sideStart, p.sideEnd);
   const double dx = c.rho - p.e;
   const double dz = c.z - p.f;
   const double length = lengthOf(dx, dz);
   const bool towardArc = insideArc(p, dx, dz, length);
+  if (towardArc && isRounded(p) && length > 0.0) {
+    const double share = p.r / length;
+    nearest = {p.e + share * dx, p.f + share * dz};
+    return length - p.r;
+  }
+  Nearest best{c, apart(c, {0.0, 0.0}), {0.0, 0.0}};
+  best.considerLine({0.0, 0.0}, p.bottomEnd);
+  best.considerLine(p.sideStart, p.sideEnd);
   if (p.r > 0.0 && length > 0.0 && towardArc) {
     best.consider({p.e + p.r * dx / length, p.f + p.r * dz / length});
   }

@@ -16,6 +16,11 @@ constexpr int bisectionLimit = 200;
 constexpr double rounding = 1e-14;
 /// Slack of the test for the nearest point, which is an equality on the medial axis.
 constexpr double medial = 1e-9;
+/// Newton over the multiplier keeps this far from the ends of its interval, as a share of it.
+constexpr double nearEnd = 0.05;
+/// A foot that moves by this share of its coordinates is found: Newton's next step is the square of
+/// that.
+constexpr double lastMove = 1e-9;
 /// Share of the gradient by which it may change for the surface to count as a graph.
 constexpr double graphShare = 0.5;
 }  // namespace
@@ -81,6 +86,29 @@ struct FootCurve {
     const Vec3 q = at(m);
     return q.dot(roots.cwiseProduct(q)) + 2.0 * linear.dot(q) + constant;
   }
+  /// Newton on F from a multiplier. Gives up near the ends of the interval in which the foot is the
+  /// nearest.
+  [[nodiscard]] std::optional<Vec3> follow(double m) const {
+    for (int i = 0; i < newtonLimit; ++i) {
+      const Vec3 scale = Vec3::Ones() + 2.0 * m * roots;
+      if (!(scale.minCoeff() > nearEnd)) {
+        return std::nullopt;
+      }
+      const Vec3 foot = (place - 2.0 * m * linear).cwiseQuotient(scale);
+      const Vec3 half = roots.cwiseProduct(foot) + linear;
+      const Vec3 moving = half.cwiseQuotient(scale);
+      const double fall = 4.0 * half.dot(moving);
+      if (!(fall > 0.0)) {
+        return std::nullopt;
+      }
+      const double step = (foot.dot(half + linear) + constant) / fall;
+      m += step;
+      if (2.0 * std::abs(step) * moving.norm() <= lastMove * (1.0 + foot.norm())) {
+        return foot - 2.0 * step * moving;
+      }
+    }
+    return std::nullopt;
+  }
   /// Where the interval of multipliers ends without a zero, p lies on the medial axis: the foot
   /// leaves along eigenvector i, whose 1 + 2 m root is 0.
   [[nodiscard]] std::optional<Vec3> onMedialAxis(int i, double m) const {
@@ -135,18 +163,25 @@ Vec3 Quadric::search(const Vec3& p) const {
 }
 
 Foot Quadric::foot(const Vec3& p, Hint& hint) const {
-  Candidate found = hint.valid ? refine(p, hint.point) : Candidate{};
-  if (!found.good) {
-    const Vec3 near = search(p);
-    found = refine(p, near);
-    if (!found.good) {
-      found.point = near;
-    }
+  const FootCurve curve{axes_.transpose() * p, roots_, alongAxes_, constant_};
+  double multiplier = 0.0;
+  if (hint.valid) {
+    const Vec3 last = axes_.transpose() * hint.point;
+    const Vec3 half = roots_.cwiseProduct(last) + alongAxes_;
+    const double squared = half.squaredNorm();
+    multiplier = squared > 0.0 ? 0.5 * (curve.place - last).dot(half) / squared : 0.0;
   }
-  hint = {true, found.point};
-  const Vec3 outward = gradient(found.point).normalized();
-  const Vec3 w = p - found.point;
-  return {w.dot(outward), outward};
+  Vec3 outward;
+  if (const auto found = curve.follow(multiplier)) {
+    hint = {true, axes_ * *found};
+    outward = (axes_ * (roots_.cwiseProduct(*found) + alongAxes_)).normalized();
+  } else {
+    const Vec3 near = search(p);
+    const Candidate refined = refine(p, near);
+    hint = {true, refined.good ? refined.point : near};
+    outward = gradient(hint.point).normalized();
+  }
+  return {(p - hint.point).dot(outward), outward};
 }
 
 namespace {
@@ -159,19 +194,23 @@ Eigen::Matrix2d acrossNormal(const Eigen::Matrix3d& matrix, const Vec3& e1, cons
 }
 }  // namespace
 
+/// The foot moves with the place by (I + 2 m Q)^-1 (t - a grad F), with the a that keeps it on the
+/// surface; the normal turns by Q times that.
 double Quadric::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
-  const double length = gradient(hint.point).norm();
+  const Vec3 half = roots_.cwiseProduct(axes_.transpose() * hint.point) + alongAxes_;
+  const double length = half.norm();
   if (!hint.valid || length <= 0.0) {
     return 0.0;
   }
-  const Vec3 e1 = foot.normal.unitOrthogonal();
-  const Vec3 e2 = foot.normal.cross(e1);
-  const Eigen::Matrix2d shape = acrossNormal(matrix_, e1, e2) / length;
-  // The parallel surface at distance d has the shape operator (1 + d S)^-1 S.
-  const Eigen::Matrix2d parallel =
-      (Eigen::Matrix2d::Identity() + foot.distance * shape).inverse() * shape;
-  const Eigen::Vector2d along(e1.dot(t), e2.dot(t));
-  return along.dot(parallel * along);
+  // The place is 2 m |half| from its foot.
+  const Vec3 scale = Vec3::Ones() + foot.distance / length * roots_;
+  const Vec3 normal = half / length;
+  const Vec3 along = axes_.transpose() * t;
+  const Vec3 across = along - normal.dot(along) * normal;
+  const Vec3 moving = normal.cwiseQuotient(scale);
+  const Vec3 direct = across.cwiseQuotient(scale);
+  const Vec3 moved = direct - normal.dot(direct) / normal.dot(moving) * moving;
+  return across.dot(roots_.cwiseProduct(moved)) / length;
 }
 
 /// Normal curvatures of the surface within `reach` of one of its points; none where the gradient

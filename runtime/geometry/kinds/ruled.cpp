@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "ir/space/tolerance.h"
 #include "runtime/geometry/kinds.h"
 
 namespace arelem::surface {
@@ -184,10 +185,16 @@ class Ruled::Sheet {
   [[nodiscard]] std::optional<Bends> curvatures(double f, double g, double reach) const;
 
   /// Fractions from which a search for the foot of p may start.
-  [[nodiscard]] Hint seed(const Vec3& p) const {
+  [[nodiscard]] Hint seed(const Vec3& p) const { return seed(p, 1); }
+  /// The same for a place of the sheet, where every eighth ruling is enough.
+  [[nodiscard]] Hint seedOn(const Vec3& place) const { return seed(place, 8); }
+
+ private:
+  [[nodiscard]] Hint seed(const Vec3& p, std::size_t every) const {
     Hint best;
     double least = std::numeric_limits<double>::infinity();
-    for (const Ruling& r : rulings_) {
+    for (std::size_t i = 0; i < rulings_.size(); i += every) {
+      const Ruling& r = rulings_[i];
       const Vec3 along = r.to - r.from;
       const double squared = along.squaredNorm();
       const double g = squared > 0.0 ? std::clamp((p - r.from).dot(along) / squared, -reachOfACurve,
@@ -202,7 +209,6 @@ class Ruled::Sheet {
     return best;
   }
 
- private:
   struct Ruling {
     double f;
     Vec3 from, to;
@@ -370,8 +376,13 @@ std::optional<Bends> Ruled::Sheet::curvatures(double f, double g, double reach) 
 Bends Ruled::bends(const Vec3& p, const Foot& foot, double radius) const {
   const Bends any = bendsOfAnySet(foot.distance, radius);
   const double away = std::abs(foot.distance);
-  Hint hint;
-  (void)this->foot(p, hint);
+  const Vec3 on = p - foot.distance * foot.normal;
+  Hint hint = sheet_->seedOn(on);
+  (void)this->foot(on, hint);
+  if (!((sheet_->at(hint.f, hint.g).place - on).norm() <= tolerance::sameSide)) {
+    hint = {};
+    (void)this->foot(p, hint);
+  }
   // Feet of all places within the radius lie within 2 (away + radius) of the foot.
   const auto range = sheet_->curvatures(hint.f, hint.g, 2.0 * (away + radius));
   if (!range) {

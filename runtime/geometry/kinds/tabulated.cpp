@@ -10,6 +10,14 @@ namespace {
 using Piece = TabulatedCylinder::Piece;
 
 constexpr int newtonLimit = 40;
+/// A step of Newton that is smaller than this share of the piece is the last: the next would be
+/// about its square.
+constexpr double lastStep = 1e-9;
+/// Parts of a piece that are looked at one by one.
+constexpr int parts = 4;
+/// A place between two feet on a graph that rises by at most 45 degrees is farther off than they
+/// are by less than this factor.
+constexpr double rise = 1.5;
 /// Directions of two neighbors that differ by less than this meet smoothly. Radians.
 constexpr double smoothJoint = 1e-7;
 
@@ -62,11 +70,12 @@ Nearest descend(const Piece& p, const Local& q, double x) {
     const double gradient = x - q.x + y * s;
     const double curvature = 1.0 + s * s + y * second(p, x);
     // Where the squared distance is not convex, fall back to the Gauss-Newton step.
-    const double step = gradient / (curvature > 0.1 * (1.0 + s * s) ? curvature : 1.0 + s * s);
+    const bool newton = curvature > 0.1 * (1.0 + s * s);
+    const double step = gradient / (newton ? curvature : 1.0 + s * s);
     const double next = std::clamp(x - step, lo, hi);
     const double moved = std::abs(next - x);
     x = next;
-    if (moved <= 1e-16 * (std::abs(x) + p.length)) {
+    if (moved <= (newton ? lastStep * p.length : 1e-16 * (std::abs(x) + p.length))) {
       break;
     }
   }
@@ -80,18 +89,37 @@ double boxBound(const Piece& p, const Local& q) {
   return dx * dx + dy * dy;
 }
 
-Nearest nearestOf(const Piece& p, const Local& q) {
+/// The same for a part of a piece, which is within its sag of the box of its chord.
+double partBound(const Piece& p, const Local& q, double from, double to) {
+  const double width = to - from;
+  const double sag =
+      0.125 * width * width * std::max(std::abs(second(p, from)), std::abs(second(p, to)));
+  const double y0 = height(p, from);
+  const double y1 = height(p, to);
+  const double dx = std::max({from - q.x, 0.0, q.x - to});
+  const double dy = std::max({std::min(y0, y1) - sag - q.y, 0.0, q.y - std::max(y0, y1) - sag});
+  return dx * dx + dy * dy;
+}
+
+/// The nearest place of a piece, if it is nearer than `bound`.
+Nearest nearestOf(const Piece& p, const Local& q, double bound) {
   if (p.a == 0.0 && p.b == 0.0) {
     const double x = std::clamp(q.x, low(p), high(p));
     return {x, squaredTo(p, q, x)};
   }
-  // A cubic over a chord has at most three minima; these seeds find them for the gentle pieces that
-  // definitions produce.
-  Nearest best;
-  for (const double seed : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    const Nearest found = descend(p, q, seed * p.length);
-    if (found.squared < best.squared) {
-      best = found;
+  // A cubic over a chord has at most three minima; the ends of its parts find them for the gentle
+  // pieces that definitions produce.
+  Nearest best{0.0, bound};
+  const double width = p.length / parts;
+  for (int i = 0; i < parts; ++i) {
+    const double from = i * width;
+    const double to = from + width;
+    const double least = partBound(p, q, from, to);
+    for (const double seed : {from, to}) {
+      if (least < best.squared) {
+        const Nearest found = descend(p, q, seed);
+        best = found.squared < best.squared ? found : best;
+      }
     }
   }
   return best;
@@ -120,7 +148,7 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
     if (boxBound(p, q) >= best.squared) {
       continue;
     }
-    const Nearest found = nearestOf(p, q);
+    const Nearest found = nearestOf(p, q, best.squared);
     if (found.squared < best.squared) {
       best = found;
       bestPiece = i;
@@ -186,11 +214,27 @@ Bends curvatures(const Piece& p, double from, double to) {
     least = extreme * at0 <= 0.0 || extreme * at1 <= 0.0 ? 0.0 : std::min(least, extreme * extreme);
     most = std::max(most, extreme * extreme);
   }
-  const double large = std::pow(1.0 + least, -1.5);
-  const double small = std::pow(1.0 + most, -1.5);
+  const double large = 1.0 / ((1.0 + least) * std::sqrt(1.0 + least));
+  const double small = 1.0 / ((1.0 + most) * std::sqrt(1.0 + most));
   const double low = -std::max(s0, s1);
   const double high = -std::min(s0, s1);
   return {low * (low < 0.0 ? large : small), high * (high > 0.0 ? large : small)};
+}
+
+/// True where all tangents of a part of a piece, all its slopes being between those at its ends and
+/// at its vertex, are within 45 degrees of a unit direction (u, v).
+bool runsAlong(const Piece& p, double from, double to, double u, double v) {
+  const double along = u * p.dirU + v * p.dirV;
+  const double aside = v * p.dirU - u * p.dirV;
+  const double vertex = p.a != 0.0 ? std::clamp(-p.b / (3.0 * p.a), from, to) : from;
+  for (const double x : {from, to, vertex}) {
+    const double s = slope(p, x);
+    const double dot = along + s * aside;
+    if (!(dot > 0.0 && 2.0 * dot * dot > 1.0 + s * s)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 void widen(Bends& range, const Bends& by) {
@@ -220,31 +264,39 @@ Bends TabulatedCylinder::bends(const Vec3& point, const Foot& foot, double radiu
   // Whether the part of the curve within reach is one: then two feet of one place have a place
   // between them where the curvature reaches 1 over the distance.
   bool one = true;
+  // Whether that part runs within 45 degrees of its direction at the foot: a graph that a place has
+  // on one side only, so that only the curvature towards that side makes two feet.
+  const double alongU = foot.normal.dot(curve.v);
+  const double alongV = -foot.normal.dot(curve.u);
+  bool graph = away > radius;
   bool seen = false;
-  bool joined = false;  // the end of the last piece is within reach
+  bool joined = false;  // the part of the last piece runs to its end
   for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
     const Piece& p = curve.pieces[i];
     const Local q = toLocal(p, u, v);
-    if (boxBound(p, q) > reach * reach) {
+    const double from = std::max(low(p), q.x - reach);
+    const double to = std::min(high(p), q.x + reach);
+    if (!(from < to) || boxBound(p, q) > reach * reach ||
+        partBound(p, q, from, to) > reach * reach) {
       joined = false;
       continue;
     }
-    one = one && (!seen || joined);
+    one = one && (!seen || (joined && from == 0.0));
     seen = true;
-    const double from = std::max(low(p), q.x - reach);
-    const double to = std::min(high(p), q.x + reach);
-    if (from < to) {
-      widen(curvature, curvatures(p, from, to));
-    }
-    joined = squaredTo(p, q, p.length) <= reach * reach;
-    if (joined && i + 1 < curve.pieces.size()) {
+    widen(curvature, curvatures(p, from, to));
+    graph = graph && runsAlong(p, from, to, alongU, alongV);
+    joined = to == p.length;
+    if (squaredTo(p, q, p.length) <= reach * reach && i + 1 < curve.pieces.size()) {
       const double turn = turnBetween(p, curve.pieces[i + 1]);
       if (std::abs(turn) > smoothJoint) {
         widen(curvature, turn > 0.0 ? Bends{Bends{}.low, 0.0} : Bends{0.0, Bends{}.high});
+        graph = false;
       }
     }
   }
-  const double sharpest = std::max(std::abs(curvature.low), std::abs(curvature.high));
+  const double hollow = foot.distance > 0.0 ? -curvature.low : curvature.high;
+  const double sharpest =
+      graph ? rise * hollow : std::max(std::abs(curvature.low), std::abs(curvature.high));
   return bendsOfCurvature(curvature, foot.distance, radius,
                           one && sharpest * (away + 3.0 * radius) < 1.0);
 }

@@ -1,0 +1,72 @@
+"""Passes of every kind of cutter over every kind of surface: cut vectors per second, and how both grow."""
+import math
+import pathlib
+import struct
+
+# Part surfaces under the tool; the passes run along x in planes of constant y between -width and width.
+SURFACES = {
+    "cylinder": ("CYLNDR/0,0,-60,0,1,0,80", 40),
+    "cone": ("CONE/(POINT/0,-300,-60),(VECTOR/0,1,0),15", 40),
+    "sphere": ("SPHERE/0,0,-60,80", 40),
+    "torus": ("TORUS/0,0,-100,0,1,0,100,30", 15),
+    "general quadric": ("QADRIC/0.0002,0.0003,0.00025,0,0,0,0,0,0,-1", 40),
+    "tabulated cylinder": ("TABCYL/NOY,SPLINE,2,-70,9,-45,12,-20,8,5,5,25,11,50,13,75", 40),
+    "ruled surface": ("RLDSRF/CA,(POINT/-60,-45,0),(POINT/60,-45,0),(POINT/0,-45,30),$\n"
+                      "CB,(POINT/-60,45,0),(POINT/60,45,0),(POINT/0,45,20)", 40),
+    "mesh of 200 000 triangles": ("MESH/STL,'wavy.stl'", 40),
+}
+BEFORE = {"ruled surface": "CA=CYLNDR/0,0,-70,0,1,0,100\nCB=CYLNDR/0,0,-80,0,1,0,100\n"}
+CUTTERS = {
+    "ball": "12,6",
+    "flat": "12,0",
+    "bull-nose": "12,1.5",
+    "tapered": "12,1.5,4.5,1.5,0,10,20",
+}
+PASSES = 100
+MESH_SIDE = 316  # 316 * 316 * 2 triangles
+
+
+def wavy_mesh(path, side=MESH_SIDE):
+    """A waved square of 100 by 100, as binary STL."""
+    xs = [-50 + 100 * i / side for i in range(side + 1)]
+    z = [[6 * math.sin(0.06 * x) * math.cos(0.05 * y) - 8 for y in xs] for x in xs]
+    with path.open("wb") as file:
+        file.write(bytes(80) + struct.pack("<I", 2 * side * side))
+        for i in range(side):
+            for j in range(side):
+                square = [(xs[a], xs[b], z[a][b]) for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))]
+                for corners in ((0, 1, 2), (0, 2, 3)):
+                    values = [v for k in corners for v in square[k]]
+                    file.write(struct.pack("<12fH", 0, 0, 0, *values, 0))
+
+
+def program(surface, cutter, passes, tolerance=.0005):
+    definition, width = SURFACES[surface]
+    return (f"PARTNO {surface.upper()}\nINTOL/0\nOUTTOL/{tolerance:.10f}\nCUTTER/{CUTTERS[cutter]}\nNUMPTS/100000\n"
+            f"{BEFORE.get(surface, '')}PS1={definition}\nXA=PLANE/1,0,0,-40\nXE=PLANE/1,0,0,40\nFROM/-60,0,60\nLOOPST\nY={-width}\n"
+            "A) GOTO/-45,Y,60\nGO/ON,(PLANE/0,1,0,Y),TO,PS1,ON,XA\nINDIRV/1,0,0\nTLON,GOFWD/(PLANE/0,1,0,Y),ON,XE\n"
+            f"GODLTA/0,0,80\nY=Y+{2 * width / passes:.7f}\nIF(Y-{width})A,A,B\nB) GOTO/-60,0,60\nLOOPND\nFINI\n")
+
+
+def cases(folder):
+    """(what, path of a program, what is counted), all cutters on all surfaces, and one that grows."""
+    folder = pathlib.Path(folder)
+    wavy_mesh(folder / "wavy.stl")
+    rows = []
+
+    def add(what, name, text):
+        (folder / name).write_text(text)
+        rows.append((what, folder / name, "cut vectors"))
+    for s, surface in enumerate(SURFACES):
+        for cutter in CUTTERS:
+            add(f"{surface}, {cutter}", f"{s}_{cutter}.apt", program(surface, cutter, 10 if "mesh" in surface else PASSES))
+    for passes in (10, 100, 1000, 10000):
+        add(f"sphere, ball, {passes} passes", f"grows{passes}.apt", program("sphere", "ball", passes, .0001))
+    for tolerance in (1e-4, 1e-6, 1e-8):
+        add(f"sphere, ball, one pass, tolerance {tolerance:g}", f"one{tolerance:g}.apt",
+            program("sphere", "ball", 1, tolerance).replace("NUMPTS/100000", "NUMPTS/10000000"))
+    for tolerance in (1e-4, 1e-6, 1e-8, 1e-10):
+        add(f"circle in the plane, one turn, tolerance {tolerance:g}", f"circle{tolerance:g}.apt",
+            f"INTOL/0\nOUTTOL/{tolerance:.12f}\nCUTTER/10\nC1=CIRCLE/0,0,0,75.25\nLX=LINE/XAXIS\nFROM/120,0,0\nINDIRV/-1,0,0\n"
+            "GO/TO,C1\nTLRGT,GORGT/C1,ON,2,INTOF,LX\nGOTO/120,0,0\nFINI\n")
+    return rows
