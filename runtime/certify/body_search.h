@@ -86,7 +86,7 @@ class BodySearch {
       if (gap < aim || ++result.measured > budget) {
         return result;
       }
-      if (bound(box, gap) < aim) {
+      if (bound(box, gap, aim) < aim) {
         split(box);
       }
     }
@@ -122,8 +122,9 @@ class BodySearch {
     return side_ * foot_.distance - piece_->ball - thick_;
   }
 
-  /// Lower bound of the gap over the box, from the measured one at its center.
-  double bound(const Box& box, double gap) {
+  /// Lower bound of the gap over the box, from the measured one at its center: the cheapest that
+  /// reaches `aim`, or the best.
+  double bound(const Box& box, double gap, double aim) {
     const double moved = chord_->length() * box.halfS;
     const double turned = chord_->turn() * box.halfS;
     // How far a point of the box is from its center: on the cutter, and in all.
@@ -131,13 +132,16 @@ class BodySearch {
         std::min(2.0 * widest_, widest_ * box.halfAngle) + length_ * box.halfShare;
     const double away = moved + turned * reach_ + onCutter;
     double best = gap - away;
+    if (best >= aim) {
+      return best;
+    }
     const surface::Bends bends = surface_.bends(point_, foot_, away);
     const double low = side_ > 0.0 ? bends.low : -bends.high;
     if (std::isfinite(low)) {
       best = std::max(best, gap + tilt(box, turned, onCutter) + 0.5 * low * away * away);
     }
     const double high = side_ > 0.0 ? bends.high : -bends.low;
-    if (std::isfinite(high) && !(low >= 0.0)) {
+    if (best < aim && std::isfinite(high) && !(low >= 0.0)) {
       best = std::max(best, fromCorners(box, high));
     }
     return best;

@@ -156,11 +156,14 @@ class ChordFit {
     outer_ = outer;
     smooth_ = smoothShare * (inner + outer);
     const GapNode middle = measure(0.5 * length_);
+    middleSlope_ = middle.slope;
     const int depth = field_.isFaceted() || foretold(first_, last_, middle, smooth_) ? 0 : deepest;
     consider(first_, middle, depth);
     consider(middle, last_, depth);
     return factor_;
   }
+
+  [[nodiscard]] double middleSlope() const { return middleSlope_; }
 
  private:
   /// Nodes that a cubic foretells but for this share of the band are smooth.
@@ -195,7 +198,7 @@ class ChordFit {
   const Vec3& turn_;
   Vec3 direction_;
   GapNode first_, last_;
-  double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0;
+  double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
   double factor_ = tolerance::farAway;
 };
 }  // namespace
@@ -211,6 +214,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   const double scale = length > 0.0 ? length : (b.axis - a.axis).norm();
   const Vec3 turn = turning ? spin(a.axis, b.axis, scale) : Vec3(Vec3::Zero());
   double factor = tolerance::farAway;
+  middle.end = b.toolEnd;
   for (std::size_t i = 0; i < guides.size(); ++i) {
     if (guides[i].field->flat() && !turning) {
       continue;
@@ -218,7 +222,9 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     // A start outside its band by the slack allowed there must not stop the motion.
     const double inner = std::max({guides[i].inner, -a.contacts[i].gap, -b.contacts[i].gap});
     const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
-    factor = std::min(factor, ChordFit(*guides[i].field, a, b, i, scale, turn).run(inner, outer));
+    ChordFit chordFit(*guides[i].field, a, b, i, scale, turn);
+    factor = std::min(factor, chordFit.run(inner, outer));
+    middle.slope[i] = chordFit.middleSlope();
     if (factor >= 1.0 - tolerance::coincidence) {
       const certify::Chord straight(a.toolEnd, b.toolEnd, a.axis, b.axis);
       factor = std::min(factor, guides[i].field->judge(straight, inner, outer));

@@ -14,11 +14,11 @@ struct Guide {
   double rest = 0.0;                ///< gap at stops
   double bend = 0.0;                ///< present estimate of the curvature along the path
   double trend = 0.0;               ///< its change per length of path
-  double mean = 0.0, spread = 0.0;  ///< curvature of the last cut vector, and its length
+  double spread = 0.0;              ///< length of the cut vector over which that was seen
 
   /// Nothing is known of what comes but, perhaps, the curvature.
   void startAnew(double curvature) {
-    bend = mean = curvature;
+    bend = curvature;
     trend = spread = 0.0;
   }
 
@@ -49,6 +49,12 @@ class Path {
  public:
   std::array<Guide, 2> guides;  ///< part, drive
   AxisRule axis;
+  /// Slopes of the gaps in the middle of the chord that `fit` looked at last, and its end.
+  struct Middle {
+    Vec3 end = Vec3::Zero();
+    std::array<double, 2> slope{0.0, 0.0};
+  };
+  Middle middle;
 
   /// Contacts and tangent at a tool position; the tangent goes with `towards`.
   [[nodiscard]] PathPoint look(const Vec3& toolEnd, const Vec3& towards);

@@ -24,7 +24,7 @@ constexpr int patience = 5;
 /// turns.
 constexpr double levelChange = 1e-11;
 /// Largest change of curvature over a cut vector that is expected of the next, as a share of it.
-constexpr double mostTrend = 0.25;
+constexpr double mostTrend = 0.5;
 /// Largest turn of the path over one cut vector, as a cosine.
 constexpr double turnCosine = 0.2;
 }  // namespace
@@ -127,35 +127,37 @@ std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   return best;
 }
 
-/// Mean curvature along a cut vector; none where it is the same everywhere.
-std::optional<double> Stride::curvature(const Guide& guide,
-                                        std::size_t role,
-                                        const PathPoint& a,
-                                        const PathPoint& b) const {
+/// Slopes of a gap at both ends of a cut vector; none where it is straight.
+std::optional<std::array<double, 2>> Stride::slopes(std::size_t role,
+                                                    const PathPoint& a,
+                                                    const PathPoint& b) const {
   const Vec3 chord = b.toolEnd - a.toolEnd;
-  const double squared = chord.squaredNorm();
-  if (guide.flat() || squared <= 0.0) {
+  const double length = chord.norm();
+  if (path_.guides[role].flat() || length <= 0.0) {
     return std::nullopt;
   }
-  const double length = std::sqrt(squared);
-  double change = (b.contacts[role].normal - a.contacts[role].normal).dot(chord) / length;
-  if (a.axis != b.axis) {
-    const Vec3 turn = spin(a.axis, b.axis, length);
-    change = slopeAlong(b.contacts[role], b.toolEnd, chord / length, turn) -
-             slopeAlong(a.contacts[role], a.toolEnd, chord / length, turn);
-  }
+  const Vec3 turn = a.axis != b.axis ? spin(a.axis, b.axis, length) : Vec3(Vec3::Zero());
+  return std::array{slopeAlong(a.contacts[role], a.toolEnd, chord / length, turn),
+                    slopeAlong(b.contacts[role], b.toolEnd, chord / length, turn)};
+}
+
+namespace {
+/// Mean curvature between two places.
+double curvature(double before, double behind, double length) {
+  const double change = behind - before;
   return std::abs(change) <= levelChange ? 0.0 : change / length;
 }
+}  // namespace
 
 /// Takes over the curvatures of a trial chord where their sign differs; true where one does.
 bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
   bool turns = false;
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
-    const auto bend = curvature(g, i, a, b);
-    if (bend) {
-      turns = turns || (*bend >= 0.0) != (g.bend >= 0.0);
-      g.startAnew(*bend);
+    if (const auto slope = slopes(i, a, b)) {
+      const double bend = curvature(slope->front(), slope->back(), (b.toolEnd - a.toolEnd).norm());
+      turns = turns || (bend >= 0.0) != (g.bend >= 0.0);
+      g.startAnew(bend);
     }
   }
   return turns;
@@ -165,15 +167,18 @@ void Stride::learn(const PathPoint& a, const PathPoint& b) {
   const double length = (b.toolEnd - a.toolEnd).norm();
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
-    if (const auto bend = curvature(g, i, a, b)) {
-      // The mean is the curvature of the middle, so the change is that between two middles.
-      const double most = mostTrend * std::abs(*bend) / length;
-      g.trend = g.spread > 0.0
-                    ? std::clamp(2.0 * (*bend - g.mean) / (length + g.spread), -most, most)
-                    : 0.0;
-      g.mean = *bend;
-      g.spread = length;
-      g.bend = *bend + 0.5 * length * g.trend;
+    if (const auto slope = slopes(i, a, b)) {
+      const double bend = curvature(slope->front(), slope->back(), length);
+      g.startAnew(bend);
+      if (path_.middle.end == b.toolEnd && bend != 0.0) {
+        // The curvatures of both halves are those of their middles.
+        const double change =
+            2.0 * (slope->back() + slope->front() - 2.0 * path_.middle.slope[i]) / length;
+        const double most = mostTrend * std::abs(bend);
+        g.trend = std::clamp(2.0 * change, -most, most) / length;
+        g.spread = length;
+        g.bend = bend + 0.5 * length * g.trend;
+      }
     }
   }
 }

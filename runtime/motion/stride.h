@@ -17,10 +17,9 @@ class Stride {
 
  private:
   [[nodiscard]] double planned(const PathPoint& a) const;
-  [[nodiscard]] std::optional<double> curvature(const Guide& guide,
-                                                std::size_t role,
-                                                const PathPoint& a,
-                                                const PathPoint& b) const;
+  [[nodiscard]] std::optional<std::array<double, 2>> slopes(std::size_t role,
+                                                            const PathPoint& a,
+                                                            const PathPoint& b) const;
   bool learnTurn(const PathPoint& a, const PathPoint& b);
 
   Path& path_;

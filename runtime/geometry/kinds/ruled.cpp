@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 
 #include "ir/space/tolerance.h"
-#include "runtime/geometry/kinds.h"
+#include "runtime/geometry/kinds/ruled_curve.h"
 
 namespace arelem::surface {
 
@@ -16,142 +16,10 @@ namespace {
 constexpr int newtonLimit = 50;
 /// A Newton step of f and g at most this long is the last.
 constexpr double smallStep = 1e-8;
-/// Rulings kept for each curve distance.
-constexpr int rulingsOfASpan = 64;
-/// How far beyond its end points a curve is followed, in chords.
-constexpr double reachOfACurve = 1.0;
 /// The normal of a part of the sheet that is bounded turns by at most this sine, and ways along it
 /// are at most this many times as long as straight ones.
 constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
-/// A curve that leaves its base line steeper than this (a section that turns back) ends there.
-constexpr double steepest = 8.0;
-
-/// A place of a curve with its derivatives by the fraction.
-struct CurvePlace {
-  Vec3 place = Vec3::Zero(), first = Vec3::Zero(), second = Vec3::Zero();
-};
-
-/// How the derivatives of a curve vary over a range of fractions.
-struct CurveRange {
-  double first = 0.0;            ///< longest derivative
-  double low = 0.0, high = 0.0;  ///< of the second derivative along the heading
-  [[nodiscard]] double second() const { return std::max(-low, high); }
-};
-
-/// One section curve on its carrier surface.
-class Curve {
- public:
-  explicit Curve(const geometry::SectionCurve& section) : section_(section) {
-    if (section.isPoint()) {
-      low_ = -reachOfACurve;
-      high_ = 1.0 + reachOfACurve;
-      return;
-    }
-    if (auto carrier = surfaceOf(section.surface)) {
-      carrier_ = std::make_unique<AnySurface>(*std::move(carrier));
-    }
-    const int middle = rulingsOfASpan / 2;
-    low_ = extent(middle, -1);
-    high_ = extent(middle, 1);
-  }
-
-  /// Bounds over the fractions within `reach` of f. None where the carrier turns too much.
-  [[nodiscard]] std::optional<CurveRange> range(double f, double reach) const {
-    if (section_.isPoint()) {
-      return CurveRange{};
-    }
-    const CurvePlace middle = at(std::clamp(f, low_, high_));
-    for (double room = 1.5; room <= 6.0; room *= 2.0) {
-      const auto range = rangeWithin(middle, room * middle.first.norm() * reach);
-      if (range && range->first <= room * middle.first.norm()) {
-        return range;
-      }
-    }
-    return std::nullopt;
-  }
-  [[nodiscard]] const Vec3& heading() const { return section_.heading; }
-
-  [[nodiscard]] double low() const { return low_; }
-  [[nodiscard]] double high() const { return high_; }
-
-  /// Within [low, high].
-  [[nodiscard]] CurvePlace at(double f) const {
-    if (section_.isPoint()) {
-      return {section_.start, Vec3::Zero(), Vec3::Zero()};
-    }
-    const auto place = section_.at(f);
-    return place ? derived(*place) : CurvePlace{section_.base(f)};
-  }
-
- private:
-  /// From n . C' = 0 and C' . H C' + n . C'' = 0, with n and H gradient and Hessian of the distance
-  /// to the carrier; C' = chord + s' heading, C'' = s'' heading.
-  [[nodiscard]] CurvePlace derived(const Vec3& place) const {
-    return std::visit(
-        [&]<class S>(const S& s) {
-          typename S::Hint hint{};
-          const Foot foot = s.foot(place, hint);
-          const Vec3 chord = section_.finish - section_.start;
-          const double rise = foot.normal.dot(section_.heading);
-          CurvePlace c{place, chord - foot.normal.dot(chord) / rise * section_.heading,
-                       Vec3::Zero()};
-          c.second = -s.bend(place, foot, c.first, hint) / rise * section_.heading;
-          return c;
-        },
-        *carrier_);
-  }
-
-  /// The same formulas with all that the carrier may do within `radius` of the place: its normal
-  /// turns by at most the bend times the way.
-  [[nodiscard]] std::optional<CurveRange> rangeWithin(const CurvePlace& c, double radius) const {
-    return std::visit(
-        [&]<class S>(const S& s) -> std::optional<CurveRange> {
-          typename S::Hint hint{};
-          const Foot foot = s.foot(c.place, hint);
-          const Bends bends = s.bends(c.place, foot, radius);
-          const double turned = std::max(std::abs(bends.low), std::abs(bends.high)) * radius;
-          const double rise = foot.normal.dot(section_.heading);
-          const double leastRise = std::abs(rise) - turned;
-          if (!(leastRise > 0.0)) {
-            return std::nullopt;
-          }
-          const Vec3 chord = section_.finish - section_.start;
-          const double aside =
-              (std::abs(foot.normal.dot(chord)) + turned * chord.norm()) / leastRise;
-          const double squared = chord.squaredNorm() + aside * aside;
-          const double most = std::max(0.0, bends.high) * squared / leastRise;
-          const double least = std::min(0.0, bends.low) * squared / leastRise;
-          return rise > 0.0 ? CurveRange{std::sqrt(squared), -most, -least}
-                            : CurveRange{std::sqrt(squared), least, most};
-        },
-        *carrier_);
-  }
-
-  /// The last fraction, walking from the middle of the base line, at which the curve goes on
-  /// smoothly.
-  [[nodiscard]] double extent(int middle, int way) const {
-    const double length = (section_.finish - section_.start).norm();
-    const int last = way < 0 ? -rulingsOfASpan : 2 * rulingsOfASpan;
-    Vec3 before = section_.at(0.5).value_or(section_.base(0.5));
-    double good = 0.5;
-    for (int i = middle; i != last + way; i += way) {
-      const double f = static_cast<double>(i) / rulingsOfASpan;
-      const auto place = section_.at(f);
-      if (!place || !(derived(*place).first.norm() <= steepest * length) ||
-          (*place - before).norm() > 2.0 * steepest * length / rulingsOfASpan) {
-        break;
-      }
-      before = *place;
-      good = f;
-    }
-    return good;
-  }
-
-  geometry::SectionCurve section_;
-  std::unique_ptr<AnySurface> carrier_;
-  double low_ = 0.0, high_ = 1.0;
-};
 
 /// A place of the sheet with all derivatives that the search for a foot needs.
 struct SheetPlace {
@@ -229,7 +97,7 @@ class Ruled::Sheet {
     b = second_.at(f);
   }
 
-  Curve first_, second_;
+  RuledCurve first_, second_;
   double low_, high_;
   std::array<CurvePlace, 2> atLow_, atHigh_;
   std::vector<Ruling> rulings_;
@@ -347,7 +215,8 @@ std::optional<Bends> Ruled::Sheet::curvatures(double f, double g, double reach) 
   }
   const Vec3 normal = across / area;
   const double turned = 2.0 * changeArea / (2.0 * area - changeArea);
-  const auto along = [&](const Curve& curve, const CurveRange& range, double weight, Bends& sum) {
+  const auto along = [&](const RuledCurve& curve, const CurveRange& range, double weight,
+                         Bends& sum) {
     const double middle = normal.dot(curve.heading());
     for (const double n : {middle - turned, middle + turned}) {
       sum.low = std::min({sum.low, weight * n * range.low, weight * n * range.high});
