@@ -10,6 +10,7 @@
 #include "app/options.h"
 #include "app/pipeline.h"
 #include "app/source_file.h"
+#include "app/verify_fit.h"
 #include "app/verify_g97.h"
 #include "app/verify_vplus.h"
 
@@ -63,6 +64,7 @@ struct WithRequest {
   std::string output, program;
   MachineChoice machine;
   Allowed allowed;
+  double fitShare = 0.0;  ///< that the output was made with; 0: location by location
 };
 
 /// Compares an output with the path of its program; the number of locations, none after an error.
@@ -87,8 +89,11 @@ std::optional<std::size_t> compared(const WithRequest& request,
   if (!pathOfOutput(request.output, std::move(bytes), job.settings, found, interrupted, result)) {
     return std::nullopt;
   }
-  if (std::optional<Diagnostic> difference =
-          firstDifference(wanted, found, name, request.allowed)) {
+  std::optional<Diagnostic> difference =
+      request.fitShare > 0.0
+          ? firstDeparture(wanted, found, name, {request.fitShare, request.allowed})
+          : firstDifference(wanted, found, name, request.allowed);
+  if (difference) {
     job.log.accept(*std::move(difference));
     return std::nullopt;
   }
@@ -118,8 +123,14 @@ ExitCode verify(const WithRequest& request,
     const auto count =
         compared(request, *std::move(bytes), wanted, *machine, job, interrupted, result);
     if (count && !settings.quiet) {
-      std::cerr << fmt::format("arelem: `{}` has the {} locations of `{}`\n",
-                               displayName(request.output), *count, displayName(request.program));
+      const std::string output = displayName(request.output);
+      const std::string program = displayName(request.program);
+      std::cerr << (request.fitShare > 0.0
+                        ? fmt::format("arelem: the path of `{}`, {} locations, keeps to that of "
+                                      "`{}`, {} locations\n",
+                                      output, *count, program, wanted.locations.size())
+                        : fmt::format("arelem: `{}` has the {} locations of `{}`\n", output, *count,
+                                      program));
     }
   }
   job.log.print(job.sources, job.main, settings);
@@ -147,6 +158,11 @@ int runVerify(const Invocation& invocation) {
   app.add_option("--tolerance", comparison.allowed.distance,
                  "with --with: largest distance of a location, part unit (1e-6)")
       ->check(CLI::NonNegativeNumber);
+  app.add_option("--fit", comparison.fitShare,
+                 "with --with: the share of INTOL + OUTTOL that the output was made with; its path "
+                 "may be so far from the program's")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("SHARE");
   app.add_option("--slack", request.slack,
                  "what rounding may add to each tolerance, part unit (1e-6)")
       ->check(CLI::NonNegativeNumber);
@@ -168,6 +184,12 @@ int runVerify(const Invocation& invocation) {
         "verify",
         "`" + output + "` is " + std::string(target->name) +
             ", which is not read back; verify reads CL text, CL tapes, G97 and V+ programs");
+    return static_cast<int>(ExitCode::wrongUse);
+  }
+  if (const backend::Target* target = backend::targetForFile(output);
+      comparison.fitShare > 0.0 && target != nullptr &&
+      (target->name == "g97" || target->name == "vplus")) {
+    printUsageError("verify", "--fit compares CL files; robot programs are compared move by move");
     return static_cast<int>(ExitCode::wrongUse);
   }
   return static_cast<int>(verify(comparison, settings, interrupted));

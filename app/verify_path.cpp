@@ -19,6 +19,11 @@ void Path::accept(const cl::Record& record) {
   if (const auto* units = std::get_if<cl::Units>(&record.body)) {
     millimeters = millimetersOf(units->unit);
   }
+  if (const auto* values = std::get_if<cl::Values>(&record.body)) {
+    const double value = values->values.empty() ? 0.0 : std::abs(values->values.back());
+    inner_ = values->word == Word::INTOL ? value : inner_;
+    outer_ = values->word == Word::OUTTOL ? value : outer_;
+  }
   if (const auto* post = std::get_if<cl::Post>(&record.body);
       post != nullptr && post->foreign.empty()) {
     word(*post);
@@ -31,6 +36,7 @@ void Path::accept(const cl::Record& record) {
        i += motion->stride()) {
     const double* c = motion->coordinates.data() + i;
     Location location{{c[0], c[1], c[2]}, std::nullopt, std::nullopt, record.origin, {}};
+    location.band = inner_ + outer_;
     location.on = on_;
     if (motion->withAxis) {
       location.axis = Vec3(c[3], c[4], c[5]);

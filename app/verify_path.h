@@ -23,6 +23,7 @@ struct Location {
   double wait = 0.0;   ///< of DELAY behind it, s
   std::optional<backend::hole::Cycle> hole = std::nullopt;  ///< drilled there
   bool rapid = false;  ///< the tool comes to it by RAPID or FROM
+  double band = 0.0;   ///< INTOL + OUTTOL on the way there, part unit
 };
 
 /// Keeps the locations of a stream of records and forgets the rest.
@@ -43,6 +44,8 @@ class Path : public cl::RecordSink {
   std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own
   double turns_ = 0.0;
   bool rapid_ = false;
+  double inner_ = 0.0;
+  double outer_ = 0.0005;  ///< as before any statement
 };
 
 struct Allowed {

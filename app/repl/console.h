@@ -51,8 +51,9 @@ std::string showEntity(Console& console, const std::string& rest);  // look.cpp
 std::string listNames(Console& console, const std::string& rest);
 std::string explainEntity(Console& console, const std::string& rest);
 std::string measure(Console& console, const std::string& rest);
-std::string help(Console& console, const std::string& rest);  // help.cpp
-std::string save(Console& console, const std::string& rest);  // keep.cpp
+std::string tellCurve(Console& console, const std::string& rest);  // curve.cpp
+std::string help(Console& console, const std::string& rest);       // help.cpp
+std::string save(Console& console, const std::string& rest);       // keep.cpp
 std::string loadFile(Console& console, const std::string& rest);
 std::string undo(Console& console, const std::string& rest);
 std::string redo(Console& console, const std::string& rest);

@@ -23,6 +23,8 @@ constexpr double farthest = 999999.0;
 /// An arc is kept if, after rounding, its radius differs by at most so many resolutions between its
 /// ends.
 constexpr double radiusResolutions = 2.0;
+/// Degrees of a turn under a standing tool that are told.
+constexpr double leastStanding = 1.0;
 }  // namespace
 
 void Moves::report(Failure failure) {
@@ -171,8 +173,8 @@ void Moves::putFeed(double length) {
   if (timed) {
     const double perMinute = feedMode_ == FeedMode::perTurn ? *feed_ * turns_ : *feed_;
     block_.modal('f', "G93");
-    block_.number('F', feedMode_ == FeedMode::inverseTime ? *feed_ : perMinute / length,
-                  feedDecimals);
+    const bool inverse = feedMode_ == FeedMode::inverseTime;
+    block_.number('F', inverse ? *feed_ / share_ : perMinute / length, feedDecimals);
     block_.forget('F');
     return;
   }
@@ -208,8 +210,7 @@ std::optional<std::vector<TurnedPlace>> Moves::way(const ToolPose& to) {
     return std::nullopt;
   }
   if (sure_) {
-    const double swing =
-        std::max(std::abs((*angles)[0] - now_.angles[0]), std::abs((*angles)[1] - now_.angles[1]));
+    const double swing = robot::turnBetween(now_.angles, *angles);
     sink_.accept(diagnose(record_->origin, diag::TurningUnwinds, swing));
   }
   return std::vector{TurnedPlace{to, *angles}};
@@ -220,17 +221,38 @@ void Moves::line(const ToolPose& to) {
     return;
   }
   if (const auto places = way(to)) {
+    tellStanding(*places);
+    double turn = 0.0;
+    robot::Angles before = now_.angles;
     for (const TurnedPlace& place : *places) {
+      turn += robot::turnBetween(std::exchange(before, place.angles), place.angles);
+    }
+    for (const TurnedPlace& place : *places) {
+      share_ = places->size() > 1 ? robot::turnBetween(now_.angles, place.angles) / turn : 1.0;
       straight(place);
     }
+  }
+}
+
+/// At a pole the table turns under the tool before the move goes on.
+void Moves::tellStanding(const std::vector<TurnedPlace>& places) {
+  double turned = 0.0;
+  for (const TurnedPlace& place : places) {
+    if ((place.pose.end - now_.pose.end).norm() <= block_.resolution()) {
+      turned = std::max(turned, robot::turnBetween(now_.angles, place.angles));
+    }
+  }
+  const bool goesOn = (places.back().pose.end - now_.pose.end).norm() > block_.resolution();
+  if (goesOn && turned > leastStanding && !rapid_) {
+    const Vec3& end = now_.pose.end;
+    sink_.accept(diagnose(record_->origin, diag::TurningStands, turned, end.x(), end.y(), end.z()));
   }
 }
 
 /// A move of all axes at once. Where turning axes move as well, the feed of the tool end needs the
 /// time of the move.
 void Moves::straight(const TurnedPlace& to) {
-  const double turned =
-      std::max(std::abs(to.angles[0] - now_.angles[0]), std::abs(to.angles[1] - now_.angles[1]));
+  const double turned = robot::turnBetween(now_.angles, to.angles);
   const double length = placed_ ? (to.pose.end - now_.pose.end).norm() : 0.0;
   const robot::Angles before = std::exchange(now_.angles, to.angles);
   const Vec3 linear = onMachine(to.pose.end);
@@ -252,10 +274,13 @@ void Moves::straight(const TurnedPlace& to) {
 
 /// Puts out an arc from here through the first of `rest` and tells how many it replaces.
 std::size_t Moves::arc(std::span<const Vec3> rest) {
-  const bool possible = control_.arcs && run_ && run_->canon.size() == 7 && !rapid_ && sure_ &&
+  const bool possible = control_.arcs && run_ && run_->canon.size() == 7 && !rapid_ && placed_ &&
                         feed_ && *feed_ > 0.0 && feedMode_ != FeedMode::inverseTime;
   if (!possible || rest.empty()) {
     return 0;
+  }
+  if (!sure_) {
+    line(now_.pose);  // where FROM says that the tool stands: an arc needs its start
   }
   // As the linear axes see it: a circle square to the tool axis lies level on a turned table.
   cl::SurfaceValue round = *run_;
@@ -285,9 +310,11 @@ std::size_t Moves::arc(std::span<const Vec3> rest) {
     return v.norm();
   };
   const double mismatch = std::abs(radial(toCenter) - radial(end - start - toCenter));
+  const double chord = radial(end - start);
   if (mismatch > radiusResolutions * block_.resolution() ||
-      radial(end - start) <= radiusResolutions * block_.resolution()) {
-    return 0;  // the resolution of the output would break it
+      chord <= radiusResolutions * block_.resolution()) {
+    report(fail(diag::NgcArcBroken, radial(toCenter), block_.resolution(), mismatch, chord));
+    return 0;
   }
   block_.modal('p', planes.at(static_cast<std::size_t>(found->axis)));
   block_.modal('m', found->positive ? "G3" : "G2");

@@ -41,6 +41,7 @@ class Moves {
   void from(const robot::ToolPose& pose);
   void line(const robot::ToolPose& to);
   void straight(const robot::TurnedPlace& to);
+  void tellStanding(const std::vector<robot::TurnedPlace>& places);
   [[nodiscard]] std::optional<std::vector<robot::TurnedPlace>> way(const robot::ToolPose& to);
   std::size_t arc(std::span<const Vec3> rest);
   void drill(const robot::ToolPose& at);
@@ -74,6 +75,7 @@ class Moves {
   /// What they are outside of a cycle that has a feed of its own.
   std::optional<std::pair<std::optional<double>, FeedMode>> outside_;
   hole::Cycles cycles_;
+  double share_ = 1.0;  // of a divided move that a line is: it has as much of an inverse time
   bool cycleOpen_ = false;
   bool placed_ = false;  // there was a location
   bool sure_ = false;    // the machine stands there: a move went to it

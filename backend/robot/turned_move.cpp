@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -15,6 +16,12 @@ namespace {
 
 constexpr int deepestHalving = 14;
 constexpr std::array samples = {0.25, 0.5, 0.75};
+/// Of the tolerance of the axis, for places next to a pole: the rest is for the way between them.
+constexpr double evenShare = 0.5;
+/// Where the axis of a move that leaves a pole is looked at, as a share of its turn, and the turn
+/// of an axis, in degrees, that it takes there to be made before the move.
+constexpr double leavingShare = 1e-3;
+constexpr double leastPoleTurn = 1.0;
 constexpr double degrees = 180.0 / std::numbers::pi;
 
 double angleBetween(const Vec3& a, const Vec3& b) {
@@ -31,6 +38,12 @@ Vec3 turnedAxis(const Vec3& a, const Vec3& b, double share) {
   return Eigen::AngleAxisd(share * angle, normal / length) * a;
 }
 
+/// Whether the axis of a place is within tolerance with its angles.
+bool holdsAxis(const Turning& turning, const TurnedPlace& place) {
+  const Vec3 axis = toolPose(turning, Vec3::Zero(), place.angles).axis;
+  return angleBetween(axis, place.pose.axis) <= evenShare * turning.angleTolerance;
+}
+
 class Divider {
  public:
   Divider(const Turning& turning, std::vector<TurnedPlace>& places)
@@ -42,15 +55,13 @@ class Divider {
       places_.push_back(to);
       return std::nullopt;
     }
-    const double swing =
-        std::max(std::abs(to.angles[0] - from.angles[0]), std::abs(to.angles[1] - from.angles[1]));
     if (depth == 0) {
       return fail(diag::TurningJump, from.pose.end.x(), from.pose.end.y(), from.pose.end.z(),
-                  swing);
+                  turnBetween(from.angles, to.angles));
     }
     TurnedPlace middle{
         {0.5 * (from.pose.end + to.pose.end), turnedAxis(from.pose.axis, to.pose.axis, 0.5)}, {}};
-    const Result<Angles> angles = nextAngles(turning_, middle.pose.axis, from.angles);
+    const Result<Angles> angles = middleAngles(from, to, middle.pose.axis);
     if (!angles) {
       return angles.failure();
     }
@@ -69,6 +80,19 @@ class Divider {
   }
 
  private:
+  /// Those of the axis; but next to a pole, where a small tilt to the side asks for a half turn,
+  /// the even ones, as long as the axis keeps its tolerance with them.
+  [[nodiscard]] Result<Angles> middleAngles(const TurnedPlace& from,
+                                            const TurnedPlace& to,
+                                            const Vec3& axis) const {
+    const Angles even{std::midpoint(from.angles[0], to.angles[0]),
+                      std::midpoint(from.angles[1], to.angles[1])};
+    Result<Angles> exact = nextAngles(turning_, axis, from.angles);
+    const bool swings = !exact || turnBetween(*exact, even) > turning_.angleTolerance;
+    const bool isNear = holdsAxis(turning_, {{Vec3::Zero(), axis}, even});
+    return swings && isNear ? Result<Angles>(even) : std::move(exact);
+  }
+
   [[nodiscard]] bool isEven(const TurnedPlace& from, const TurnedPlace& to) const {
     const Vec3 start = linearAxes(turning_, from.pose.end, from.angles);
     const Vec3 end = linearAxes(turning_, to.pose.end, to.angles);
@@ -92,6 +116,10 @@ class Divider {
 
 }  // namespace
 
+double turnBetween(const Angles& a, const Angles& b) {
+  return std::max(std::abs(b[0] - a[0]), std::abs(b[1] - a[1]));
+}
+
 Result<std::vector<TurnedPlace>> turnedMove(const Turning& turning,
                                             const TurnedPlace& from,
                                             const ToolPose& to) {
@@ -100,12 +128,24 @@ Result<std::vector<TurnedPlace>> turnedMove(const Turning& turning,
     places.push_back({to, from.angles});
     return places;
   }
-  const Result<Angles> angles = nextAngles(turning, to.axis, from.angles);
+  Divider divider(turning, places);
+  TurnedPlace start = from;
+  // At a pole any turn holds the axis; the one that is left for a side has to be there before.
+  const Result<Angles> leaving =
+      nextAngles(turning, turnedAxis(from.pose.axis, to.axis, leavingShare), from.angles);
+  const double cut = turnBetween(from.angles, leaving ? *leaving : from.angles);
+  const TurnedPlace turned{from.pose, leaving ? *leaving : from.angles};
+  if (cut > leastPoleTurn && holdsAxis(turning, turned)) {
+    if (std::optional<Failure> failure = divider.add(from, turned, deepestHalving)) {
+      return *std::move(failure);
+    }
+    start = turned;
+  }
+  const Result<Angles> angles = nextAngles(turning, to.axis, start.angles);
   if (!angles) {
     return angles.failure();
   }
-  Divider divider(turning, places);
-  if (std::optional<Failure> failure = divider.add(from, {to, *angles}, deepestHalving)) {
+  if (std::optional<Failure> failure = divider.add(start, {to, *angles}, deepestHalving)) {
     return *std::move(failure);
   }
   return places;

@@ -1,7 +1,10 @@
 // BSPLIN definitions: path splines, and points of them.
 #include <algorithm>
+#include <optional>
 
+#include "ir/diag/curves.h"
 #include "ir/diag/spline.h"
+#include "ir/space/tolerance.h"
 #include "runtime/define/resolve.h"
 #include "runtime/spline/fit.h"
 
@@ -22,9 +25,25 @@ std::vector<Vec3> readPoints(const Arguments& given, std::size_t& next) {
   return points;
 }
 
+/// Successive control points in one place would stop the curve there.
+std::optional<Failure> coincidence(const std::vector<Vec3>& points, bool closed) {
+  for (std::size_t i = closed && points.size() > 1 ? 0 : 1; i < points.size(); ++i) {
+    const std::size_t before = (i + points.size() - 1) % points.size();
+    const double apart = (points[i] - points[before]).norm();
+    if (!(apart > tolerance::sameSide)) {
+      return fail(diag::SplinePointsCoincide, before + 1, i + 1, apart);
+    }
+  }
+  return std::nullopt;
+}
+
 Result<Resolved> resolved(Result<CubicSpline> curve) {
   if (!curve) {
     return curve.takeFailure();
+  }
+  if (const auto t = spline::cuspOf(*curve)) {
+    const Vec3 p = curve->at(*t);
+    return fail(diag::SplineCusp, *t, p.x(), p.y(), p.z());
   }
   return Resolved(curve->canon());
 }
@@ -39,6 +58,9 @@ Result<Resolved> splineOfControlPoints(const Arguments& given) {
   const bool closed = given.is(0, Word::CLOSED);
   std::size_t next = closed ? 1 : 0;
   std::vector<Vec3> points = readPoints(given, next);
+  if (auto failure = coincidence(points, closed)) {
+    return *std::move(failure);
+  }
   if (closed && !points.empty()) {
     // The first knot belongs to the second control point; a program means its first one.
     std::rotate(points.begin(), points.end() - 1, points.end());

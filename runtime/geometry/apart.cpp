@@ -13,6 +13,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/kinds.h"
 #include "runtime/geometry/shapes.h"
+#include "runtime/spline/cubic.h"
 
 namespace arelem::geometry {
 
@@ -165,6 +166,22 @@ std::optional<Apart> toAny(const Ball& ball, const Entity& entity) {
   return toSurface(ball, foot.distance, foot.normal);
 }
 
+/// From a point to the place of a path spline next to it.
+std::optional<Apart> toCurve(const Ball& ball, const Entity& entity) {
+  if (entity.type != EntityType::pathSpline || ball.radius > 0.0) {
+    return std::nullopt;
+  }
+  const Result<spline::CubicSpline> curve = spline::CubicSpline::of(entity.canon);
+  return curve ? std::optional(between(ball.center, curve->nearest(ball.center).point))
+               : std::nullopt;
+}
+
+/// The general surface, or the curve, below a point or a sphere.
+std::optional<Apart> toOther(const Ball& ball, const Entity& entity) {
+  const std::optional<Apart> curve = toCurve(ball, entity);
+  return curve ? curve : toAny(ball, entity);
+}
+
 template <class A, class B>
 Apart inOrder(const A& a, const B& b) {
   if constexpr (requires { of(a, b); }) {
@@ -184,11 +201,11 @@ Result<Apart> apart(const Entity& first, const Entity& second) {
     return std::visit([](const auto& x, const auto& y) { return inOrder(x, y); }, *a, *b);
   }
   if (a && std::holds_alternative<Ball>(*a)) {
-    if (const auto result = toAny(std::get<Ball>(*a), second)) {
+    if (const auto result = toOther(std::get<Ball>(*a), second)) {
       return *result;
     }
   } else if (b && std::holds_alternative<Ball>(*b)) {
-    if (auto result = toAny(std::get<Ball>(*b), first)) {
+    if (auto result = toOther(std::get<Ball>(*b), first)) {
       std::swap(result->from, result->to);
       return *result;
     }

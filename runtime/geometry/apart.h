@@ -16,8 +16,8 @@ struct Apart {
 };
 
 /// Points, lines and planes, circles and cylinders, spheres against each other; a point or a sphere
-/// against every surface. A LINE is the vertical plane that it stands for and a CIRCLE the vertical
-/// cylinder. Fails with E0397 for other pairs.
+/// against every surface, a point against a path spline. A LINE is the vertical plane that it
+/// stands for and a CIRCLE the vertical cylinder. Fails with E0341 for other pairs.
 [[nodiscard]] Result<Apart> apart(const Entity& first, const Entity& second);
 
 }  // namespace arelem::geometry

@@ -170,12 +170,20 @@ class Stage : public ArcFitter {
                             direction.y(),   direction.z(),   run->radius};
     record.body = std::move(circle);
     next_.accept(record);
+    put(chordsOf(*run, sweeps_.back(), halfShare * allowed, points.back()));
+  }
+
+  /// As few places on the arc as leave all chords near to it.
+  static std::vector<Vec3> chordsOf(const ArcRun& run, double sweep, double off, const Vec3& end) {
+    const double most = 2.0 * std::acos(1.0 - std::min(1.0, off / run.radius));
+    const auto count =
+        static_cast<std::size_t>(std::ceil(std::abs(sweep) / std::min(most, ArcRun::mostStep)));
     std::vector<Vec3> on;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      on.push_back(run->project(points[i], sweeps_[i]));
+    for (std::size_t i = 1; i < count; ++i) {
+      on.push_back(run.at(sweep * static_cast<double>(i) / static_cast<double>(count)));
     }
-    on.push_back(points.back());
-    put(on);
+    on.push_back(end);
+    return on;
   }
 
   void put(const std::vector<Vec3>& points) { putPoints(next_, first_, points, axis_); }

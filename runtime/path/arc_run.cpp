@@ -11,8 +11,6 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// Chords that turn more are no approximation of an arc.
-constexpr double mostStep = std::numbers::pi / 3.0;
 constexpr double mostSweep = 1.95 * std::numbers::pi;
 /// A flatter arc is a line to any machine: largest radius, part unit.
 constexpr double largestRadius = 1e5;
@@ -36,11 +34,11 @@ std::optional<Vec2> circumcenter(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 }  // namespace
 
-Vec3 ArcRun::project(const Vec3& p, double sweep) const {
-  Vec3 out = p - center;
-  out(axis) = 0.0;
-  Vec3 on = center + radius / out.norm() * out;
-  on(axis) = center(axis) + riseOfARadian * sweep;
+Vec3 ArcRun::at(double sweep) const {
+  Vec3 on = center;
+  on((axis + 1) % 3) += radius * std::cos(start + sweep);
+  on((axis + 2) % 3) += radius * std::sin(start + sweep);
+  on(axis) += riseOfARadian * sweep;
   return on;
 }
 
@@ -62,7 +60,9 @@ std::optional<ArcRun> arcThrough(std::span<const Vec3> points,
   run.center = points[0];
   run.center((axis + 1) % 3) = middle->x();
   run.center((axis + 2) % 3) = middle->y();
-  run.radius = (inPlane(points[0], axis) - *middle).norm();
+  const Vec2 first = inPlane(points[0], axis) - *middle;
+  run.radius = first.norm();
+  run.start = std::atan2(first.y(), first.x());
   if (!(run.radius > off) || run.radius > largestRadius) {
     return std::nullopt;
   }
@@ -74,7 +74,7 @@ std::optional<ArcRun> arcThrough(std::span<const Vec3> points,
     const bool sameWay = i == 1 || (step > 0.0) == (sweeps[1] > 0.0);
     const bool near =
         std::abs(b.norm() - run.radius) <= off && run.radius * (1.0 - std::cos(0.5 * step)) <= off;
-    if (step == 0.0 || std::abs(step) > mostStep || !sameWay || !near ||
+    if (step == 0.0 || std::abs(step) > ArcRun::mostStep || !sameWay || !near ||
         std::abs(sweeps.back() + step) > mostSweep) {
       return std::nullopt;
     }

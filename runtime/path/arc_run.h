@@ -1,4 +1,5 @@
 #pragma once
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,8 +15,13 @@ struct ArcRun {
   double radius = 0.0;
   double riseOfARadian = 0.0;
 
-  /// The point of the arc next to p, which has turned by `sweep` from the first point.
-  [[nodiscard]] Vec3 project(const Vec3& p, double sweep) const;
+  double start = 0.0;  ///< angle of the first point about the axis
+
+  /// Chords that turn more are no approximation of an arc, radians.
+  static constexpr double mostStep = std::numbers::pi / 3.0;
+
+  /// The point of the arc that has turned by `sweep` from the first point.
+  [[nodiscard]] Vec3 at(double sweep) const;
 };
 
 /// The arc through the first, middle and last point about the given axis, if all points are within

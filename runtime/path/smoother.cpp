@@ -4,22 +4,21 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <span>
+#include <utility>
 
 #include "ir/cl/post_word.h"
+#include "ir/diag/curves.h"
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
-#include "runtime/path/point_records.h"
-#include "runtime/path/smooth_order.h"
-#include "runtime/spline/fit.h"
+#include "runtime/path/smooth_sequence.h"
+#include "runtime/timing/feed.h"
 #include "runtime/timing/machine_limits.h"
 
 namespace arelem::path {
 
 namespace {
 
-constexpr int samplesOfASpan = 5;
 /// Locations of a path that can be smoothed.
 constexpr std::size_t fewest = 3;
 
@@ -47,9 +46,13 @@ class Stage : public Smoother {
     flush();
     if (const auto* units = std::get_if<cl::Units>(&record.body)) {
       unit_ = millimetersOf(units->unit);
+      feed_.setUnit(unit_);
     }
     if (name == "SMOOTH") {
       return command(record, *post);  // no output has to know of it
+    }
+    if (post != nullptr) {
+      takeFeed(record, *post);
     }
     if (name == "MACHLM") {
       Result<timing::Limits> limits = timing::machineLimits(*post);
@@ -86,12 +89,34 @@ class Stage : public Smoother {
     longest_ = 0;
   }
 
+  /// Under an inverse time each cut vector would take the time of the whole move that it is of.
+  void takeFeed(const cl::Record& record, const cl::Post& post) {
+    feed_.take(post);
+    if (order_ && feed_.isInverse() && cl::is(post, Word::FEDRAT)) {
+      sink_.accept(diagnose(record.origin, diag::SmoothInverse));
+    }
+  }
+
   void command(const cl::Record& record, const cl::Post& post) {
-    endOrder();
-    if (endsSmoothing(post)) {
+    const bool ends = endsSmoothing(post);
+    if (ends && std::exchange(refused_, false)) {
+      return;  // told where it was to begin
+    }
+    if (ends != order_.has_value()) {
+      sink_.accept(ends ? diagnose(record.origin, diag::SmoothNotOn)
+                        : diagnose(record.origin, diag::SmoothNested)
+                              .label(commandOrigin_, "it is on from here"));
       return;
     }
+    endOrder();
+    if (ends) {
+      return;
+    }
+    if (feed_.isInverse()) {
+      sink_.accept(diagnose(record.origin, diag::SmoothInverse));
+    }
     Result<SmoothOrder> order = readSmoothOrder(post);
+    refused_ = !order;
     if (!order) {
       sink_.accept(at(record.origin, order.takeFailure()));
       return;
@@ -161,7 +186,7 @@ class Stage : public Smoother {
     if (points.size() < fewest) {
       return false;
     }
-    return replace(points, axis);
+    return replace(std::move(points), axis);
   }
 
   bool sameAxis(const cl::Record& record, std::optional<Vec3>& axis, const Vec3& now) {
@@ -175,74 +200,40 @@ class Stage : public Smoother {
     return true;
   }
 
-  /// The points of a closed path, the first one not repeated.
-  static Result<std::vector<Vec3>> ring(const std::vector<Vec3>& points) {
-    const double apart = (points.back() - points.front()).norm();
-    if (apart > tolerance::coincidence || points.size() < 4) {
-      return fail(diag::SmoothNotClosed, apart, points.size());
-    }
-    return std::vector<Vec3>(points.begin(), points.end() - 1);
-  }
-
-  bool replace(const std::vector<Vec3>& all, const std::optional<Vec3>& axis) {
-    const cl::Record first = held_.front();
-    const double share = order_->share * order_->tolerance;
-    const Result<std::vector<Vec3>> points = order_->closed ? ring(all) : Result(all);
-    if (!points) {
-      sink_.accept(at(first.origin, points.failure()));
+  /// Puts out the smoothed path; false where the given one stays.
+  bool replace(std::vector<Vec3> points, const std::optional<Vec3>& axis) {
+    const cl::Record& first = held_.front();
+    SmoothSequence sequence{first, std::move(points), axis, unit_, 0.0, limits_};
+    constexpr double secondsOfAMinute = 60.0;
+    sequence.speed = feed_.perMinute(0.0) / secondsOfAMinute;
+    Result<SmoothedSequence> smoothed = smoothSequence(sequence, *order_);
+    if (!smoothed) {
+      sink_.accept(at(first.origin, smoothed.takeFailure()));
       return false;
     }
-    const auto fitted = spline::followPolyline(*points, share, order_->closed);
-    if (!fitted) {
-      sink_.accept(at(first.origin, fitted.failure()));
+    if (order_->options.method == smooth::Method::time &&
+        smoothed->secondsAfter > smoothed->secondsBefore) {
+      sink_.accept(diagnose(first.origin, diag::SmoothSlower, smoothed->secondsAfter,
+                            smoothed->secondsBefore));
       return false;
     }
-    smooth::Options options = order_->options;
-    options.limits = {limits_.velocity / unit_, limits_.acceleration / unit_, limits_.jerk / unit_};
-    const Result<smooth::Smoothed> result = smooth::smooth(*fitted, options);
-    if (!result) {
-      sink_.accept(at(first.origin, result.failure()));
-      return false;
+    for (const cl::Record& record : smoothed->records) {
+      next_.accept(record);
     }
-    const double chord = SmoothOrder::chordShare * order_->tolerance;
-    note(first, *fitted, *result, share + chord);
-    const std::vector<Vec3> chords = spline::chordPoints(result->curve, chord);
-    if ((chords.front() - *at_).norm() > tolerance::coincidence) {
-      put(first, std::span(chords).first(1), axis);
-    }
-    if (order_->keepSpline) {
-      cl::Record curve = first;
-      cl::Surface surface;
-      surface.surface = {EntityType::pathSpline, "", 0, result->curve.canon()};
-      curve.body = std::move(surface);
-      next_.accept(curve);
-    }
-    put(first, std::span(chords).subspan(1), axis);
-    at_ = chords.back();
+    at_ = smoothed->end;
+    facts_.push_back(smoothed->fact);
     return true;
-  }
-
-  void note(const cl::Record& record,
-            const spline::CubicSpline& before,
-            const smooth::Smoothed& after,
-            double spent) {
-    const auto old = curvatureFigures(before, samplesOfASpan);
-    const auto now = curvatureFigures(after.curve, samplesOfASpan);
-    facts_.push_back({record.origin, old.most, now.most, old.mean, now.mean, before.length(),
-                      after.curve.length(), after.deviation + spent});
-  }
-
-  void put(const cl::Record& like, std::span<const Vec3> points, const std::optional<Vec3>& axis) {
-    putPoints(next_, like, points, axis.value_or(Vec3::UnitZ()));
   }
 
   cl::RecordSink& next_;
   DiagnosticSink& sink_;
   const InterruptFlag* interrupted_;
   std::optional<SmoothOrder> order_;
+  bool refused_ = false;  ///< the last order was wrong
   Span commandOrigin_;
   timing::Limits limits_ = smooth::Options{}.limits;  // mm
   double unit_ = 1.0;                                 // mm
+  timing::FeedInForce feed_;
   bool rapid_ = false;
   std::optional<Vec3> at_;  // the location before what is held
   std::vector<cl::Record> held_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ir/diag/spline.h"
+#include "ir/space/smooth_tolerance.h"
 #include "runtime/timing/plan.h"
 #include "runtime/timing/spline_limits.h"
 
@@ -22,9 +23,7 @@ Smoothed guarded(const spline::CubicSpline& original,
   if (bound <= tolerance) {
     return {moved, bound, 0};
   }
-  // A hair less than the quotient, so that rounding does not lift the result over the tolerance.
-  constexpr double hair = 1.0 - 1e-12;
-  const double factor = tolerance / bound * hair;
+  const double factor = tolerance / bound * (1.0 - tolerance::smoothTubeRounding);
   std::vector<Vec3> control(original.control());
   for (std::size_t i = 0; i < control.size(); ++i) {
     control[i] += factor * (moved.control()[i] - original.control()[i]);

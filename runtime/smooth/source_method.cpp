@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ir/space/smooth_tolerance.h"
 #include "runtime/smooth/polygon.h"
 #include "runtime/smooth/smooth.h"
 
@@ -13,9 +14,6 @@ namespace arelem::smooth {
 namespace {
 
 using spline::CubicSpline;
-
-/// Nothing moves any more: largest move as a share of the tolerance.
-constexpr double stillness = 1e-9;
 
 /// Longer paths are smoothed block by block. The source scales all moves by the one place of a path
 /// that moves the curve most and ends where the first place meets the tube, so that a long path
@@ -64,7 +62,8 @@ class Block {
         add(step, -1.0);  // the polygon before stays
         break;
       }
-      if (left <= options_.accuracy * radius || largest(step) < stillness * radius) {
+      if (left <= options_.accuracy * radius ||
+          largest(step) < tolerance::smoothStillness * radius) {
         break;
       }
     }

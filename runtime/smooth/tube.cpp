@@ -4,20 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "ir/space/smooth_tolerance.h"
+
 namespace arelem::smooth {
 
 namespace {
 
 using spline::CubicSpline;
 
-/// Weights are at least this share of the largest: straight parts stay straight.
-constexpr double leastWeight = 1e-3;
 /// Where each knot interval is sampled.
 constexpr std::array samplePlaces = {1.0 / 6.0, 0.5, 5.0 / 6.0};
 /// Samples on each side that the weight of a sample is relative to.
 constexpr std::size_t reach = 48;
-/// Derivatives shorter than this are cusps: their curvature is that of a small but finite speed.
-constexpr double leastSpeed = 1e-9;
 /// A curve that turns by more than this within a knot interval, in radians, has a cusp: it has to
 /// be bent open, not to be passed faster.
 constexpr double mostTurn = 1.5;
@@ -208,7 +206,8 @@ void Tube::takeSamples() {
         bend += second[k] * (points[k] - points[0]);
       }
       const double least = leastSpeedShare * leastSpeedShare * givenVelocity.squaredNorm();
-      const double square = std::max(velocity.squaredNorm(), leastSpeed * leastSpeed);
+      const double square = std::max(velocity.squaredNorm(),
+                                     tolerance::smoothLeastSpeed * tolerance::smoothLeastSpeed);
       const double along = velocity.dot(bend) / square;
       for (std::size_t k = 0; k < 4; ++k) {
         second[k] = (second[k] - along * first[k]) / square;
@@ -248,7 +247,7 @@ void Tube::reweigh(double exponent) {
   const bool isFirst = weightLogs_.empty();
   weightLogs_.resize(samples_.size());
   const double way = isFirst ? 1.0 : 1.0 / (1.0 + exponent);
-  const double least = std::log(leastWeight);
+  const double least = std::log(tolerance::smoothLeastWeight);
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     const double share = most[s] > 0.0 ? curvatures[s] / most[s] : 1.0;
     const double wanted = share > 0.0 ? std::max(exponent * std::log(share), least) : least;

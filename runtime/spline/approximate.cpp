@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "ir/diag/spline.h"
+#include "ir/space/smooth_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/spline/fit.h"
 
@@ -54,7 +55,7 @@ class LeastSquares {
         for (Eigen::Index k = 0; k < 4; ++k) {
           entries.emplace_back(static_cast<Eigen::Index>(span) + i,
                                static_cast<Eigen::Index>(span) + k,
-                               block(i, k) + (i == k ? stiffness : 0.0));
+                               block(i, k) + (i == k ? tolerance::splineFitStiffness : 0.0));
         }
       }
     }
@@ -73,9 +74,6 @@ class LeastSquares {
   }
 
  private:
-  /// Keeps a span without points from making the system singular. Dimensionless.
-  static constexpr double stiffness = 1e-12;
-
   static Eigen::Vector4d basis(const CubicSpline::Weights& w, double u, double v, double t) {
     const double s = (t - u) / (v - u);
     const double r = 1.0 - s;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -95,6 +96,10 @@ class CubicSpline {
   std::vector<Vec3> control_;
   std::vector<double> full_;  // spans + 7 knots: three more on each side of the distinct ones
 };
+
+/// The first parameter at which the curve stops to lead back: where its derivative is 0, or so
+/// small that doubles cannot tell. None for a curve that a tool can follow without a stop.
+[[nodiscard]] std::optional<double> cuspOf(const CubicSpline& curve);
 
 /// The points of a path that runs along the curve with every chord within `tolerance` of it, both
 /// ends included. Certified by the hulls of the pieces.

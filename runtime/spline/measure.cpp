@@ -4,6 +4,7 @@
 #include <limits>
 #include <queue>
 
+#include "ir/space/smooth_tolerance.h"
 #include "runtime/spline/cubic.h"
 
 namespace arelem::spline {
@@ -13,10 +14,6 @@ namespace {
 constexpr int deepestHalving = 40;
 constexpr int mostPolishing = 8;
 constexpr int mostSteps = 30;
-/// Steps below this share of the parameters are none.
-constexpr double noStep = 1e-12;
-/// A search for the nearest point stops at pieces this small, relative to the curve.
-constexpr double nearestShare = 1e-9;
 
 void addChords(const Bezier& piece, double tolerance, int depth, std::vector<Vec3>& points) {
   if (depth == 0 || piece.chordBound() <= tolerance) {
@@ -64,7 +61,7 @@ CubicSpline::Nearest CubicSpline::nearest(const Vec3& p) const {
     size = std::max(size, (one.control[3] - control_[0]).norm());
     open.push({distanceToBox(one, p), one});
   }
-  const double enough = nearestShare * (size + best.distance);
+  const double enough = tolerance::splineNearest * (size + best.distance);
   while (!open.empty() && open.top().bound < best.distance - enough) {
     const Bezier one = open.top().piece;
     open.pop();
@@ -98,7 +95,7 @@ double CubicSpline::footAhead(const Vec3& p, double from) const {
     const double next = std::clamp(t + (p - d.point).dot(d.first) / square, from, end());
     const double moved = std::abs(next - t);
     t = next;
-    if (moved <= noStep * (end() - begin())) {
+    if (moved <= tolerance::splineNoStep * (end() - begin())) {
       break;
     }
   }

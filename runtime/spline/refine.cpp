@@ -1,6 +1,7 @@
 // Knot insertion: the same curve from more control points.
 #include <algorithm>
 
+#include "ir/diag/curves.h"
 #include "ir/diag/spline.h"
 #include "runtime/spline/cubic.h"
 
@@ -88,10 +89,11 @@ CubicSpline over(const CubicSpline& curve, const std::vector<double>& knots) {
 Result<CubicSpline> CubicSpline::withKnot(double t) const {
   const auto distinct = knots();
   const auto after = std::upper_bound(distinct.begin(), distinct.end(), t);
-  if (after == distinct.begin() || after == distinct.end() || *(after - 1) == t) {
-    const double before = after == distinct.begin() ? distinct.front() : *(after - 1);
-    return fail(diag::SplineKnotOrder, static_cast<std::size_t>(after - distinct.begin()) + 1, t,
-                before);
+  if (!(t >= distinct.front() && t <= distinct.back())) {
+    return fail(diag::SplineParameter, t, distinct.front(), distinct.back());
+  }
+  if (*(after - 1) == t) {
+    return fail(diag::SplineKnotThere, t);
   }
   std::vector<double> finer(distinct.begin(), after);
   finer.push_back(t);

@@ -7,9 +7,11 @@
 #include "ir/cl/post_word.h"
 #include "ir/cl/vendor.h"
 #include "ir/diag/spline.h"
+#include "ir/space/smooth_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 #include "runtime/path/cl_spline.h"
+#include "runtime/timing/feed.h"
 #include "runtime/timing/machine_limits.h"
 #include "runtime/timing/spline_follower.h"
 #include "runtime/timing/spline_limits.h"
@@ -22,8 +24,6 @@ constexpr double secondsOfAMinute = 60.0;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Of a CIRCLE or CYLNDR: center, axis, radius.
 constexpr std::size_t arcNumbers = 7;
-/// Chords of a spline of a CL file, mm.
-constexpr double splineChord = 1e-3;
 constexpr double fullTurn = 2.0 * std::numbers::pi;
 
 bool stopsTool(Word word) {
@@ -38,22 +38,6 @@ bool stopsTool(Word word) {
     default:
       return false;
   }
-}
-
-std::optional<double> firstNumber(const cl::Post& post) {
-  for (const cl::Value& value : post.arguments) {
-    if (const double* number = std::get_if<double>(&value)) {
-      return *number;
-    }
-  }
-  return std::nullopt;
-}
-
-bool has(const cl::Post& post, std::initializer_list<Word> words) {
-  return std::any_of(post.arguments.begin(), post.arguments.end(), [&](const cl::Value& value) {
-    const Word* word = std::get_if<Word>(&value);
-    return word != nullptr && std::find(words.begin(), words.end(), *word) != words.end();
-  });
 }
 
 }  // namespace
@@ -71,6 +55,7 @@ class CutTimer::Path {
       surface_ = surface->surface;
     } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
       unit_ = millimetersOf(units->unit);
+      feed_.setUnit(unit_);
     } else if (const auto* post = std::get_if<cl::Post>(&record.body);
                post && !clSpline_.take(*post)) {
       if (cl::nameOf(*post) == "MACHLM") {
@@ -92,21 +77,16 @@ class CutTimer::Path {
 
  private:
   void word(const cl::Post& post) {
-    const std::optional<double> value = firstNumber(post);
     switch (post.word) {
       case Word::RAPID:
         rapid_ = true;
         return;
       case Word::FEDRAT:
-        feed(post, value);
-        return;
       case Word::SPINDL:
-        turns_ = value.value_or(turns_);
+        feed_.take(post);
         break;
       case Word::DELAY:
-        dwell(has(post, {Word::REV}) && turns_ > 0.0
-                  ? value.value_or(0.0) * secondsOfAMinute / turns_
-                  : value.value_or(0.0));
+        delay(post);
         break;
       case Word::LOADTL:
         ++table_.changes;
@@ -121,6 +101,12 @@ class CutTimer::Path {
     }
   }
 
+  void delay(const cl::Post& post) {
+    const double* value = firstNumber(post);
+    const bool turns = hasOneOf(post, {Word::REV}) && feed_.turns() > 0.0;
+    dwell((value == nullptr ? 0.0 : *value) * (turns ? secondsOfAMinute / feed_.turns() : 1.0));
+  }
+
   void dwell(double seconds) {
     if (seconds < 0.0) {
       sink_.accept(at(record_->origin, fail(diag::NegativeDwell, seconds)));
@@ -128,21 +114,6 @@ class CutTimer::Path {
     }
     table_.dwell += seconds;
     table_.statements[record_->isn] += seconds;
-  }
-
-  void feed(const cl::Post& post, const std::optional<double>& value) {
-    if (!value) {
-      return;
-    }
-    perTurn_ = has(post, {Word::IPR, Word::MMPR});
-    const bool inches = has(post, {Word::IPM, Word::IPR});
-    const bool millimeters = has(post, {Word::MMPM, Word::MMPR});
-    const bool perSecond = has(post, {Word::MMPS});
-    inverse_ = has(post, {Word::INVERS});
-    feed_ = *value * (inches                    ? millimetersOfAnInch
-                      : millimeters || inverse_ ? 1.0
-                      : perSecond               ? secondsOfAMinute
-                                                : unit_);
   }
 
   /// Wrong ones were reported where the statement came in.
@@ -155,7 +126,7 @@ class CutTimer::Path {
 
   /// mm/s of a cutting move; 0 with a report when there is none.
   double cuttingSpeed(double length, const Vec3& to) {
-    const double perMinute = perTurn_ ? feed_ * turns_ : inverse_ ? feed_ * length : feed_;
+    const double perMinute = feed_.perMinute(length);
     if (!(perMinute > 0.0) && !feedReported_) {
       sink_.accept(at(record_->origin,
                       fail(diag::FeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_)));
@@ -230,7 +201,7 @@ class CutTimer::Path {
 
   /// NURBS of a CL file: chords, whose corners cost what the curve costs.
   void alongClSpline(const Vec3& to) {
-    auto points = clSpline_.points(Vec3(*at_ / unit_), splineChord / unit_);
+    auto points = clSpline_.points(Vec3(*at_ / unit_), tolerance::timeSplineChord / unit_);
     if (!points) {
       return line(to);  // told where the file was read
     }
@@ -333,10 +304,7 @@ class CutTimer::Path {
   std::vector<Kind> kinds_;
   TimeTable table_;
   double unit_ = 1.0;  // mm
-  double feed_ = 0.0;  // mm a minute or a turn
-  bool perTurn_ = false;
-  bool inverse_ = false;  // feed_ counts moves a minute
-  double turns_ = 0.0;    // of the spindle, a minute
+  FeedInForce feed_;
   bool rapid_ = false;
   bool rapidBefore_ = false;
   bool feedReported_ = false;

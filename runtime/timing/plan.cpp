@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "ir/space/smooth_tolerance.h"
 #include "runtime/timing/ordered_marks.h"
 
 namespace arelem::timing {
 
 namespace {
 
-/// A speed may pass a limit by this, relative: rounding.
-constexpr double slack = 1e-10;
 constexpr int mostRepairs = 200;
 
 Plan::Interval intervalOf(
@@ -144,7 +143,8 @@ class NodeChooser {
     const std::size_t i = marks_.before(corner);
     const double x = places_[corner] - places_[i];
     const double limit = path_.corners[corner];
-    if (after_[i].mostBetween(x, x) > limit * (1.0 + slack) && !insert(corner, limit)) {
+    if (after_[i].mostBetween(x, x) > limit * (1.0 + tolerance::planSlack) &&
+        !insert(corner, limit)) {
       cutPeak(i, marks_.after(corner), limit);
     }
   }
@@ -158,7 +158,7 @@ class NodeChooser {
     const std::size_t i = intervalOfPiece(k);
     const std::size_t j = marks_.after(k);
     const double limit = path_.speeds[k];
-    const double allowed = limit * (1.0 + slack);
+    const double allowed = limit * (1.0 + tolerance::planSlack);
     const double a = places_[k] - places_[i];
     const double b = places_[k + 1] - places_[i];
     if (after_[i].mostBetween(a, b) <= allowed) {
@@ -219,7 +219,7 @@ class NodeChooser {
   }
 
   bool lower(std::size_t i, std::size_t j, double a, double b, double limit) {
-    if (after_[i].mostBetween(a, b) <= limit * (1.0 + 2.0 * slack)) {
+    if (after_[i].mostBetween(a, b) <= limit * (1.0 + 2.0 * tolerance::planSlack)) {
       return false;
     }
     speed_[i] = std::min(speed_[i], limit);

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/smooth_tolerance.h"
+
 namespace arelem::timing {
 
 namespace {
 
 constexpr int mostTurns = 60;
-/// Speeds are found to this, relative.
-constexpr double enough = 1e-13;
 
 /// The largest value in [low, high] where the rising `excess` is not positive, by false position
 /// (Illinois). excess(low) is at most 0.
@@ -20,7 +20,7 @@ double largestWithin(double low, double high, Excess excess) {
     return high;
   }
   double atLow = excess(low);
-  for (int i = 0; i < mostTurns && high - low > enough * high; ++i) {
+  for (int i = 0; i < mostTurns && high - low > tolerance::transitionEnough * high; ++i) {
     double middle = low + (high - low) * (-atLow / (atHigh - atLow));
     if (!(middle > low && middle < high) || i % 4 == 3) {
       middle = 0.5 * (low + high);
@@ -91,7 +91,7 @@ double Transition::risingTime(double x) const {
     if (!(next >= low && next <= high)) {
       next = 0.5 * (low + high);
     }
-    if (std::abs(next - t) <= enough * duration()) {
+    if (std::abs(next - t) <= tolerance::transitionEnough * duration()) {
       return next;
     }
     t = next;

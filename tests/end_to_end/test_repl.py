@@ -105,6 +105,22 @@ class Piped(ArelemCase):
         self.assertEqual([float(x) for x in found], [50, 70, 20, 20, 45])
         self.assertIn("E0341", self.err)
 
+    def test_curve(self):
+        # Bezier points (0,0) (10,0) (10,10) (0,10): at t = 1/2 the place is (7.5, 5), the first derivative 3/4 (P3 + P2 - P1
+        # - P0) = (0, 15), the second 3 (P0 - P1 - P2 + P3) = (-60, 0), the curvature 60/15^2 = 4/15, the circle's center 3.75
+        # to the left.
+        out = self.session("B1=BSPLIN/0,0,0, 10,0,0, 10,10,0, 0,10,0\nP1=POINT/10,5,0\n:curve B1\n:curve B1,.5\n"
+                           ":curve B1,P1\n:distance P1,B1\n:curve B1,2\n:curve P1\n", code=2)
+        self.assertIn("open, 4 control points, t from 0 to 1", out)
+        self.assertIn("piece 1  t from 0 to 1  Bezier points (0, 0, 0) (10, 0, 0) (10, 10, 0) (0, 10, 0)", out)
+        at = "t 0.5  point (7.5, 5, 0)\n   derivatives (0, 15, 0), (-60, 0, 0), (0, -120, 0)\n" \
+             "   direction (0, 1, 0)  curvature 0.266667  radius 3.75  center (3.75, 5, 0)"
+        self.assertEqual(out.count(at), 2)
+        self.assertIn("next to P1, 2.5 away", out)
+        self.assertRegex(out, r"(?m)^2\.5$")
+        self.assertIn("the parameter 2 is outside of 0 to 1", self.err)
+        self.assertIn("`P1` is no BSPLIN", self.err)
+
     def test_undo_redo_save_load(self):
         out = self.session("P1=POINT/1,1\nP2=POINT/2,2\n:undo\n:list\n:redo\n:save s.apt\nP1=POINT/Q,1\n:undo 5\n:load s.apt\n"
                            ":show P2\n:redo 3\n", code=1)

@@ -12,7 +12,6 @@ from examples import REFUSED
 
 RESOLUTION = 1e-3  # the last digits
 AXIS = 1e-5
-SWINGS = {"stop.apt", "school_xing.apt"}  # near the pole of the trunnion while it paints: refused, with the place
 DATA = ["-I", PROJECT / "examples"]
 TURN = 2e-6  # 1e-4 degrees, rounded, of two axes; times the distance from them
 MACHINES = ["mill5_table_table", "mill5_head_head", "mill5_head_table"]
@@ -88,15 +87,21 @@ class Turning(NgcCase):
 
     def test_tilted_guns_of_the_examples(self):
         for example, (code, _) in REFUSED.items():
-            if example in SWINGS:
-                with self.subTest(example):
-                    file = PROJECT / "examples" / example
-                    self.assertExit(6, "compile", file, "--to", "ngc", "-o", "r.ngc", "--machine", "mill5_table_table.machine.toml")
-                    self.assertIn("error[E0679]", self.err)
-                    self.assertFalse((self.folder / "r.ngc").exists())
-            elif code == "E0672":
+            if code == "E0672":
                 with self.subTest(example):
                     self.compare((PROJECT / "examples" / example).read_text(), "mill5_table_table")
+
+    def test_past_and_from_the_pole(self):
+        """Straight over the pole, past it by less than the tolerance of the axis, and from it to a side."""
+        head = "CUTTER/6\nMULTAX/ON\nFEDRAT/200\nFROM/0,0,90,0,.1,.9949874\nGOTO/0,0,60,0,.1,.9949874\n"
+        for way, standing in (("GOTO/10,0,60,0,-.1,.9949874\n", False), ("GOTO/10,0,60,1e-5,-.1,.9949874\n", False),
+                              ("GOTO/10,0,60,0,0,1\nGOTO/20,0,60,.6,0,.8\n", True)):
+            for name in MACHINES[:2]:
+                with self.subTest(way=way, machine=name):
+                    self.compare(head + way + "FINI\n", name)
+                    self.write("pole.apt", head + way + "FINI\n")
+                    self.assertExit(0, "compile", "pole.apt", "--to", "ngc", "-o", "-", "--machine", "machine.toml")
+                    self.assertEqual("warning[W0692]" in self.err, standing and name == "mill5_table_table", self.err)
 
     def test_holes_square_to_a_slope(self):
         text = ("CUTTER/6\nMULTAX/ON\nSPINDL/900,CLW\nFROM/0,0,90,0,0,1\nRAPID\nGOTO/0,0,60,0,0,1\nCYCLE/DRILL,8,MMPM,90,2\n"

@@ -52,6 +52,31 @@ class Verify(ArelemCase):
         self.assertExit(5, "verify", "a.cls", "--with", "a.apt")
         self.assertIn("E0902", self.err)
 
+    def test_paths_of_fitted_outputs(self):
+        # Steps of 2 degrees on a circle of 20 mm: their chords are 20 (1 - cos 1) = 0.003 off. Then a line in ten steps.
+        arc = "".join(f"GOTO/(20*COSF({a})),(20*SINF({a})),0\n" for a in range(2, 92, 2))
+        line = "".join(f"GOTO/{-2 * i},20,0\n" for i in range(1, 11))
+        self.write("f.apt", "INTOL/0\nOUTTOL/.01\nFROM/20,0,0\n" + arc + line + "FINI\n")
+        self.assertExit(0, "f.apt", "-o", "plain.cls")
+        self.assertExit(0, "f.apt", "-o", "f.cls", "--fit", ".8")
+        plain, fitted = (self.folder / n for n in ("plain.cls", "f.cls"))
+        self.assertLess(fitted.read_text().count("GOTO"), 46)  # 45 on the circle, one line
+        self.assertLess(fitted.stat().st_size, plain.stat().st_size)
+        self.assertExit(5, "verify", "f.cls", "--with", "f.apt")
+        self.assertExit(0, "verify", "f.cls", "--with", "f.apt", "--fit", ".8")
+        self.assertIn("keeps to that of `f.apt`, 56 locations", self.err)
+        # A location moved by more than the share, one that is lost, and a path that ends early.
+        text = fitted.read_text()
+        self.write("far.cls", text.replace("GOTO / -20.0, 20.0", "GOTO / -20.0, 20.02"))
+        self.assertExit(5, "verify", "far.cls", "--with", "f.apt", "--fit", ".8")
+        self.assertIn("E0901", self.err)
+        lines = text.splitlines(True)
+        goto = [i for i, one in enumerate(lines) if one.startswith("GOTO")]
+        for lost, code in ((goto[10], "E0901"), (goto[-1], "E0902")):
+            self.write("lost.cls", "".join(lines[:lost] + lines[lost + 1:]))
+            self.assertExit(5, "verify", "lost.cls", "--with", "f.apt", "--fit", ".8")
+            self.assertIn(code, self.err)
+
     def test_damaged_tape_is_unreadable_input(self):
         tape = (self.folder / "a.cltape").read_bytes()
         self.write("a.cltape", tape[: len(tape) // 2])

@@ -88,9 +88,16 @@ TEST(ArcFit, CirclesAndHelicesInThreePlanes) {
           EXPECT_NEAR(surface->surface.canon[static_cast<std::size_t>((axis + 1) % 3)], 7.0, 1e-6);
         }
       }
-      for (const Vec3& p : locations(records)) {
+      const std::vector<Vec3> now = locations(records);
+      for (const Vec3& p : now) {
         EXPECT_LE(toPolyline(p, points), band);
       }
+      for (const Vec3& p : points) {
+        EXPECT_LE(toPolyline(p, now), band);
+      }
+      // A chord of radius 30 whose middle is 0.005 off spans 2 acos(1 - 0.005/30) = 2.09 degrees:
+      // 130 of them make 270 degrees.
+      EXPECT_EQ(now.size(), 131U);
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include "runtime/spline/bezier.h"
 #include "runtime/spline/cubic.h"
+#include "runtime/timing/cut_timer.h"
 
 namespace arelem::path {
 namespace {
@@ -30,14 +31,19 @@ cl::Record location(const Vec3& p, bool from = false) {
 struct Smoothing {
   std::vector<Vec3> path;
   std::vector<cl::Surface> curves;
+  std::vector<SmoothFact> facts;
   CollectingSink sink;
 };
 
 void smoothInto(Smoothing& result,
                 const std::vector<Vec3>& points,
-                std::vector<cl::Value> arguments) {
+                std::vector<cl::Value> arguments,
+                double feed = 0.0) {
   cl::Recording records;
   const auto smoother = makeSmoother(records, result.sink);
+  if (feed > 0.0) {
+    smoother->accept(post(Word::FEDRAT, {feed}));
+  }
   smoother->accept(location(points[0], true));
   smoother->accept(post(Word::SMOOTH, std::move(arguments)));
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -45,6 +51,7 @@ void smoothInto(Smoothing& result,
   }
   smoother->accept(post(Word::SMOOTH, {Word::NOMORE}));
   smoother->finish();
+  result.facts = smoother->facts();
   for (const cl::Record& record : records.records) {
     if (const auto* surface = std::get_if<cl::Surface>(&record.body)) {
       result.curves.push_back(*surface);
@@ -143,15 +150,72 @@ TEST(Smoother, CornersBecomeRound) {
   EXPECT_LT(sharpestCorner(now.path), 0.25 * std::numbers::pi);  // half a right angle at most
 }
 
-TEST(Smoother, CuspKeepsTheTolerance) {
-  const std::vector<Vec3> cusp{{0, 0, 0}, {10, 0, 0}, {0.5, 0, 0}, {0.5, 10, 0}};
-  for (const double method : {1.0, 2.0, 3.0}) {
-    Smoothing now;
-    smoothInto(now, cusp, {0.05, Word::METHOD, method});
-    EXPECT_EQ(now.sink.errors(), 0U);
-    EXPECT_LE(farthest(now.path, cusp), 0.05);
-    EXPECT_LE(farthest(cusp, now.path), 0.05);
+TEST(Smoother, HairpinsAreOpenedAsFarAsTheTubeGoes) {
+  // A turn by 180 degrees in a tube of radius R needs a curvature of 1/R at least; R is half of the
+  // tolerance, as the fit has 40 percent of it and the chords 10.
+  for (const double width : {0.01, 0.5, 2.0}) {
+    const std::vector<Vec3> hairpin{{0, 0, 0}, {20, 0, 0}, {0, width, 0}};
+    for (const double method : {2.0, 3.0}) {
+      Smoothing now;
+      smoothInto(now, hairpin, {0.1, Word::METHOD, method});
+      ASSERT_EQ(now.facts.size(), 1U);
+      EXPECT_LT(now.facts[0].mostAfter, 1.25 / 0.05) << width;
+      EXPECT_LE(farthest(now.path, hairpin), 0.1);
+      EXPECT_LE(farthest(hairpin, now.path), 0.1);
+    }
   }
+}
+
+TEST(Smoother, CornersOfLinesInManyStepsAreAsRoundAsOfLongOnes) {
+  std::vector<Vec3> steps;
+  for (int i = 0; i <= 10; ++i) {
+    steps.emplace_back(2.4 * i, 0, 0);
+  }
+  for (int i = 1; i <= 10; ++i) {
+    steps.emplace_back(24, 2.4 * i, 0);
+  }
+  Smoothing fine;
+  Smoothing coarse;
+  smoothInto(fine, steps, {0.1});
+  smoothInto(coarse, {{0, 0, 0}, {24, 0, 0}, {24, 24, 0}}, {0.1});
+  ASSERT_EQ(fine.facts.size(), 1U);
+  EXPECT_LT(fine.facts[0].mostBefore, 1.2 * coarse.facts[0].mostBefore);
+  EXPECT_LT(fine.facts[0].mostAfter, 1.2 * coarse.facts[0].mostAfter);
+}
+
+/// Seconds along a path at a feed, from rest to rest.
+double secondsAlong(const std::vector<Vec3>& path, double feed) {
+  CollectingSink sink;
+  timing::CutTimer timer({}, sink);
+  timer.accept(post(Word::FEDRAT, {feed}));
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    timer.accept(location(path[i], i == 0));
+  }
+  return timer.finish().total();
+}
+
+TEST(Smoother, LeastTimeIsNeverMoreThanBefore) {
+  std::mt19937 random(7);
+  std::size_t kept = 0;
+  for (const double feed : {60.0, 2000.0, 24000.0}) {
+    for (const double tolerance : {0.001, 0.02, 0.2}) {
+      for (int i = 0; i < 4; ++i) {
+        const std::vector<Vec3> points = randomPath(random, false);
+        Smoothing now;
+        smoothInto(now, points, {tolerance, Word::METHOD, 3.0}, feed);
+        EXPECT_EQ(now.sink.errors(), 0U);
+        EXPECT_LE(secondsAlong(now.path, feed), secondsAlong(points, feed) * (1.0 + 1e-12));
+        // A path that was left as it is was told to be.
+        EXPECT_EQ(now.facts.size() + now.sink.all().size(), 1U);
+        if (now.facts.empty()) {
+          ++kept;
+          EXPECT_EQ(now.path, points);
+        }
+      }
+    }
+  }
+  EXPECT_GT(kept, 0U);
+  EXPECT_LT(kept, 36U);
 }
 
 TEST(Smoother, KeepsTheCurveWhereAsked) {
@@ -192,6 +256,33 @@ TEST(Smoother, WrongOrders) {
   EXPECT_EQ(code({0.1, Word::ACCUR, 100.0}), "E0391");
   EXPECT_EQ(code({0.1, Word::SHARE, 80.0}), "E0392");
   EXPECT_EQ(code({0.1, Word::CLOSED}), "E0397");
+}
+
+TEST(Smoother, WrongPlaces) {
+  const auto code = [](const std::vector<cl::Record>& records) {
+    cl::Recording out;
+    CollectingSink sink;
+    const auto smoother = makeSmoother(out, sink);
+    for (const cl::Record& record : records) {
+      smoother->accept(record);
+    }
+    smoother->finish();
+    return sink.all().empty() ? std::string() : std::string(sink.all()[0].row->code);
+  };
+  const cl::Record on = post(Word::SMOOTH, {0.1});
+  const cl::Record off = post(Word::SMOOTH, {Word::NOMORE});
+  const cl::Record start = location({0, 0, 0}, true);
+  const std::vector<cl::Record> moves{location({5, 0, 0}), location({5, 5, 0})};
+  EXPECT_EQ(code({start, on, moves[0], moves[1], off}), "");
+  EXPECT_EQ(code({start, moves[0], off}), "E0593");
+  EXPECT_EQ(code({start, on, moves[0], moves[1], on, off}), "E0592");
+  EXPECT_EQ(code({start, on, moves[0], location({2, 0, 0}), off}), "E0591");
+  EXPECT_EQ(code({start, on, moves[0], off}), "E0399");
+  const cl::Record inverse = post(Word::FEDRAT, {4.0, Word::INVERS});
+  EXPECT_EQ(code({inverse, start, on, moves[0], moves[1], off}), "E0596");
+  EXPECT_EQ(code({start, on, inverse, moves[0], moves[1], off}), "E0596");
+  // A wrong order is told once, and not again where it ends.
+  EXPECT_EQ(code({start, post(Word::SMOOTH, {0.0}), moves[0], moves[1], off}), "E0390");
 }
 
 }  // namespace

@@ -249,7 +249,8 @@ TEST(Tracut, TurnsTheSideOfAPose) {
   pose.withSide = true;
   pose.coordinates = {1, 2, 3, 0, 0, 1, 1, 0, 0};
   Tape tape;
-  tape.post(Word::TRACUT, {cl::SurfaceValue{EntityType::matrix, "", 0, {0, -1, 0, 10, 1, 0, 0, 0, 0, 0, 1, 0}}});
+  tape.post(Word::TRACUT,
+            {cl::SurfaceValue{EntityType::matrix, "", 0, {0, -1, 0, 10, 1, 0, 0, 0, 0, 0, 1, 0}}});
   tape.put(pose).finish();
   const auto& moved = std::get<cl::Motion>(tape.records().back().body);
   // A quarter turn about z, then ten along x: x becomes y.

@@ -185,5 +185,22 @@ TEST(CubicSpline, WrongInputIsRefused) {
   EXPECT_EQ(code(CubicSpline::of(std::vector<double>{0, 4, 0, 1})), "E0385");
 }
 
+TEST(CubicSpline, Cusps) {
+  const auto uniform = [](std::vector<Vec3> control) {
+    return *CubicSpline::uniform(std::move(control), false);
+  };
+  // There and back on a line: the derivative changes its sign half way, by symmetry.
+  const auto back = cuspOf(uniform({{0, 0, 0}, {8, 0, 0}, {8.5, 0, 0}, {0.5, 0, 0}}));
+  ASSERT_TRUE(back.has_value());
+  // p' is 3 (8 (1-t)^2 + 2 t (1-t) 0.5 - 8 t^2), 0 at t = 8.5 +- ... : 8 - 15 t - t^2 = 0.
+  EXPECT_NEAR(*back, (-15.0 + std::sqrt(225.0 + 32.0)) / 2.0, 1e-9);
+  // The cubic (t^2, t^3) in Bezier form over [-1, 1]: the cusp at its middle.
+  EXPECT_NEAR(*cuspOf(uniform({{1, -1, 0}, {-1.0 / 3, 1, 0}, {-1.0 / 3, -1, 0}, {1, 1, 0}})), 0.5,
+              1e-9);
+  // A hairpin is none, however narrow.
+  EXPECT_FALSE(cuspOf(uniform({{0, 0, 0}, {8, 0, 0}, {8, 1e-6, 0}, {0, 1e-6, 0}})).has_value());
+  EXPECT_FALSE(cuspOf(uniform({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}})).has_value());
+}
+
 }  // namespace
 }  // namespace arelem::spline

@@ -1,0 +1,31 @@
+#pragma once
+#include "ir/cl/record.h"
+
+namespace arelem::timing {
+
+/// The feed in force, as FEDRAT and SPINDL say.
+class FeedInForce {
+ public:
+  void setUnit(double millimeters) { unit_ = millimeters; }
+  /// Other statements than these two change nothing.
+  void take(const cl::Post& post);
+  /// mm a minute along a move of this length, mm; 0 where no feed is known.
+  [[nodiscard]] double perMinute(double length) const;
+  /// Whether the feed counts moves a minute.
+  [[nodiscard]] bool isInverse() const { return mode_ == Mode::inverse; }
+  /// Of the spindle, a minute.
+  [[nodiscard]] double turns() const { return turns_; }
+
+ private:
+  enum class Mode { perMinute, perTurn, inverse };
+  double unit_ = 1.0;   // mm
+  double value_ = 0.0;  // mm a minute or a turn, or moves a minute
+  Mode mode_ = Mode::perMinute;
+  double turns_ = 0.0;
+};
+
+/// The first number among the parameters, if there is one.
+[[nodiscard]] const double* firstNumber(const cl::Post& post);
+[[nodiscard]] bool hasOneOf(const cl::Post& post, std::initializer_list<Word> words);
+
+}  // namespace arelem::timing
