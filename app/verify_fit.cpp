@@ -1,7 +1,9 @@
 #include "app/verify_fit.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "ir/diag/render_text.h"
 #include "ir/diag/verify.h"
 
 namespace arelem::app {

@@ -18,9 +18,9 @@ constexpr int deepestHalving = 14;
 constexpr std::array samples = {0.25, 0.5, 0.75};
 /// Of the tolerance of the axis, for places next to a pole: the rest is for the way between them.
 constexpr double evenShare = 0.5;
-/// Where the axis of a move that leaves a pole is looked at, as a share of its turn, and the turn
-/// of an axis, in degrees, that it takes there to be made before the move.
-constexpr double leavingShare = 1e-3;
+/// How far the axis of a move that leaves a pole has turned where it is looked at, as a share of
+/// its tolerance, and the degrees of a turn of the axes there that are made before the move.
+constexpr double leavingShare = 0.2;
 constexpr double leastPoleTurn = 1.0;
 constexpr double degrees = 180.0 / std::numbers::pi;
 
@@ -69,13 +69,17 @@ class Divider {
     if (std::optional<Failure> failure = add(from, middle, depth - 1)) {
       return failure;
     }
-    // The second half begins with the angles in which the first one ended.
+    // The second half begins with the angles in which the first one ended. A turn about the tool
+    // has its goal, which the axis does not tell.
     TurnedPlace end = to;
-    const Result<Angles> last = nextAngles(turning_, to.pose.axis, places_.back().angles);
-    if (!last) {
-      return last.failure();
+    if ((to.pose.axis - from.pose.axis).norm() > tolerance::symmetric) {
+      const Result<Angles> last = nextAngles(turning_, to.pose.axis, places_.back().angles);
+      if (!last) {
+        return last.failure();
+      }
+      const Angles& now = places_.back().angles;
+      end.angles = turnBetween(now, to.angles) <= turnBetween(now, *last) ? to.angles : *last;
     }
-    end.angles = *last;
     return add(TurnedPlace(places_.back()), end, depth - 1);
   }
 
@@ -131,15 +135,17 @@ Result<std::vector<TurnedPlace>> turnedMove(const Turning& turning,
   Divider divider(turning, places);
   TurnedPlace start = from;
   // At a pole any turn holds the axis; the one that is left for a side has to be there before.
+  const double share =
+      std::min(1.0, leavingShare * turning.angleTolerance / angleBetween(from.pose.axis, to.axis));
   const Result<Angles> leaving =
-      nextAngles(turning, turnedAxis(from.pose.axis, to.axis, leavingShare), from.angles);
+      nextAngles(turning, turnedAxis(from.pose.axis, to.axis, share), from.angles);
   const double cut = turnBetween(from.angles, leaving ? *leaving : from.angles);
   const TurnedPlace turned{from.pose, leaving ? *leaving : from.angles};
   if (cut > leastPoleTurn && holdsAxis(turning, turned)) {
     if (std::optional<Failure> failure = divider.add(from, turned, deepestHalving)) {
       return *std::move(failure);
     }
-    start = turned;
+    start = places.back();
   }
   const Result<Angles> angles = nextAngles(turning, to.axis, start.angles);
   if (!angles) {
