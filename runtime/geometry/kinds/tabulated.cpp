@@ -69,10 +69,14 @@ Nearest descend(const Piece& p, const Local& q, double x) {
     const double s = slope(p, x);
     const double gradient = x - q.x + y * s;
     const double curvature = 1.0 + s * s + y * second(p, x);
-    // Where the squared distance is not convex, fall back to the Gauss-Newton step.
+    // Where the squared distance is hardly convex, next to a center of curvature, the Gauss-Newton
+    // step is safe but creeps: Newton's is taken there if it leads farther down.
     const bool newton = curvature > 0.1 * (1.0 + s * s);
-    const double step = gradient / (newton ? curvature : 1.0 + s * s);
-    const double next = std::clamp(x - step, lo, hi);
+    double next = std::clamp(x - gradient / (newton ? curvature : 1.0 + s * s), lo, hi);
+    if (!newton && curvature > 0.0) {
+      const double bold = std::clamp(x - gradient / curvature, lo, hi);
+      next = squaredTo(p, q, bold) < squaredTo(p, q, next) ? bold : next;
+    }
     const double moved = std::abs(next - x);
     x = next;
     if (moved <= (newton ? lastStep * p.length : 1e-16 * (std::abs(x) + p.length))) {
@@ -286,11 +290,15 @@ Bends TabulatedCylinder::bends(const Vec3& point, const Foot& foot, double radiu
     widen(curvature, curvatures(p, from, to));
     graph = graph && runsAlong(p, from, to, alongU, alongV);
     joined = to == p.length;
-    if (squaredTo(p, q, p.length) <= reach * reach && i + 1 < curve.pieces.size()) {
+    if (joined && i + 1 < curve.pieces.size()) {
       const double turn = turnBetween(p, curve.pieces[i + 1]);
       if (std::abs(turn) > smoothJoint) {
-        widen(curvature, turn > 0.0 ? Bends{Bends{}.low, 0.0} : Bends{0.0, Bends{}.high});
-        graph = false;
+        // A corner out of reach is no foot, but the parts on both of its sides may have one each.
+        joined = squaredTo(p, q, p.length) <= reach * reach;
+        if (joined) {
+          widen(curvature, turn > 0.0 ? Bends{Bends{}.low, 0.0} : Bends{0.0, Bends{}.high});
+          graph = false;
+        }
       }
     }
   }

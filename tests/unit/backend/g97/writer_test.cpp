@@ -122,7 +122,8 @@ TEST(G97Writer, RefusesWhatHasNoForm) {
   EXPECT_THAT(codesOf({feed(-1)}, painter()), ElementsAre("E0641"));
   EXPECT_THAT(codesOf({at({10000, 0, 0})}, painter()), ElementsAre("E0642"));
   EXPECT_THAT(codesOf({on()}, painter()), ElementsAre("E0644"));
-  EXPECT_THAT(codesOf({record(1, post(Word::DELAY, {2.0}))}, painter()), ElementsAre("W0641"));
+  EXPECT_THAT(codesOf({at({0, 0, 0}), record(1, post(Word::DELAY, {2.0}))}, painter()),
+              ElementsAre("W0641"));
   robot::Machine machine = painter();
   machine.envelope.emplace().reach = {0, 500};
   EXPECT_THAT(codesOf({at({400, 400, 0})}, machine), ElementsAre("E0667"));

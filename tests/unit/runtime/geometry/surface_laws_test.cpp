@@ -212,5 +212,47 @@ TYPED_TEST(SurfaceLaws, DistanceIsLipschitz) {
   }
 }
 
+TabulatedCylinder cylinderOf(std::vector<TabulatedCylinder::Piece> pieces) {
+  auto curve = std::make_shared<TabulatedCylinder::Curve>();
+  curve->u = Vec3::UnitX();
+  curve->v = Vec3::UnitY();
+  curve->w = Vec3::UnitZ();
+  curve->pieces = std::move(pieces);
+  return TabulatedCylinder(std::move(curve));
+}
+
+/// Under a roof of two planes at 45 degrees: the ridge is out of reach, yet a place has a foot on
+/// each side, and the distance dips by 0.04 sin 45 in the middle of a way of 0.08.
+TEST(TabulatedCylinderBends, KnowOfCornersOutOfReach) {
+  const double slant = std::sqrt(0.5);
+  TabulatedCylinder::Piece up{}, down{};
+  up.u = up.v = -10.0 * slant;
+  up.dirU = up.dirV = slant;
+  up.length = down.length = 10.0;
+  up.openStart = down.openEnd = true;
+  down.dirU = slant;
+  down.dirV = -slant;
+  const TabulatedCylinder roof = cylinderOf({up, down});
+  const Vec3 p(0.0, -1.0, 0.0);
+  TabulatedCylinder::Hint hint{};
+  const Foot foot = roof.foot(p, hint);
+  EXPECT_NEAR(foot.distance, -slant, 1e-12);
+  EXPECT_GE(roof.bends(p, foot, 0.05).high, 0.04 * slant * 8.0 / (0.08 * 0.08));
+}
+
+/// Next to a center of curvature, where the squared distance is hardly convex. The nearest place is
+/// a root of the cubic (x - qx) + (h - qy) h'.
+TEST(TabulatedCylinderFoot, IsExactNextToACenterOfCurvature) {
+  TabulatedCylinder::Piece arch{};
+  arch.dirU = 1.0;
+  arch.length = 4.0;
+  arch.b = -0.0583965;
+  arch.c = 0.233586;
+  arch.highY = arch.c * arch.length;
+  TabulatedCylinder::Hint hint{};
+  const Foot foot = cylinderOf({arch}).foot({2.033935122, -7.696062904, 0.0}, hint);
+  EXPECT_NEAR(foot.distance, -7.9287477372366, 1e-9);
+}
+
 }  // namespace
 }  // namespace arelem::surface
