@@ -221,11 +221,8 @@ Result<Cycles::Change> Cycles::read(const cl::Post& post) {
     return Change::ended;
   }
   if (first != nullptr && *first == Word::ON) {
-    if (!last_) {
-      return fail(diag::NgcCycle, std::string("/ON has no cycle before it"));
-    }
     on_ = true;
-    return Change::resumed;
+    return last_ ? Change::resumed : Change::none;  // CAMWorks: the head of a cycle that follows
   }
   const auto* text =
       post.arguments.empty() ? nullptr : std::get_if<std::string>(&post.arguments[0]);
@@ -239,6 +236,14 @@ Result<Cycles::Change> Cycles::read(const cl::Post& post) {
   last_ = *cycle;
   on_ = true;
   return Change::begun;
+}
+
+std::optional<Failure> Cycles::objection() {
+  if (!on_ || last_) {
+    return std::nullopt;
+  }
+  on_ = false;
+  return fail(diag::NgcCycle, std::string("/ON has no cycle before it nor behind it"));
 }
 
 std::optional<cl::Post> feedOf(const Cycle& cycle) {

@@ -36,10 +36,12 @@ class Cycles {
     resumed,
     begun
   };
-  /// Errors: as readCycle; ON without a cycle before it; more pecks than a hole may have.
+  /// Errors: as readCycle; more pecks than a hole may have.
   [[nodiscard]] Result<Change> read(const cl::Post& post);
   /// Null between OFF and the next cycle.
   [[nodiscard]] const Cycle* now() const { return on_ && last_ ? &*last_ : nullptr; }
+  /// At a location: ON came and no cycle is known. Told once.
+  [[nodiscard]] std::optional<Failure> objection();
 
  private:
   std::optional<Cycle> last_;

@@ -98,6 +98,9 @@ void Moves::points(const cl::Motion& motion) {
     return from({places.back(), axes.back()});
   }
   for (std::size_t i = 0; i < places.size();) {
+    if (auto objection = cycles_.objection()) {
+      report(*std::move(objection));
+    }
     if (cycles_.now() != nullptr) {
       drill({places[i], axes[i]});
       ++i;

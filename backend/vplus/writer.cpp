@@ -63,6 +63,9 @@ class VplusWriter : public Writer {
     for (const Pose& pose : posesOf(motion, millimeters_)) {
       ++location_;
       reach_.begin(record_->origin);
+      if (auto objection = cycles_.objection()) {
+        report(*std::move(objection));
+      }
       if (cycles_.now() != nullptr && motion.kind != cl::Motion::Kind::from) {
         drill(pose, *cycles_.now());
       } else {

@@ -138,6 +138,11 @@ class Features(NgcCase):
             across = [(m.start[2], m.end[2]) for m in moves if m.start[0] != m.end[0] and m.end[0] in (20, 30)]
             self.assertEqual(across, [(30, 30), (35, 35)])
             self.assertEqual([m for m in moves if m.feed is None and m.end[2] < 3], [])
+        # CAMWorks writes ON before each cycle; ON alone is none.
+        self.interpret(text.replace("CYCLE/{}", "CYCLE/ ON\nCYCLE/{}").format("DRILL,FEDTO,10"), "--dialect", "cl")
+        self.write("on.apt", "FROM/0,0,80\nFEDRAT/9\nCYCLE/ON\nGOTO/1,2,3\nCYCLE/OFF\nFINI\n")
+        self.assertExit(6, "compile", "on.apt", "--dialect", "cl", "--to", "ngc")
+        self.assertIn("E0673", self.err)
         pecks = paths.canonical_moves(self.interpret(text.format("DRILL,G98,12,PECKING,5,4").replace("RAPTO,3,RTRCTO,30", "3,30 30 DWELL,0"),
                                                      "--dialect", "cl"))
         self.assertIn("G98 G83 X10.0000 Y0.0000 Z-12.0000 R3.0000 Q4.0000", (self.folder / "part.ngc").read_text())
