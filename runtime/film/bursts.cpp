@@ -19,7 +19,15 @@ Bursts::Bursts(const spray::Sprayed& s)
       flow_(s.chosen.operation.flow * s.gun.efficiency),
       reach_(followed * std::max(a_, b_)) {
   const double piece = std::max(a_, b_ / piecesOfRadius) / piecesOfRadius;
-  for (const spray::Stroke& stroke : s.strokes) {
+  // The gun is not turned over from pass to pass: its side lies to the same hand.
+  Vec3 side = Vec3::Zero();
+  for (spray::Stroke stroke : s.strokes) {
+    const Vec3 across = stroke.normalFrom.cross(stroke.to - stroke.from);
+    if (side.dot(across) < 0.0) {
+      std::swap(stroke.from, stroke.to);
+      std::swap(stroke.normalFrom, stroke.normalTo);
+    }
+    side = side.dot(across) < 0.0 ? Vec3(-across) : across;
     if (stroke.painting) {
       divide(stroke, piece);
     }

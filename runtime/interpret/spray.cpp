@@ -1,6 +1,7 @@
 // SPRAY: words to a job, its strokes to actions.
 #include "ir/diag/spray.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ir/diag/interpret.h"
@@ -19,13 +20,21 @@ namespace {
 using spray::Sprayed;
 using spray::Stroke;
 
+/// A measured film may lie more to one side.
+bool isAlikeOnBothSides(const spray::Profile& profile) {
+  return std::all_of(profile.points().begin(), profile.points().end(), [&](const auto& point) {
+    return std::abs(point.second - profile.density(-point.first)) <= tolerance::similarity;
+  });
+}
+
 /// Puts the strokes of a job into the stream: poses of the gun, its switching, feeds.
 class StrokeWriter {
  public:
   StrokeWriter(State& state, const Sprayed& sprayed)
       : state_(state), sprayed_(sprayed), unit_(state.context.millimeters) {
     const spray::Footprint& print = sprayed.gun.footprint;
-    isRound_ = std::abs(print.along - print.across) <= tolerance::similarity * print.across;
+    isRound_ = std::abs(print.along - print.across) <= tolerance::similarity * print.across &&
+               isAlikeOnBothSides(sprayed.gun.profile());
   }
 
   void write() {

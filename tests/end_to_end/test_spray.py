@@ -129,6 +129,18 @@ class Spray(ArelemCase):
         for got, wanted in zip(place, rows[0]["expected"]["p"] + rows[0]["inputs"]["n"]):
             self.assertAlmostEqual(got, wanted, delta=rows[0]["tolerance"])
 
+    def test_a_lopsided_gun_keeps_its_side(self):
+        for table, numbers in (("-10,0,0,4,10,0", 6), ("-10,0,-5,4,10,0", 9)):
+            with self.subTest(table):
+                self.write("part.apt", f"UNITS/MM\nG1=GUN/TABLE,{table},STNDOF,100,SPEED,100\nR1=REGION/(0,0),(90,0),(90,40),(0,40)\n"
+                                       "SPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+                self.assertExit(0, "compile", "part.apt")
+                places = [line.split("/")[1].split(",") for line in self.out.replace("$\n", "").splitlines() if "GOTO" in line]
+                self.assertGreater(len(places), 3)
+                self.assertEqual({len(p) for p in places}, {numbers})
+                if numbers == 9:  # not turned over from pass to pass
+                    self.assertEqual({tuple(float(v) for v in p[6:]) for p in places}, {(0, 1, 0)})
+
     def test_outputs_are_whole_numbers(self):
         for words, what in (("ON,1.7", "the output of SPRAY is 1.7; it must be a whole number, 1 to 9999"),
                             ("OFF,0", "the output of SPRAY is 0"), ("ON,OFF", "behind ON or OFF"),
