@@ -173,6 +173,20 @@ class Planner {
     return 1.0;
   }
 
+  /// The smallest share of the spacing on the lines, where the speed follows it: else 1.
+  [[nodiscard]] double narrowest() const {
+    double least = 1.0;
+    if (speedFollowsSpacing()) {
+      const Spacing spacing(whole_);
+      for (std::size_t n = 0; n < lines_.size(); ++n) {
+        for (const LinePoint& point : lines_[n]) {
+          least = std::min(least, spacing.share(ranks_[n], point.place));
+        }
+      }
+    }
+    return least;
+  }
+
   /// The gun's largest speed is that of the nozzle, which is ahead of its spray on a bent surface.
   std::optional<Failure> chooseSpeed() {
     const Gun& gun = job_.gun;
@@ -193,8 +207,8 @@ class Planner {
     } else {
       o.flow = gun.flow;
       o.speed = flow / (job_.film * s_.step);
-      if (gun.kind != Gun::Kind::calibrated && gun.speed > 0.0 && o.speed > fastest) {
-        o.speed = fastest;  // with less flow
+      if (gun.kind != Gun::Kind::calibrated && gun.speed > 0.0 && o.speed > fastest * narrowest()) {
+        o.speed = fastest * narrowest();  // with less flow; room to follow the spacing
         o.flow = job_.film * s_.step * o.speed / gun.efficiency;
       }
     }

@@ -386,8 +386,15 @@ TEST(SurfaceJobs, TheGunMovesFasterWhereLinesAreCloser) {
                 0.01 * sprayed->chosen.operation.speed * 300.0);
   }
   job.gun.speed = 1.2 * sprayed->chosen.operation.speed;
-  for (const Stroke& stroke : spraySurface(job)->strokes) {
+  // With a largest speed between: slower at the wide end, so that the film stays even.
+  const Result<Sprayed> limited = spraySurface(job);
+  ASSERT_TRUE(limited.ok()) << limited.failure().message;
+  EXPECT_NEAR(limited->chosen.operation.speed, 0.5 * job.gun.speed, 0.01 * job.gun.speed);
+  for (const Stroke& stroke : limited->strokes) {
     EXPECT_LE(stroke.speed, job.gun.speed);
+    const double fromVertex = ((stroke.from + stroke.to) / 2.0).norm();
+    EXPECT_NEAR(stroke.speed * fromVertex, limited->chosen.operation.speed * 300.0,
+                0.01 * limited->chosen.operation.speed * 300.0);
   }
   job.speed = sprayed->chosen.operation.speed;
   for (const Stroke& stroke : spraySurface(job)->strokes) {
