@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "app/view/film_frames.h"
 #include "app/view/surface_mesh.h"
 
 #include "ir/words/units.h"
@@ -137,7 +138,9 @@ void addMeshes(const Compilation& job, backend::Scene& scene, const InterruptFla
 
 void addFilms(const Compilation& job, backend::Scene& scene) {
   const double unit = millimetersOf(scene);
+  FilmFrames frames(job);
   for (const auto& sprayed : job.evaluation.sprayed) {
+    const path::Affine moved = frames.next(sprayed->origin);
     const film::Map map =
         film::mapOf(*sprayed, sprayed->planar ? longestOf(*sprayed) / filmCells : 0.0);
     backend::SceneFilm film;
@@ -147,8 +150,8 @@ void addFilms(const Compilation& job, backend::Scene& scene) {
     film.rows = map.rows;
     for (std::size_t r = 0; r <= map.rows; ++r) {
       for (std::size_t c = 0; c <= map.columns; ++c) {
-        const Vec3 p =
-            placeOf(*sprayed, map, static_cast<double>(c), static_cast<double>(r)) / unit;
+        const Vec3 p = moved.point(
+            placeOf(*sprayed, map, static_cast<double>(c), static_cast<double>(r)) / unit);
         for (int k = 0; k < 3; ++k) {
           film.corners.push_back(static_cast<float>(p[k]));
         }
@@ -166,7 +169,9 @@ void addFilms(const Compilation& job, backend::Scene& scene) {
 
 void addStencilFilms(const Compilation& job, backend::Scene& scene) {
   const double unit = millimetersOf(scene);
+  FilmFrames frames(job);
   for (const auto& painted : job.evaluation.stencils) {
+    const path::Affine moved = frames.next(painted->origin);
     const auto patches = stencil::filmPatches(painted->tracks, painted->statement.job.gun);
     if (patches.size() > mostStrips) {
       addNote(scene, "the film of a stencil is too long to be shown: use arelem stencil --film");
@@ -179,9 +184,12 @@ void addStencilFilms(const Compilation& job, backend::Scene& scene) {
     film.strips = true;
     for (const stencil::FilmPatch& patch : patches) {
       for (std::size_t i = 0; i < patch.corner.size(); ++i) {
-        const auto p = (patch.corner[i] / unit).eval();
-        film.corners.insert(film.corners.end(),
-                            {static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0F});
+        const Vec3 onRoad(patch.corner[i].x() / unit, patch.corner[i].y() / unit, 0.0);
+        const Vec3 road = painted->across * onRoad.x() + painted->along * onRoad.y();
+        const Vec3 p = moved.point(painted->base + road);
+        for (int k = 0; k < 3; ++k) {
+          film.corners.push_back(static_cast<float>(p[k]));
+        }
         film.film.push_back(static_cast<float>(patch.film[i] * film.wanted));
       }
     }

@@ -359,6 +359,9 @@ void stencil(State& state, const ir::Command& command) {
     return;
   }
   painted->origin = state.statement->span;
+  painted->base = state.systems.pointToBase(Vec3::Zero());
+  painted->across = state.systems.vectorToBase(Vec3::UnitX());
+  painted->along = state.systems.vectorToBase(Vec3::UnitY());
   TrackWriter(state, *statement).write(painted->tracks);
   state.out.stencils.push_back(std::make_shared<const stencil::Painted>(*std::move(painted)));
 }

@@ -24,6 +24,8 @@ struct Statement {
 struct Painted {
   Statement statement;  ///< with the speed that is used
   Span origin;
+  /// The origin of REFSYS and its first two directions in the base system, part unit.
+  Vec3 base = Vec3::Zero(), across = Vec3::UnitX(), along = Vec3::UnitY();
   std::vector<Track> tracks;
   double given = 0.0;     ///< way without spraying in the order of the alphabet, mm
   double traveled = 0.0;  ///< in the order that is used

@@ -240,6 +240,21 @@ class Page(ArelemCase):
         green = sum(n for key, n in colors.items() if key[1] in "def" and key[0] < "c" and key[2] < "c")
         self.assertGreater(green, 2000, "no film of the letters")
 
+    def test_films_lie_where_the_path_paints(self):
+        # The truck drives 5000 mm: the second word is computed 5000 further on, and painted where the first one is.
+        words = "UNITS/MM\nA=POINT/0,0\nB=POINT/0,5000\nSTENCL/'I',HEIGHT,2440,FAN,63.5,SPEED,600,ORIGIN,A,TILT,BEST\n" \
+                "TRACUT/(MATRIX/TRANSL,0,-5000,0)\nSTENCL/'I',HEIGHT,2440,FAN,63.5,SPEED,600,ORIGIN,B,TILT,BEST\n" \
+                "TRACUT/NOMORE\nFINI\n"
+        system = "UNITS/MM\nM=MATRIX/TRANSL,700,0,0\nREFSYS/M\nSTENCL/'I',HEIGHT,2440,FAN,63.5,SPEED,600,TILT,BEST\n" \
+                 "REFSYS/NOMORE\nFINI\n"
+        low = "window.arelem.scene.films.map(f => [0, 1].map(a => Math.min(...f.corners.filter((v, i) => i % 3 === a))))"
+        moved, within = self.look({"source": words, "steps": [{"get": low}]}, {"source": system, "steps": [{"get": low}]})
+        first, second = moved["steps"][0]
+        third, = within["steps"][0]
+        for axis in (0, 1):
+            self.assertAlmostEqual(first[axis], second[axis], delta=0.01)
+            self.assertAlmostEqual(third[axis] - first[axis], (700, 0)[axis], delta=0.01)
+
     def test_arcs_and_tilted_tools(self):
         arc = ("UNITS/MM\nFEDRAT/100,MMPM\nFROM/0,0,0\nGOTO/10,0,0\nCIRCLE/10,10,0,0,0,1,10\nGOTO/20,10,0\nGOTO/40,10,0\nFINI\n")
         cone = (PROJECT / "tests/golden/motion/axis_along_the_lines_of_a_cone.apt").read_text()

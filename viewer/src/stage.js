@@ -186,14 +186,29 @@ export class Stage {
       clearTimeout(this.rest);
       this.rest = setTimeout(() => { this.patience *= 2; this.request(); }, 100);
     }
-    const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
-    for (const l of this.labels) {
-      const p = l.place.clone().project(this.camera), x = (p.x * 0.5 + 0.5) * w, y = (0.5 - p.y * 0.5) * h, wide = 6.5 * l.name.length + 6;
-      const shown = (l.wrong || this.layers.geometry.visible) && this.shows(l.place) && x > 0 && x < w && y > 12 && y < h &&
-        !taken.some(t => Math.abs(t.x - x) < (t.wide + wide) / 2 && Math.abs(t.y - y) < 14);
-      l.element.style.display = shown ? "" : "none";
-      if (shown) { taken.push({x, y, wide}); l.element.style.left = x + "px"; l.element.style.top = y + "px"; }
-    }
+    this.writeLabels();
     if (this.afterRender) this.afterRender();
+  }
+
+  // Each name at the first of its places that is in sight, not behind a panel and not taken by another name.
+  writeLabels() {
+    const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
+    for (const id of ["legend", "layers", "readout", "cut"]) {
+      const e = document.getElementById(id);
+      if (e.offsetWidth) taken.push({x: e.offsetLeft + e.offsetWidth / 2, y: e.offsetTop + e.offsetHeight / 2 + 7, wide: e.offsetWidth, tall: e.offsetHeight});
+    }
+    const room = (place, wide) => {
+      const p = place.clone().project(this.camera), x = (p.x * 0.5 + 0.5) * w, y = (0.5 - p.y * 0.5) * h;
+      const free = this.shows(place) && x > 0 && x < w && y > 12 && y < h &&
+        !taken.some(t => Math.abs(t.x - x) < (t.wide + wide) / 2 && Math.abs(t.y - y) < (t.tall + 14) / 2);
+      return free ? {x, y, wide, tall: 14} : null;
+    };
+    for (const l of this.labels) {
+      const wide = 6.5 * l.name.length + 6;
+      let at = null;
+      if (l.wrong || this.layers.geometry.visible) for (const place of [l.place, ...(l.others || [])]) if (!at) at = room(place, wide);
+      l.element.style.display = at ? "" : "none";
+      if (at) { taken.push(at); l.element.style.left = at.x + "px"; l.element.style.top = at.y + "px"; }
+    }
   }
 }

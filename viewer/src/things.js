@@ -22,7 +22,7 @@ export function drawEntities(scene, center, material) {
   const at = (c, k = 0) => new THREE.Vector3(c[k] - center[0], c[k + 1] - center[1], c[k + 2] - center[2]);
   const floor = scene.low[2] - center[2];
   const near = p => p.distanceTo(middle) < 1.6 * reach;
-  const label = (name, p) => { if (near(p) && labels.length < 250) labels.push({name, place: p}); };
+  const label = (name, p, ...others) => { if (near(p) && labels.length < 250) labels.push({name, place: p, others}); };
   for (const e of scene.entities.slice(0, 2000)) {
     const c = e.canon;
     (e.curves || []).forEach((curve, n) => {
@@ -43,12 +43,12 @@ export function drawEntities(scene, center, material) {
       foot.addScaledVector(along, middle.clone().sub(foot).dot(along)).setZ(floor);
       if (Math.hypot(foot.x - middle.x, foot.y - middle.y) > reach) continue;
       group.add(wire([foot.clone().addScaledVector(along, -reach), foot.clone().addScaledVector(along, reach)], material));
-      label(e.name, foot.clone().addScaledVector(along, 0.8 * reach));
+      label(e.name, ...[0.8, -0.8, 0.55, -0.55].map(t => foot.clone().addScaledVector(along, t * reach)));
     } else if (e.type === "CIRCLE") {
       const p = at(c).setZ(floor);
       if (c[6] > 3 * scene.size) continue;
       group.add(ring(p, new THREE.Vector3(0, 0, 1), c[6], material));
-      label(e.name, p.clone().add(new THREE.Vector3(c[6] * 0.71, c[6] * 0.71, 0)));
+      label(e.name, ...[[1, 1], [1, -1], [-1, 1], [-1, -1]].map(([x, y]) => p.clone().add(new THREE.Vector3(x * c[6] * 0.71, y * c[6] * 0.71, 0))));
     } else if (e.type === "SPHERE" && c[3] < 3 * scene.size) {
       for (const axis of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) group.add(ring(at(c), new THREE.Vector3(...axis), c[3], material));
       label(e.name, at(c).add(new THREE.Vector3(0, 0, c[3])));
