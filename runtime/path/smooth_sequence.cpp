@@ -115,6 +115,39 @@ std::vector<cl::Record> asRecords(const SmoothSequence& sequence,
   return records;
 }
 
+/// The curve by one method, and its cut vectors.
+Result<SmoothedSequence> smoothedBy(smooth::Method method,
+                                    const spline::CubicSpline& fitted,
+                                    const SmoothSequence& sequence,
+                                    const SmoothOrder& order,
+                                    const Stopwatch& watch) {
+  smooth::Options options = order.options;
+  options.method = method;
+  options.limits = watch.limits();
+  const Result<smooth::Smoothed> result = smooth::smooth(fitted, options);
+  if (!result) {
+    return result.failure();
+  }
+  const double chord = SmoothOrder::chordShare * order.tolerance;
+  const double fit = order.share * order.tolerance;
+  const std::vector<Vec3> chords = spline::chordPoints(result->curve, chord);
+  SmoothedSequence smoothed;
+  smoothed.records = asRecords(sequence, result->curve, chords, order.keepSpline);
+  smoothed.end = chords.back();
+  const auto old = curvatureFigures(fitted, samplesOfASpan);
+  const auto now = curvatureFigures(result->curve, samplesOfASpan);
+  smoothed.fact = {sequence.first.origin,
+                   old.most,
+                   now.most,
+                   old.mean,
+                   now.mean,
+                   fitted.length(),
+                   result->curve.length(),
+                   result->deviation + fit + chord};
+  smoothed.secondsAfter = watch.seconds(sequence.points.front(), smoothed.records);
+  return smoothed;
+}
+
 }  // namespace
 
 Result<SmoothedSequence> smoothSequence(const SmoothSequence& sequence, const SmoothOrder& order) {
@@ -126,38 +159,26 @@ Result<SmoothedSequence> smoothSequence(const SmoothSequence& sequence, const Sm
   if (auto failure = cusp(*points, order.closed)) {
     return *std::move(failure);
   }
-  const double fit = order.share * order.tolerance;
-  const auto fitted = spline::followPolyline(*points, fit, order.closed);
+  const auto fitted = spline::followPolyline(*points, order.share * order.tolerance, order.closed);
   if (!fitted) {
     return fitted.failure();
   }
   const Stopwatch watch(sequence);
-  smooth::Options options = order.options;
-  options.limits = watch.limits();
-  const Result<smooth::Smoothed> result = smooth::smooth(*fitted, options);
-  if (!result) {
-    return result.failure();
+  const smooth::Method method = order.options.method;
+  Result<SmoothedSequence> best = smoothedBy(method, *fitted, sequence, order, watch);
+  if (best && method == smooth::Method::time) {
+    // The curve of least time passes its ends at speed; the cut vectors have the last word.
+    auto other = smoothedBy(smooth::Method::tube, *fitted, sequence, order, watch);
+    if (other && other->secondsAfter < best->secondsAfter) {
+      best = std::move(other);
+    }
   }
-  const double chord = SmoothOrder::chordShare * order.tolerance;
-  const std::vector<Vec3> chords = spline::chordPoints(result->curve, chord);
-  SmoothedSequence smoothed;
-  smoothed.records = asRecords(sequence, result->curve, chords, order.keepSpline);
-  smoothed.end = chords.back();
-  const auto old = curvatureFigures(*fitted, samplesOfASpan);
-  const auto now = curvatureFigures(result->curve, samplesOfASpan);
-  const Vec3& start = sequence.points.front();
-  const std::vector<cl::Record> given = cutVectors(sequence, std::span(sequence.points).subspan(1));
-  smoothed.fact = {sequence.first.origin,
-                   old.most,
-                   now.most,
-                   old.mean,
-                   now.mean,
-                   fitted->length(),
-                   result->curve.length(),
-                   result->deviation + fit + chord};
-  smoothed.secondsBefore = watch.seconds(start, given);
-  smoothed.secondsAfter = watch.seconds(start, smoothed.records);
-  return smoothed;
+  if (best) {
+    const std::vector<cl::Record> given =
+        cutVectors(sequence, std::span(sequence.points).subspan(1));
+    best->secondsBefore = watch.seconds(sequence.points.front(), given);
+  }
+  return best;
 }
 
 }  // namespace arelem::path
