@@ -155,8 +155,7 @@ class Follower {
         }
         if (const auto last = fittingStop(a, segment, found->met, *found->end, cap)) {
           putTurn(*last);
-          // A cut vector that ends at the stop but for rounding has put it out already.
-          if ((last->toolEnd - last_.toolEnd).norm() > tolerance::sameSide || !hasMoved_) {
+          if (!hasMoved_ || !hasArrived(*last, found->met)) {
             put(*last);
           }
           result_.check = found->met.check;
@@ -173,6 +172,14 @@ class Follower {
       put(*b);
       hasMoved_ = true;
     }
+  }
+
+  /// True where the last cut vector ends at the stop but for rounding, or beyond it within the
+  /// tolerance: the way back would be for nothing.
+  bool hasArrived(const PathPoint& stop, const Met& met) {
+    const Vec3 way = stop.toolEnd - last_.toolEnd;
+    return way.norm() <= tolerance::sameSide ||
+           (way.dot(last_.tangent) < 0.0 && stops_.isWithin(last_, met));
   }
 
   /// The stop, if one cut vector reaches it within the bands; otherwise shortens `cap` so that the

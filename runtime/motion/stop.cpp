@@ -48,6 +48,12 @@ bool StopFinder::isContact(const Met& met, const PathPoint& end) {
   return course_.watches[met.check].touches(met.hit.field->at(end.toolEnd, end.axis).gap);
 }
 
+bool StopFinder::isWithin(const PathPoint& a, const Met& met) const {
+  const Role role = roleOf(met);
+  const double gap = met.hit.field->at(a.toolEnd, a.axis).gap;
+  return -state_.inner[role] <= gap && gap <= state_.outer[role];
+}
+
 std::optional<Found> StopFinder::find(const PathPoint& a, const Segment& segment) {
   auto& watches = course_.watches;
   if (std::all_of(watches.begin(), watches.end(),

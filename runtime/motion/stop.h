@@ -31,6 +31,10 @@ class StopFinder {
                                                     const Segment& segment,
                                                     const Met& met);
 
+  /// True where a tool at rest at `a`, short of the surface but beyond the stop, is within the
+  /// tolerance of the check surface.
+  [[nodiscard]] bool isWithin(const PathPoint& a, const Met& met) const;
+
   /// Puts the watches back to where they were before the last segment, to try it again.
   void restore();
 
