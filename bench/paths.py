@@ -20,7 +20,7 @@ CUTTERS = {
     "ball": "12,6",
     "flat": "12,0",
     "bull-nose": "12,1.5",
-    "tapered": "12,1.5,4.5,1.5,0,10,20",
+    "tapered": f"12,1.5,{6 - 1.5 * (1 - math.sin(math.radians(10))) / math.cos(math.radians(10)):.9f},1.5,0,10,20",
 }
 PASSES = 100
 MESH_SIDE = 316  # 316 * 316 * 2 triangles

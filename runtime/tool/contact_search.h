@@ -5,6 +5,7 @@
 
 #include "runtime/tool/contact_descent.h"
 #include "runtime/tool/rounded.h"
+#include "runtime/tool/section_proof.h"
 
 /// The general contact: the least side * distance over the whole cutter. Private to runtime/tool.
 ///
@@ -42,7 +43,11 @@ class ContactSearch {
     const bool proven = search_.convex
                             ? supports(local)
                             : bottomIsProven(local, descent_.onCorner()) && shankIsClear(local.gap);
-    return proven ? local : survey(local);
+    if (proven ||
+        SectionProof<S>(surface_, side_, cutter_, te_, axis_, search_.hint).holds(local)) {
+      return local;
+    }
+    return survey(local);
   }
 
  private:
