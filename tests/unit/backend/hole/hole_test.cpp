@@ -76,10 +76,14 @@ TEST(Hole, TooManyPecksAreRefused) {
 
 TEST(Hole, CyclesEndAndGoOn) {
   Cycles cycles;
-  EXPECT_FALSE(cycles.read(cycle({Word::ON})).ok());  // none to go on with
+  EXPECT_TRUE(cycles.read(cycle({Word::ON})).ok());
+  EXPECT_TRUE(cycles.objection().has_value());  // a location, and no cycle to go on with
+  EXPECT_FALSE(cycles.objection().has_value());
+  EXPECT_TRUE(cycles.read(cycle({Word::ON})).ok());  // the head of the cycle behind it
   EXPECT_TRUE(cycles.read(cycle({Word::DRILL, 8.0, Word::MMPM, 90.0, 2.0})).ok());
   ASSERT_NE(cycles.now(), nullptr);
   EXPECT_EQ(cycles.now()->depth, 8.0);
+  EXPECT_FALSE(cycles.objection().has_value());
   for (const Word end : {Word::OFF, Word::NOMORE}) {
     EXPECT_TRUE(cycles.read(cycle({end})).ok());
     EXPECT_EQ(cycles.now(), nullptr);

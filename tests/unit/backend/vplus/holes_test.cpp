@@ -91,7 +91,8 @@ TEST(Vplus, CyclesWithoutMovesAreRefused) {
                                 post(Word::CYCLE, {Word::MILL, 9.0, Word::MMPM, 80.0, 2.0}),
                                 post(Word::CYCLE, {Word::ON})}) {
     std::vector<std::string> codes;
-    program({record(1, post(Word::FEDRAT, {9.0})), record(2, cycle)}, nullptr, &codes);
+    program({record(1, post(Word::FEDRAT, {9.0})), record(2, cycle), record(3, pose({0, 0, 0}))},
+            nullptr, &codes);
     EXPECT_THAT(codes, ElementsAre("E0673"));
   }
   robot::Machine machine;
