@@ -40,6 +40,21 @@ std::optional<Word> fixedWord(std::string_view six) {
   return std::nullopt;
 }
 
+/// What stands behind the slash of `INSERT / M08`, as CL text writes it.
+std::string_view behindSlash(std::string_view text) {
+  const std::size_t slash = text.find_first_not_of(" \t");
+  if (slash == std::string_view::npos || text[slash] != '/') {
+    return text;
+  }
+  text.remove_prefix(slash + 1);
+  return text.starts_with(' ') ? text.substr(1) : text;
+}
+
+/// True where a list goes on: whatever follows a `$` there is comment.
+bool endsInSeparator(std::string_view text) {
+  return !text.empty() && (text.back() == ',' || text.back() == '/');
+}
+
 std::string_view withoutTrailingBlanks(std::string_view text) {
   while (!text.empty() && (isBlank(text.back()) || text.back() == '\x1A' || text.back() == '\f')) {
     text.remove_suffix(1);
@@ -239,7 +254,8 @@ void CardReader::keepFixed(const Line& line,
   statement.fixedWord = word;
   statement.span = {buffer_, static_cast<std::uint32_t>(line.offset + wordBegin),
                     static_cast<std::uint32_t>(wordLength + kept.size())};
-  statement.fixedText = cleanText(kept);
+  statement.fixedText =
+      cleanText(options_.takes(&DialectRules::freeWidth) ? behindSlash(kept) : kept);
   if (!options_.takes(&DialectRules::lowerCaseTexts)) {
     for (char& c : statement.fixedText) {
       c = upper(c);
@@ -309,8 +325,15 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
     } else if (c.kind == CharClass::dollar) {
       const std::size_t second = field.find_first_not_of(" \t", i + 1);
       const bool adjacent = second == i + 1;
-      const bool comment = second != std::string_view::npos && field[second] == '$' &&
-                           (adjacent || !options_.takes(&DialectRules::freeWidth));
+      const bool free = options_.takes(&DialectRules::freeWidth);
+      const bool dollars = second != std::string_view::npos && field[second] == '$';
+      const bool comment = dollars && (adjacent || !free);
+      if (free && second != std::string_view::npos && !dollars &&
+          !endsInSeparator(statement.text)) {
+        append(statement, field[i], line.offset + i);  // `TPRINT/Tool 5$ cheap` is one statement
+        ++i;
+        continue;
+      }
       ending = comment ? CardEnd::done : CardEnd::continued;
       reporter_.used(comment ? ir::Feature::LX_03 : ir::Feature::LX_02);
       break;

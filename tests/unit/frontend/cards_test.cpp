@@ -96,7 +96,21 @@ TEST(Cards, TitlesRightIsShiftedBy66) {
 TEST(Cards, FixedFieldWordElsewhereIsAnError) {
   EXPECT_EQ(errors("  PPRINT TEXT"), "21");
   EXPECT_EQ(errors("A1) PPRINT/X"), "21");
-  EXPECT_EQ(statement("  PPRINT/Text", Dialect::cl), "PPRINT '/Text'");
+  EXPECT_EQ(statement("  PPRINT/Text", Dialect::cl), "PPRINT 'Text'");
+}
+
+/// The slash of CL text is no part of the text; that of a fixed-field word of APT is.
+TEST(Cards, TextsOfClBeginBehindTheSlash) {
+  EXPECT_EQ(statement("INSERT / M08", Dialect::cl), "INSERT 'M08'");
+  EXPECT_EQ(statement("INSERT/ /M08", Dialect::cl), "INSERT '/M08'");
+  EXPECT_EQ(statement("INSERT/M08", Dialect::apt360), "INSERT '/M08'");
+}
+
+/// A dollar in a text of CL is a dollar; behind a comma or at the end of the line it continues.
+TEST(Cards, ADollarInATextOfClLosesNoStatement) {
+  const auto c = compileText("TPRINT/Tool 5$ cheap\nGOTO/1,2, $C\n3\nFINI\n", Dialect::cl);
+  ASSERT_EQ(c->block().size(), 3U);
+  EXPECT_NE(c->block()[0].find("cheap"), std::string::npos);
 }
 
 TEST(Cards, ContinuationCardsAreNotFixedField) {
