@@ -136,6 +136,21 @@ ExitCode verify(const WithRequest& request,
   job.log.print(job.sources, job.main, settings);
   return worse(result, job.log.exitCode());
 }
+bool isRobotProgram(const std::string& file) {
+  const backend::Target* target = backend::targetForFile(file);
+  return target != nullptr && (target->name == "g97" || target->name == "vplus");
+}
+
+/// The files of a command in which a robot program stands where a part program or CL file belongs.
+std::optional<std::string> inWrongPlaces(const CertifyRequest& request,
+                                         const WithRequest& comparison) {
+  const std::string& program = comparison.program.empty() ? request.path : comparison.program;
+  if (!isRobotProgram(program)) {
+    return std::nullopt;
+  }
+  return fmt::format("`{0}` is a robot program; it is compared by `arelem verify {0} --with {1}`",
+                     program, request.program);
+}
 }  // namespace
 
 int runVerify(const Invocation& invocation) {
@@ -172,6 +187,10 @@ int runVerify(const Invocation& invocation) {
   if (const auto code = parse(app, invocation.words)) {
     return *code;
   }
+  if (const auto objection = inWrongPlaces(request, comparison)) {
+    printUsageError("verify", *objection);
+    return static_cast<int>(ExitCode::wrongUse);
+  }
   const InterruptFlag& interrupted = invocation.interrupt.flag();
   if (comparison.program.empty()) {
     return static_cast<int>(certify(request, settings, interrupted));
@@ -186,9 +205,7 @@ int runVerify(const Invocation& invocation) {
             ", which is not read back; verify reads CL text, CL tapes, G97 and V+ programs");
     return static_cast<int>(ExitCode::wrongUse);
   }
-  if (const backend::Target* target = backend::targetForFile(output);
-      comparison.fitShare > 0.0 && target != nullptr &&
-      (target->name == "g97" || target->name == "vplus")) {
+  if (comparison.fitShare > 0.0 && isRobotProgram(output)) {
     printUsageError("verify", "--fit compares CL files; robot programs are compared move by move");
     return static_cast<int>(ExitCode::wrongUse);
   }

@@ -39,6 +39,13 @@ class Robots(ArelemCase):
         self.assertExit(5, "verify", "stop.v2", "--with", "stop.apt")
         self.assertIn("E0901", self.err)
 
+    def test_files_in_wrong_places(self):
+        self.write("stop.apt", STOP)
+        self.assertExit(0, "stop.apt", "-o", "stop.v2")
+        for words in (("stop.apt", "--with", "stop.v2"), ("stop.apt", "stop.v2")):
+            self.assertExit(1, "verify", *words)
+            self.assertIn("`arelem verify stop.v2 --with stop.apt`", self.err)
+
     def test_inches_are_read_back(self):
         self.write("i.apt", STOP.replace("MM", "INCHES").replace("500", "20"))
         self.assertExit(0, "i.apt", "-o", "i.v2")
