@@ -43,7 +43,7 @@ class Robots(ArelemCase):
         self.write("stop.apt", STOP)
         self.assertExit(0, "stop.apt", "-o", "stop.v2")
         for words in (("stop.apt", "--with", "stop.v2"), ("stop.apt", "stop.v2")):
-            self.assertExit(1, "verify", *words)
+            self.assertExit(2, "verify", *words)
             self.assertIn("`arelem verify stop.v2 --with stop.apt`", self.err)
 
     def test_inches_are_read_back(self):
