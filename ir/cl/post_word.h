@@ -1,5 +1,6 @@
 #pragma once
 #include <string_view>
+#include <vector>
 
 #include "ir/cl/record.h"
 
@@ -16,6 +17,16 @@ namespace arelem::cl {
 [[nodiscard]] inline const Post* postOf(const Body& body, Word word) {
   const auto* post = std::get_if<Post>(&body);
   return post != nullptr && is(*post, word) ? post : nullptr;
+}
+/// The numbers among its parameters, in order.
+[[nodiscard]] inline std::vector<double> numbersOf(const Post& post) {
+  std::vector<double> numbers;
+  for (const Value& value : post.arguments) {
+    if (const double* number = std::get_if<double>(&value)) {
+      numbers.push_back(*number);
+    }
+  }
+  return numbers;
 }
 
 }  // namespace arelem::cl

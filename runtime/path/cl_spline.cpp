@@ -1,21 +1,10 @@
 #include "runtime/path/cl_spline.h"
 
+#include "ir/cl/post_word.h"
 #include "ir/diag/curves.h"
 #include "runtime/spline/cubic.h"
 
 namespace arelem::path {
-
-namespace {
-std::vector<double> numbersOf(const cl::Post& post) {
-  std::vector<double> numbers;
-  for (const cl::Value& value : post.arguments) {
-    if (const double* number = std::get_if<double>(&value)) {
-      numbers.push_back(*number);
-    }
-  }
-  return numbers;
-}
-}  // namespace
 
 bool ClSpline::isPart(const cl::Post& post) {
   return post.foreign == "NURBS" || post.foreign == "KNOT" || post.foreign == "CNTRL";
@@ -25,7 +14,7 @@ bool ClSpline::take(const cl::Post& post) {
   if (!isPart(post)) {
     return false;
   }
-  const std::vector<double> numbers = numbersOf(post);
+  const std::vector<double> numbers = cl::numbersOf(post);
   if (post.foreign == "NURBS") {
     clear();
   } else if (post.foreign == "KNOT") {

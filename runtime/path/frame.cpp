@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ir/cl/post_word.h"
 #include "ir/space/cl_file_tolerance.h"
 #include "runtime/geometry/angle.h"
 
@@ -14,16 +15,6 @@ namespace arelem::path {
 namespace {
 constexpr double hundredths = 100.0;
 constexpr double degreesOfRadian = 180.0 / std::numbers::pi;
-
-std::vector<double> numbersOf(const cl::Post& post) {
-  std::vector<double> numbers;
-  for (const cl::Value& value : post.arguments) {
-    if (const double* number = std::get_if<double>(&value)) {
-      numbers.push_back(*number);
-    }
-  }
-  return numbers;
-}
 
 std::string_view textOf(const cl::Value& value) {
   if (const Word* word = std::get_if<Word>(&value)) {
@@ -59,7 +50,7 @@ double meantDegrees(double radians) {
 }  // namespace
 
 std::optional<Affine> frameOf(const cl::Post& post) {
-  const std::vector<double> n = numbersOf(post);
+  const std::vector<double> n = cl::numbersOf(post);
   if (post.foreign == "MSYS" && n.size() == 9) {
     return squared({n[3], n[4], n[5]}, {n[6], n[7], n[8]}, {n[0], n[1], n[2]});
   }
