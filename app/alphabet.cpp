@@ -3,14 +3,17 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <sstream>
 
 #include "app/command.h"
 #include "app/library_file.h"
 #include "app/messages.h"
 #include "app/options.h"
 #include "app/output_file.h"
+#include "app/view/raster.h"
 
 #include "backend/alphabet/chart.h"
+#include "ir/diag/output.h"
 #include "runtime/stencil/engrave.h"
 #include "runtime/stencil/film.h"
 #include "runtime/stencil/stencil.h"
@@ -90,13 +93,22 @@ backend::Chart penChartOf(const stencil::Alphabet& alphabet, bool plain) {
   return chart;
 }
 
+/// SVG, or PNG where the path ends so.
 void writeTo(DiagnosticLog& log, const std::string& path, const backend::Chart& chart) {
   Result<std::unique_ptr<OutputFile>> file = openOutput(path);
   if (!file) {
     log.accept(file.takeFailure());
     return;
   }
-  writeChart((*file)->stream(), chart);
+  std::ostringstream svg;
+  writeChart(svg, chart);
+  constexpr int width = 1600;  // pixels
+  if (!path.ends_with(".png")) {
+    (*file)->stream() << svg.str();
+  } else if (!writePng((*file)->stream(), svg.str(), width)) {
+    log.accept(fail(diag::OutputWrite, path, std::uint64_t{0}, "the picture cannot be made"));
+    return;
+  }
   Result<std::string> name = (*file)->commit(false);
   if (!name) {
     log.accept(name.takeFailure());
@@ -246,7 +258,8 @@ int runAlphabet(const Invocation& invocation) {
   AlphabetOptions options;
   app.add_option("FILE", options.file,
                  "an alphabet file, here or in the library; default: roadway.alphabet");
-  app.add_option("-o,--output", options.output, "picture of all symbols, SVG")->type_name("FILE");
+  app.add_option("-o,--output", options.output, "picture of all symbols, .svg or .png")
+      ->type_name("FILE");
   app.add_flag("--plain", options.plain, "the picture as on the road, without grid and lines");
   app.add_flag("--pens", options.pens, "the picture of the lines that ENGRAV cuts");
   const auto number = [&](const char* name, double& value, double low, double high,
@@ -268,6 +281,12 @@ int runAlphabet(const Invocation& invocation) {
   addMessageOptions(app, options.settings);
   if (const auto code = parse(app, invocation.words)) {
     return *code;
+  }
+  if (!options.output.empty() && options.output != "-" && !options.output.ends_with(".svg") &&
+      !options.output.ends_with(".png")) {
+    printUsageError("alphabet",
+                    "a picture is written as .svg or .png, not as `" + options.output + "`");
+    return static_cast<int>(ExitCode::wrongUse);
   }
   DiagnosticLog log;
   Result<LibraryFile> file = readLibraryFile(options.file, options.settings);

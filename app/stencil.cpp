@@ -51,6 +51,7 @@ bool writeStencilFilm(std::ostream& out,
   picture.film = &map.film;
   picture.onWork = &map.onWork;
   picture.wanted = wanted;
+  picture.relative = !(painted.meanFilm() > 0.0);
   picture.title = painted.statement.text;
   return writeFilm(out, path, picture);
 }

@@ -140,7 +140,7 @@ std::string fourDigits(double value) {
 void printLetter(std::ostream& out, const Letter& letter, const AreaUnit& unit) {
   constexpr double percent = 100.0;
   const Evenness& even = letter.even;
-  out << fmt::format("  {:<9}{:>6}{:>10}{:>9}{:>9.1f} to {:<5.1f}{:>8.3f} to {:<6.3f}{:>8.1f} %\n",
+  out << fmt::format("  {:<9}{:>6}{:>10}{:>10}{:>9.1f} to {:<5.1f}{:>8.3f} to {:<6.3f}{:>8.1f} %\n",
                      letter.name, even.cells, fourDigits(even.area / unit.squareMillimeters),
                      fourDigits(letter.twice / unit.squareMillimeters), even.leastShare,
                      even.mostShare, even.film.least, even.film.most,
@@ -184,7 +184,7 @@ void printStencil(std::ostream& out, const Compilation& job, const Painted& pain
   const Letter all = allOf(painted);
   const AreaUnit unit = areaUnitOf(all.even.area);
   out << fmt::format(
-      "  symbol    cells{:>10}    twice  shares of cells, %   film over the mean  within 10 %\n",
+      "  symbol    cells{:>10}     twice  shares of cells, %   film over the mean  within 10 %\n",
       fmt::format("area, {}", unit.name));
   for (const Letter& letter : lettersOf(painted)) {
     printLetter(out, letter, unit);

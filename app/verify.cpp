@@ -9,6 +9,7 @@
 #include "app/machine.h"
 #include "app/options.h"
 #include "app/pipeline.h"
+#include "app/rewritten.h"
 #include "app/source_file.h"
 #include "app/verify_fit.h"
 #include "app/verify_g97.h"
@@ -26,7 +27,7 @@ namespace {
 bool pathOfText(Compilation& job,
                 const std::string& file,
                 std::string text,
-                Path& path,
+                cl::RecordSink& path,
                 const backend::Target* target,
                 const InterruptFlag& interrupted) {
   const bool straight = target != nullptr && !target->takesCurves;
@@ -71,6 +72,7 @@ struct WithRequest {
 std::optional<std::size_t> compared(const WithRequest& request,
                                     std::string bytes,
                                     const Path& wanted,
+                                    const Rewritten& rewritten,
                                     const std::optional<robot::Machine>& machine,
                                     Compilation& job,
                                     const InterruptFlag& interrupted,
@@ -82,8 +84,8 @@ std::optional<std::size_t> compared(const WithRequest& request,
                      job.log);
   }
   if (target != nullptr && target->name == "vplus") {
-    return verifyVplus(bytes, name, machine.value_or(robot::Machine{}), wanted, request.allowed,
-                       job.log);
+    return verifyVplus(bytes, name, machine.value_or(robot::Machine{}), wanted, rewritten,
+                       request.allowed, job.log);
   }
   Path found;
   if (!pathOfOutput(request.output, std::move(bytes), job.settings, found, interrupted, result)) {
@@ -98,6 +100,22 @@ std::optional<std::size_t> compared(const WithRequest& request,
     return std::nullopt;
   }
   return found.locations.size();
+}
+
+/// Robot code given as the part program: the two files stand the wrong way round.
+bool areSwapped(const WithRequest& request, const Settings& settings) {
+  const backend::Target* output = backend::targetForFile(request.output);
+  const backend::Target* program = backend::targetForFile(request.program);
+  const bool code = program != nullptr && (program->name == "vplus" || program->name == "g97");
+  const Result<std::string> text = readBytes(request.program, settings.limits);
+  const bool marked = text && text->starts_with(".PROGRAM");
+  if (!marked && !(code && output == nullptr)) {
+    return false;
+  }
+  printUsageError("verify", fmt::format("`{0}` is robot code: --with takes the part program; is it "
+                                        "`arelem verify {0} --with {1}`?",
+                                        request.program, request.output));
+  return true;
 }
 
 ExitCode verify(const WithRequest& request,
@@ -115,20 +133,22 @@ ExitCode verify(const WithRequest& request,
       job.log.accept(input->takeFailure());
     }
   }
-  Path wanted;
+  const backend::Target* target = backend::targetForFile(request.output);
+  const bool again = target != nullptr && target->name == "vplus";
+  Rewritten wanted(again && machine ? target : nullptr, machine ? *machine : std::nullopt);
   ExitCode result = ExitCode::ok;
   if (machine && text && bytes &&
-      pathOfText(job, request.program, *std::move(text), wanted,
-                 backend::targetForFile(request.output), interrupted)) {
-    const auto count =
-        compared(request, *std::move(bytes), wanted, *machine, job, interrupted, result);
+      pathOfText(job, request.program, *std::move(text), wanted, target, interrupted)) {
+    wanted.finish();
+    const auto count = compared(request, *std::move(bytes), wanted.path(), wanted, *machine, job,
+                                interrupted, result);
     if (count && !settings.quiet) {
       const std::string output = displayName(request.output);
       const std::string program = displayName(request.program);
       std::cerr << (request.fitShare > 0.0
                         ? fmt::format("arelem: the path of `{}`, {} locations, keeps to that of "
                                       "`{}`, {} locations\n",
-                                      output, *count, program, wanted.locations.size())
+                                      output, *count, program, wanted.path().locations.size())
                         : fmt::format("arelem: `{}` has the {} locations of `{}`\n", output, *count,
                                       program));
     }
@@ -207,6 +227,9 @@ int runVerify(const Invocation& invocation) {
   }
   if (comparison.fitShare > 0.0 && isRobotProgram(output)) {
     printUsageError("verify", "--fit compares CL files; robot programs are compared move by move");
+    return static_cast<int>(ExitCode::wrongUse);
+  }
+  if (areSwapped(comparison, settings)) {
     return static_cast<int>(ExitCode::wrongUse);
   }
   return static_cast<int>(verify(comparison, settings, interrupted));

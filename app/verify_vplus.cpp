@@ -7,6 +7,7 @@
 #include "app/verify_hole.h"
 
 #include "backend/robot/pose.h"
+#include "backend/text/clean.h"
 #include "backend/vplus/reader.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/robot.h"
@@ -143,14 +144,95 @@ std::size_t compared(const Location& wanted,
   }
   return moves;
 }
+
+/// Whether the program can be written for the machine; if not, why.
+bool isWritten(const Rewritten& rewritten, DiagnosticLog& log) {
+  const std::vector<Diagnostic> errors = rewritten.errors();
+  for (const Diagnostic& error : errors) {
+    log.accept(error);
+  }
+  return errors.empty();
+}
+
+/// What the program does against what the one does that compile writes.
+bool sameEvents(const vplus::ProgramText& program,
+                const std::string& rewritten,
+                const std::string& name,
+                const robot::Machine& machine,
+                DiagnosticLog& log) {
+  const robot::TiltAxis* tilt = machine.tilt ? &*machine.tilt : nullptr;
+  auto wanted = vplus::readProgram(rewritten, name, tilt);
+  if (!wanted) {
+    log.accept(wanted.takeFailure());
+    return false;
+  }
+  // Both end with RETURN: where one is a part of the other, that differs.
+  const std::size_t count = std::min(program.events.size(), wanted->events.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const vplus::Event& found = program.events[i];
+    if (const auto differs = vplus::difference(found, wanted->events[i])) {
+      log.accept(
+          diagnose(nowhere, diag::EventDiffers, name, found.line, differs->found, differs->wanted));
+      return false;
+    }
+  }
+  if (program.events.size() != wanted->events.size()) {
+    const vplus::Event& behind = program.events[std::min(count, program.events.size() - 1)];
+    log.accept(
+        diagnose(nowhere, diag::EventDiffers, name, behind.line, vplus::shown(behind), "its end"));
+    return false;
+  }
+  if (program.programs > 1) {
+    log.accept(diagnose(nowhere, diag::ProgramsDiffer, name, program.programs));
+  }
+  return program.programs == 1;
+}
+
+/// The lines of a text without the ends that differ from machine to machine.
+std::vector<std::string_view> linesOf(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    line.remove_suffix(line.ends_with('\r') ? 1 : 0);
+    lines.push_back(line);
+    begin = end + 1;
+  }
+  return lines;
+}
+
+bool sameLines(std::string_view text,
+               const std::string& rewritten,
+               const std::string& name,
+               DiagnosticLog& log) {
+  const std::vector<std::string_view> found = linesOf(text);
+  const std::vector<std::string_view> wanted = linesOf(rewritten);
+  for (std::size_t i = 0; i < std::max(found.size(), wanted.size()); ++i) {
+    const auto shown = [&](const std::vector<std::string_view>& lines) {
+      return i < lines.size() ? fmt::format("`{}`", printableAscii(lines[i]))
+                              : std::string("the end");
+    };
+    if (i >= found.size() || i >= wanted.size() || found[i] != wanted[i]) {
+      log.accept(diagnose(nowhere, diag::EventDiffers, name, i + 1, shown(found), shown(wanted)));
+      return false;
+    }
+  }
+  return true;
+}
 }  // namespace
 
 std::optional<std::size_t> verifyVplus(std::string_view text,
                                        const std::string& name,
                                        const robot::Machine& machine,
                                        const Path& wanted,
+                                       const Rewritten& rewritten,
                                        const Allowed& given,
                                        DiagnosticLog& log) {
+  if (machine.vplus.format != robot::VplusStyle::Format::program) {
+    return isWritten(rewritten, log) && sameLines(text, rewritten.text(), name, log)
+               ? std::optional(wanted.locations.size())
+               : std::nullopt;
+  }
   auto program = vplus::readProgram(text, name, machine.tilt ? &*machine.tilt : nullptr);
   if (!program) {
     log.accept(program.takeFailure());
@@ -186,6 +268,9 @@ std::optional<std::size_t> verifyVplus(std::string_view text,
   if (!left.empty()) {
     log.accept(diagnose(nowhere, diag::PathLength, name, wanted.locations.size() + left.size(),
                         wanted.locations.size()));
+    return std::nullopt;
+  }
+  if (!isWritten(rewritten, log) || !sameEvents(*program, rewritten.text(), name, machine, log)) {
     return std::nullopt;
   }
   return wanted.locations.size();

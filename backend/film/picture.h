@@ -15,6 +15,7 @@ struct FilmPicture {
   const std::vector<bool>* onWork = nullptr;
   const std::vector<double>* areas = nullptr;  ///< of the work in each cell, mm2; null: all alike
   double wanted = 0.0;                         ///< mm
+  bool relative = false;                       ///< films are shares of `wanted`, not thicknesses
   std::string title;                           ///< one line for people
   std::string details;                         ///< a second one
   std::string xName = "x, mm", yName = "y, mm";

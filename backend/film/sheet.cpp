@@ -220,11 +220,11 @@ class Sheet {
 
   void legend(double x) {
     double y = head + 8.0;
-    canvas_.text({x, y}, "film, um", "");
+    canvas_.text({x, y}, picture_.relative ? "film over its mean" : "film, um", "");
     canvas_.text({x + legendWidth - 30.0, y}, "of the work", "text-anchor=\"end\"");
     const std::vector<double>& levels = picture_.levels;
     const std::vector<double> parts = shares();
-    const double um = 1e3 * picture_.wanted;
+    const double um = picture_.relative ? 1.0 : 1e3 * picture_.wanted;
     for (std::size_t band = levels.size() + 1; band-- > 0;) {
       y += rowHeight;
       const Color& c = colors_[band];

@@ -5,7 +5,9 @@
 #include <numbers>
 #include <optional>
 
+#include "backend/joints/slower.h"
 #include "ir/diag/robot.h"
+#include "ir/diag/told_factor.h"
 #include "ir/space/robot_tolerance.h"
 
 namespace arelem::joints {
@@ -105,8 +107,20 @@ bool withinSpeed(double most, const std::vector<Knot>& knots, DiagnosticSink& si
   }
   sink.accept(diagnose(fastest->origin, diag::RobotSpeed,
                        fmt::format("location {}", fastest->location), fastest->speed, most,
-                       most / fastest->speed));
+                       diag::toldFactor(most / fastest->speed)));
   return false;
+}
+
+/// An arm that goes slower than the program while it sprays.
+void warnOfFilm(const Trajectory::Spraying& spraying,
+                const std::vector<Knot>& knots,
+                DiagnosticSink& sink) {
+  constexpr double told = 1.01;
+  if (spraying.planned > 0.0 && spraying.open > told * spraying.planned) {
+    const Knot& knot = knots[spraying.knot];
+    sink.accept(diagnose(knot.origin, diag::JointsFilm, spraying.open, spraying.planned,
+                         spraying.open / spraying.planned, knot.location, spraying.worst));
+  }
 }
 
 /// Largest speeds and accelerations of the joints.
@@ -127,6 +141,7 @@ class Peaks {
   void report(const Arm& arm,
               const Trajectory& path,
               const std::vector<Knot>& knots,
+              const robot::Machine& machine,
               DiagnosticSink& sink) const {
     if (unbounded_) {
       const Knot& knot = knots[path.knotAt(*unbounded_)];
@@ -134,6 +149,7 @@ class Peaks {
                            std::string("the arm fully stretched, where no speed of its joints has "
                                        "a bound")));
     }
+    std::string slower;  // the same for all joints
     for (std::size_t j = 0; j < 2; ++j) {
       if (const Peak& peak = beyond_[j]; peak.value > tolerance::meanJointLimit) {
         const Knot& knot = knots[path.knotAt(peak.time)];
@@ -143,20 +159,19 @@ class Peaks {
             fmt::format("joint {} {:.4g} {} beyond its range, {:.6g} to {:.6g}", arm.jointName(j),
                         peak.value, arm.unit(j), range.low, range.high)));
       }
-      const auto told = [&](const auto& row, const Peak& peak, double limit, double factor) {
+      const auto told = [&](const auto& row, const Peak& peak, double limit) {
         const Knot& knot = knots[path.knotAt(peak.time)];
+        slower = slower.empty() ? slowerThatDoes(arm, knots, machine) : slower;
         sink.accept(diagnose(knot.origin, row, arm.jointName(j), peak.value, arm.unit(j),
-                             knot.location, peak.time, limit, factor));
+                             knot.location, peak.time, limit, slower));
       };
       const double fast = arm.mostSpeed(j);
       const double hard = arm.mostAcceleration(j);
       if (speed_[j].value > fast * (1.0 + tolerance::jointLimit)) {
-        told(diag::JointsSpeed, speed_[j], fast, fast / speed_[j].value);
+        told(diag::JointsSpeed, speed_[j], fast);
       }
       if (acceleration_[j].value > hard * (1.0 + tolerance::jointLimit)) {
-        // Times stretched by f divide accelerations by f squared.
-        told(diag::JointsAcceleration, acceleration_[j], hard,
-             std::sqrt(hard / acceleration_[j].value));
+        told(diag::JointsAcceleration, acceleration_[j], hard);
       }
     }
   }
@@ -214,7 +229,8 @@ Table tableOf(const Arm& arm,
       }
     }
   }
-  peaks.report(arm, path, knots, sink);
+  peaks.report(arm, path, knots, machine, sink);
+  warnOfFilm(path.spraying(), knots, sink);
   return table;
 }
 

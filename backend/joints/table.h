@@ -28,8 +28,8 @@ struct Table {
                              DiagnosticSink& sink);
 
 /// The motion along reachable knots. Speeds and accelerations of joints above their limits are told
-/// to the sink, each joint's worst with the factor on speeds that would do: E0684, E0685; a table
-/// of more than `mostRows` rows: E0686.
+/// to the sink, each joint's worst with what slower way would do: E0684, E0685; a table
+/// of more than `mostRows` rows: E0686; a gun that is open longer than the program has it: W0684.
 inline constexpr double mostRows = 2e6;
 [[nodiscard]] Table tableOf(const Arm& arm,
                             const std::vector<Knot>& knots,

@@ -145,6 +145,28 @@ Trajectory::Trajectory(const std::vector<Knot>& knots, double acceleration, doub
   if (!knots.empty()) {
     stand(placeOf(knots.back()), 0.5 * window, gun, knots.size() - 1);
   }
+  keepSpraying(knots);
+}
+
+void Trajectory::keepSpraying(const std::vector<Knot>& knots) {
+  std::vector<double> open(knots.size(), 0.0);
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const double end = i + 1 < phases_.size() ? phases_[i + 1].start : raw_;
+    open[phases_[i].knot] += phases_[i].gun ? end - phases_[i].start : 0.0;
+  }
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const bool gun = knots[i].gun;
+    const bool goes = gun && i + 1 < knots.size() && knots[i + 1].speed > 0.0;
+    const double way = goes ? (knots[i + 1].point - knots[i].point).norm() : 0.0;
+    const double planned = goes ? way / knots[i + 1].speed : 0.0;
+    const double waits = gun ? knots[i].dwell : 0.0;
+    spraying_.open += open[i];
+    spraying_.planned += planned + waits;
+    if (way > tolerance::onTheSpot && open[i] - waits > spraying_.worst * planned) {
+      spraying_.worst = (open[i] - waits) / planned;
+      spraying_.knot = i;
+    }
+  }
 }
 
 const Trajectory::Phase& Trajectory::phaseAt(double t) const {

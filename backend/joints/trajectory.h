@@ -28,6 +28,15 @@ class Trajectory {
   /// Acceleration in mm/s2, window in s.
   Trajectory(const std::vector<Knot>& knots, double acceleration, double window);
 
+  /// How long the gun is open, and how long it would be at the speeds of the knots; the move that
+  /// is slowed down most while it is.
+  struct Spraying {
+    double open = 0.0;     ///< s
+    double planned = 0.0;  ///< s
+    double worst = 1.0;    ///< time of a move over its planned time
+    std::size_t knot = 0;  ///< that it begins at
+  };
+  [[nodiscard]] const Spraying& spraying() const { return spraying_; }
   [[nodiscard]] double duration() const { return raw_ + window_; }
   /// `time` from 0 to the duration.
   [[nodiscard]] State at(double time) const;
@@ -48,6 +57,7 @@ class Trajectory {
     [[nodiscard]] Place placeAt(double t) const;
     [[nodiscard]] Place speedAt(double t) const;
   };
+  void keepSpraying(const std::vector<Knot>& knots);
   void stand(const Place& place, double seconds, bool gun, std::size_t knot);
   void add(Phase phase, double seconds);
   [[nodiscard]] const Phase& phaseAt(double t) const;
@@ -60,6 +70,7 @@ class Trajectory {
   [[nodiscard]] Place mean(double time, const Quantity& of) const;
 
   std::vector<Phase> phases_;
+  Spraying spraying_;
   double raw_ = 0.0;
   double window_ = 0.0;
 };

@@ -25,12 +25,13 @@ std::optional<Objection> outside(const Range& range,
                    excess};
 }
 
-/// Joints 1 and 2 of a place in the reach.
+/// Joints 1 and 2 of a place in the reach. A right arm has its elbow at the right of the way out:
+/// from there joint 2 turns to the left.
 ScaraJoints armAt(const Scara& s, const Vec3& point) {
   const double square = point.head<2>().squaredNorm();
   const double cosine =
       (square - s.link1 * s.link1 - s.link2 * s.link2) / (2.0 * s.link1 * s.link2);
-  const double bend = (s.lefty ? 1.0 : -1.0) * std::acos(std::clamp(cosine, -1.0, 1.0));
+  const double bend = (s.lefty ? -1.0 : 1.0) * std::acos(std::clamp(cosine, -1.0, 1.0));
   const double first = std::atan2(point.y(), point.x()) -
                        std::atan2(s.link2 * std::sin(bend), s.link1 + s.link2 * std::cos(bend));
   constexpr double turn = 360.0;

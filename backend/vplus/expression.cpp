@@ -227,6 +227,12 @@ std::optional<double> Scope::factor() {
     next();
     return value;
   }
+  if (take("TRUE") || take("ON")) {
+    return -1.0;
+  }
+  if (take("FALSE") || take("OFF")) {
+    return 0.0;
+  }
   const std::size_t at = column();
   const std::string used = name("a number, a name or `(`");
   if (error_) {

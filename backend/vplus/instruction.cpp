@@ -12,13 +12,12 @@ namespace arelem::vplus {
 
 namespace {
 constexpr std::size_t deepestBlock = 64;
+}  // namespace
 
-/// Whether both are one place, but for the rounding of sums.
 bool isSame(const Place& a, const Place& b) {
   return a.known && b.known && (a.shift - b.shift).norm() < tolerance::writtenPlace &&
          (a.turn - b.turn).norm() < tolerance::writtenPlace;
 }
-}  // namespace
 
 bool isOutput(double number) {
   return (number >= 1.0 && number <= 512.0) || (number >= 2001.0 && number <= 2512.0) ||
@@ -63,15 +62,15 @@ void Instructions::move(bool straight) {
   made.pose = leaning(*underWay_);
   made.line = line_;
   made.straight = straight;
-  made.speed = nextSpeed_.value_or(speed_);
-  nextSpeed_.reset();
+  const double speed = settings_.at(Setting::toolSpeed);
+  made.speed = std::isnan(speed) ? 0.0 : speed;
+  motionEvent(straight ? "MOVES" : "MOVE");
   program_.moves.push_back(made);
 }
 
 /// Over a place: the move to it is to follow.
-void Instructions::approach() {
-  finish();
-  nextSpeed_.reset();
+void Instructions::approach(const std::string& word) {
+  endOfApproach();
   underWay_.reset();
   over_ = scope_.location();
   overLine_ = line_;
@@ -80,19 +79,40 @@ void Instructions::approach() {
   if (!over_->known || !away || *away < 0.0) {
     stray("the text does not tell where this approach goes, or it goes beyond its place");
   }
+  motionEvent(word, {away});
 }
 
-void Instructions::depart() {
-  finish();
-  nextSpeed_.reset();
+void Instructions::depart(const std::string& word) {
+  endOfApproach();
   underWay_.reset();
   const std::optional<double> away = scope_.expression();
   if (!away || *away < 0.0) {
     stray("the text does not tell how far this departs, or it departs to the work");
   }
+  motionEvent(word, {away});
+}
+
+void Instructions::event(std::string what, std::vector<std::optional<double>> numbers) {
+  Event made{line_, std::move(what)};
+  for (const std::optional<double>& number : numbers) {
+    made.numbers.push_back(number.value_or(std::nan("")));
+  }
+  program_.events.push_back(std::move(made));
+}
+
+void Instructions::motionEvent(std::string what, std::vector<std::optional<double>> numbers) {
+  event(std::move(what), std::move(numbers));
+  program_.events.back().manner = settings_.take();
 }
 
 void Instructions::finish() {
+  endOfApproach();
+  if (program_.events.empty() || program_.events.back().what != "RETURN") {
+    event("RETURN");  // .END is one
+  }
+}
+
+void Instructions::endOfApproach() {
   if (over_) {
     program_.strays.push_back({overLine_, "no move follows this approach"});
   }
@@ -114,61 +134,19 @@ robot::Pose Instructions::leaning(robot::Pose pose) const {
 bool Instructions::motionWord(const std::string& word) {
   if (word == "APPRO" || word == "APPROS") {
     scope_.next();
-    approach();
+    approach(word);
   } else if (word == "DEPART" || word == "DEPARTS") {
     scope_.next();
-    depart();
+    depart(word);
   } else if (word == "DELAY") {
     scope_.next();
     delay();
-  } else if (word == "BREAK" || word == "RETURN" || word == "PAUSE" || word == "STOP" ||
-             word == "LEFTY" || word == "RIGHTY" || word == "ABOVE" || word == "BELOW" ||
-             word == "FLIP" || word == "NOFLIP") {
+  } else if (word == "BREAK" || word == "RETURN" || word == "PAUSE" || word == "STOP") {
     scope_.next();
+    event(word);
     if (word == "BREAK") {
       underWay_.reset();
     }
-  } else {
-    return false;
-  }
-  return true;
-}
-
-bool Instructions::settingWord(const std::string& word) {
-  if (word == "SPEED") {
-    scope_.next();
-    setSpeed();
-  } else if (word == "ACCEL") {
-    scope_.next();
-    if (scope_.takeSign("(")) {
-      scope_.expression();
-      scope_.sign(")");
-    }
-    scope_.expression();
-    scope_.sign(",");
-    scope_.expression();
-  } else if (word == "DURATION") {
-    scope_.next();
-    time();
-    scope_.take("ALWAYS");
-  } else if (word == "COARSE" || word == "FINE" || word == "NULL" || word == "NONULL" ||
-             word == "CPON" || word == "CPOFF") {
-    scope_.next();
-    if ((word == "COARSE" || word == "FINE") && !scope_.atEnd() && scope_.word() != "ALWAYS") {
-      scope_.expression();
-    }
-    scope_.take("ALWAYS");
-  } else if (word == "TOOL" || word == "BASE") {
-    scope_.next();
-    word == "TOOL" ? setTool() : setBase();
-  } else if (word == "ENABLE" || word == "DISABLE") {
-    scope_.next();
-    scope_.anyWord("a switch");
-  } else if (word == "PARAMETER") {
-    scope_.next();
-    scope_.anyWord("a parameter");
-    scope_.sign("=");
-    scope_.expression();
   } else {
     return false;
   }
@@ -186,6 +164,7 @@ std::optional<double> Instructions::time() {
 
 void Instructions::delay() {
   const std::optional<double> seconds = time();
+  event("DELAY", {seconds});
   if (!seconds) {
     return stray("the text does not tell how long the robot waits");
   }
@@ -193,58 +172,6 @@ void Instructions::delay() {
     program_.moves.back().wait += *seconds;
   }
   underWay_.reset();
-}
-
-void Instructions::setTool() {
-  const Place tool = scope_.atEnd() ? Place{} : scope_.location();
-  if (!tool.known) {
-    return stray("the text does not tell this tool");
-  }
-  const bool other =
-      !program_.toolShift || !isSame({*program_.toolShift, program_.toolTurn, true}, tool);
-  if (other && !program_.moves.empty()) {
-    stray("the tool changes between two moves");
-  }
-  program_.toolShift = tool.shift;
-  program_.toolTurn = tool.turn;
-}
-
-void Instructions::setBase() {
-  const std::size_t column = scope_.column();
-  for (std::size_t i = 0; !scope_.error() && (i == 0 || scope_.takeSign(",")); ++i) {
-    if (i == program_.base.size()) {
-      return scope_.wrongAt(column, fmt::format("BASE takes {} values", program_.base.size()));
-    }
-    const bool given = !scope_.isSign(",") && !scope_.atEnd();
-    const std::optional<double> value = given ? scope_.expression() : 0.0;
-    if (!value) {
-      return stray("the text does not tell where this base lies");
-    }
-    if (program_.base[i] != *value && !program_.moves.empty()) {
-      stray("the base moves between two moves");
-    }
-    program_.base[i] = *value;
-  }
-}
-
-void Instructions::setSpeed() {
-  const std::size_t column = scope_.column();
-  const std::optional<double> value = scope_.expression();
-  if (scope_.takeSign(",")) {
-    scope_.expression();
-  }
-  const bool millimeters = scope_.take("MMPS");
-  const bool inches = !millimeters && scope_.take("IPS");
-  const bool monitor = !millimeters && !inches && scope_.take("MONITOR");
-  const bool always = scope_.take("ALWAYS");
-  if (value && !(*value > 0.0)) {
-    return scope_.wrongAt(column, fmt::format("the speed is {:g}; it is above 0", *value));
-  }
-  if (!monitor) {
-    constexpr double inch = 25.4;
-    const double speed = value && millimeters ? *value : value && inches ? *value * inch : 0.0;
-    always ? void(speed_ = speed) : void(nextSpeed_ = speed);
-  }
 }
 
 bool Instructions::outputWord(const std::string& word) {
@@ -268,6 +195,7 @@ bool Instructions::outputWord(const std::string& word) {
 void Instructions::signal() {
   const std::size_t column = scope_.column();
   const std::optional<double> value = scope_.expression();
+  event("SIGNAL", {value});
   if (!value) {
     return;
   }
@@ -290,6 +218,7 @@ void Instructions::bits() {
   }
   scope_.sign("=");
   const std::optional<double> value = scope_.expression();
+  event("BITS", {first, count, value});
   constexpr double bitsOfTilt = 8.0;
   if (tilt_ != nullptr && first && value && *first == tilt_->firstOutput && count == bitsOfTilt) {
     tiltDegrees_ = robot::tiltAngle(*tilt_, static_cast<int>(std::lround(*value)));

@@ -8,6 +8,9 @@
 
 namespace arelem::vplus {
 
+/// Whether both are one place, but for the rounding of sums.
+[[nodiscard]] bool isSame(const Place& a, const Place& b);
+
 /// Reads the instructions of a program one by one and keeps what they leave behind: the speed, the
 /// tilt, the blocks that are open. What is wrong is told to the scope.
 class Instructions {
@@ -17,7 +20,7 @@ class Instructions {
 
   /// The instruction at the next token of the scope, on this line of the file.
   void one(std::size_t line);
-  /// At the end of the program: an approach without its move.
+  /// At the end of the program: an approach without its move, RETURN.
   void finish();
   /// IF, FOR and WHILE that no END has closed.
   [[nodiscard]] const std::vector<std::string>& openBlocks() const { return blocks_; }
@@ -28,8 +31,15 @@ class Instructions {
   bool outputWord(const std::string& word);
   bool blockWord(const std::string& word);
   void move(bool straight);
-  void approach();
-  void depart();
+  void approach(const std::string& word);
+  void endOfApproach();
+  void depart(const std::string& word);
+  void event(std::string what, std::vector<std::optional<double>> numbers = {});
+  void motionEvent(std::string what, std::vector<std::optional<double>> numbers = {});
+  bool blendingWord(const std::string& word);
+  bool armWord(const std::string& word);
+  std::optional<double> positive(const char* name);
+  void setAcceleration();
   void stray(std::string what);
   [[nodiscard]] robot::Pose leaning(robot::Pose pose) const;
   void setSpeed();
@@ -51,8 +61,7 @@ class Instructions {
   std::optional<Place> over_;   // what an APPRO goes to, until the move to it
   std::size_t overLine_ = 0;
   std::optional<robot::Pose> underWay_;  // upright pose of a move that has begun
-  double speed_ = 0.0;
-  std::optional<double> nextSpeed_;  // of the next motion only
+  Settings settings_;
   double tiltDegrees_ = 0.0;
 };
 

@@ -7,15 +7,20 @@
 namespace arelem::vplus {
 
 namespace {
-constexpr std::array<std::string_view, 66> keywords = {
-    "ABOVE", "ACCEL",     "ALWAYS",  "APPRO",  "APPROS",   "AUTO",   "BASE",    "BELOW",  "BITS",
-    "BREAK", "BY",        "CALL",    "COARSE", "CPOFF",    "CPON",   "DELAY",   "DEPART", "DEPARTS",
-    "DEST",  "DISABLE",   "DO",      "DOUBLE", "DURATION", "ELSE",   "ENABLE",  "END",    "FINE",
-    "FLIP",  "FOR",       "GLOBAL",  "GOTO",   "HERE",     "IF",     "INVERSE", "IPS",    "LEFTY",
-    "LOCAL", "MMPS",      "MONITOR", "MOVE",   "MOVES",    "NOFLIP", "NONULL",  "NULL",   "OFF",
-    "ON",    "PARAMETER", "PAUSE",   "REAL",   "RETURN",   "RIGHTY", "RX",      "RY",     "RZ",
-    "SET",   "SHIFT",     "SIGNAL",  "SPEED",  "STEP",     "STOP",   "THEN",    "TO",     "TOOL",
-    "TRANS", "TYPE",      "WHILE"};
+constexpr std::array<std::string_view, 104> keywords = {
+    "ABORT",    "ABOVE",   "ACCEL",  "ALIGN",  "ALWAYS",   "AND",   "APPRO",  "APPROS",
+    "ATTACH",   "AUTO",    "BASE",   "BELOW",  "BITS",     "BRAKE", "BREAK",  "BY",
+    "CALL",     "CASE",    "CLOSE",  "CLOSEI", "COARSE",   "CPOFF", "CPON",   "DELAY",
+    "DEPART",   "DEPARTS", "DEST",   "DETACH", "DISABLE",  "DO",    "DOUBLE", "DRIVE",
+    "DURATION", "ELSE",    "ENABLE", "END",    "EXECUTE",  "EXIT",  "FALSE",  "FINE",
+    "FLIP",     "FOR",     "GLOBAL", "GOTO",   "HALT",     "HERE",  "IF",     "IGNORE",
+    "INVERSE",  "IPS",     "KILL",   "LEFTY",  "LOCAL",    "MMPS",  "MOD",    "MONITOR",
+    "MOVE",     "MOVES",   "MOVEST", "MOVET",  "MULTIPLE", "NEXT",  "NOFLIP", "NONULL",
+    "NOT",      "NULL",    "OFF",    "ON",     "OPEN",     "OPENI", "OR",     "PARAMETER",
+    "PAUSE",    "REACT",   "REACTI", "READ",   "READY",    "REAL",  "RESET",  "RETURN",
+    "RIGHTY",   "RX",      "RY",     "RZ",     "SELECT",   "SET",   "SHIFT",  "SIGNAL",
+    "SINGLE",   "SPEED",   "STEP",   "STOP",   "THEN",     "TIMER", "TO",     "TOOL",
+    "TRANS",    "TRUE",    "TYPE",   "UNTIL",  "WAIT",     "WHILE", "WRITE",  "XOR"};
 
 bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');

@@ -17,6 +17,10 @@ std::string numberText(double value) {
   return fmt::format("{:.3f}", rounded == 0.0 ? 0.0 : rounded);
 }
 
+std::string speedText(double value) {
+  return value < 1.0 ? fmt::format("{:.6f}", value) : numberText(value);
+}
+
 std::string transText(const Vec3& point, const robot::Euler& angles) {
   std::string roll = numberText(angles.roll);
   if (roll == "-180.000") {

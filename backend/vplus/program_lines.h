@@ -10,6 +10,9 @@ namespace arelem::vplus {
 
 /// Numbers as V+ takes them, three decimals, never "-0.000".
 [[nodiscard]] std::string numberText(double value);
+/// Speeds, mm/s: those below 1 with six decimals, so that they too have three digits.
+inline constexpr double slowestSpeed = 1e-3;
+[[nodiscard]] std::string speedText(double value);
 /// TRANS(x, y, z, yaw, pitch, roll), roll in (-180, 180].
 [[nodiscard]] std::string transText(const Vec3& point, const robot::Euler& angles);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "backend/vplus/instruction.h"
 #include "backend/vplus/name.h"
@@ -119,6 +120,7 @@ class Reader {
       first_->warnings.insert(first_->warnings.end(), program_.warnings.begin(),
                               program_.warnings.end());
     }
+    ++first_->programs;
     program_ = {};
     scope_.forget();
     instructions_.emplace(scope_, program_, tilt_);
@@ -130,7 +132,11 @@ class Reader {
     if (!scope_.take(".PROGRAM")) {
       return scope_.wrong(".PROGRAM");
     }
+    const std::size_t column = scope_.column();
     program_.name = scope_.name("the name of the program");
+    if (!scope_.error() && !names_.insert(program_.name).second) {
+      return scope_.wrongAt(column, "a program `" + program_.name + "` stands above");
+    }
     scope_.sign("(");
     while (!scope_.error() && !scope_.isSign(")")) {
       scope_.declare(scope_.name("a parameter"));
@@ -175,6 +181,7 @@ class Reader {
   Scope scope_;
   const robot::TiltAxis* tilt_;
   std::optional<Instructions> instructions_;
+  std::set<std::string> names_;       // of the programs
   std::optional<ProgramText> first_;  // of several programs
   std::optional<Failure> failure_;
   std::size_t lineNumber_ = 0;

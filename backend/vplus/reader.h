@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/robot/pose.h"
+#include "backend/vplus/event.h"
 #include "ir/diag/result.h"
 
 namespace arelem::vplus {
@@ -45,6 +46,8 @@ struct ProgramText {
   std::vector<Stray> strays;
   std::vector<Move> moves;
   std::vector<Switched> signals;
+  std::vector<Event> events;      ///< what the program does, in order; RETURN is the last
+  std::size_t programs = 1;       ///< of the file
   std::vector<Failure> warnings;  ///< W0631 long lines, W0632 names that are read but never set
   bool straightLine = true;       ///< no IF, FOR, WHILE or CALL: the moves are those of a run
 };

@@ -1,7 +1,6 @@
 #include "backend/vplus/writer.h"
 
 #include <cmath>
-#include <numbers>
 #include <ostream>
 #include <set>
 
@@ -10,11 +9,12 @@
 #include "backend/robot/reach_check.h"
 #include "backend/text/clean.h"
 #include "backend/vplus/blank.h"
+#include "backend/vplus/held_tool.h"
 #include "backend/vplus/program_lines.h"
 #include "backend/vplus/reader.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
-#include "ir/space/robot_tolerance.h"
+#include "ir/diag/told_factor.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 
@@ -23,6 +23,8 @@ namespace arelem::backend {
 namespace {
 using namespace robot;
 using vplus::numberText;
+using vplus::slowestSpeed;
+using vplus::speedText;
 using vplus::transText;
 
 constexpr int bitsOfTilt = 8;
@@ -44,17 +46,17 @@ class VplusWriter : public Writer {
   }
 
   void finish() override {
-    reach_.report(sink_);
-    if (machine_.speed > 0.0 && fastest_.speed > machine_.speed) {
-      sink_.accept(diagnose(fastest_.origin, diag::RobotSpeed, fastest_.place, fastest_.speed,
-                            machine_.speed, machine_.speed / fastest_.speed));
-    }
-    if (machine_.vplus.approach > 0.0 && here_) {
-      line("DEPARTS " + numberText(machine_.vplus.approach));
+    if (machine_.vplus.approach > 0.0 && stands_) {
+      depart("the way up at the end");
     } else if (!signalsAfterMove_.empty()) {
       line("BREAK");
     }
     switchOutputs();
+    reach_.report(sink_);
+    if (machine_.speed > 0.0 && fastest_.speed > machine_.speed) {
+      sink_.accept(diagnose(fastest_.origin, diag::RobotSpeed, fastest_.place, fastest_.speed,
+                            machine_.speed, diag::toldFactor(machine_.speed / fastest_.speed)));
+    }
     out_ << program_.text(name_, machine_.frame);
     out_.flush();
   }
@@ -177,6 +179,11 @@ class VplusWriter : public Writer {
       return report(fail(diag::VplusOutput, number));
     }
     const int n = static_cast<int>(number);
+    if (machine_.tilt && n >= machine_.tilt->firstOutput &&
+        n < machine_.tilt->firstOutput + bitsOfTilt) {
+      return report(fail(diag::TiltOutput, n, machine_.tilt->firstOutput,
+                         machine_.tilt->firstOutput + bitsOfTilt - 1));
+    }
     const std::string signal = fmt::format("SIGNAL {}", on ? n : -n);
     if (machine_.vplus.onTheFly) {
       signalsAfterMove_.push_back(signal);
@@ -255,26 +262,29 @@ class VplusWriter : public Writer {
 
   void moveTo(const Pose& pose, bool isFrom) {
     const std::string place = fmt::format("location {}", location_);
-    const Pose inRobot = inBase(machine_.frame, pose);
-    Pose written = pose;
-    const bool upright = machine_.scara || machine_.tilt;
-    if (upright && !standUpright(inRobot, place, written)) {
-      return;
+    vplus::HeldTool held;
+    if (auto objection = vplus::hold(machine_, pose, place, held)) {
+      return reach_.refuse(std::move(objection->failure), objection->excess);
     }
+    wantedTilt_ = held.tiltWord;
     const bool over = rapid_ && !isFrom && machine_.vplus.approach > 0.0 && !cycles_.now();
     const bool joint = isFrom || !here_;  // nothing is known of where the robot stands
     if (!joint && !rapid_) {
       feedIsKnown(pose);
     }
-    setSpeed(place);
-    const std::string there = "f:" + transText(pose.point, eulerOf(toolFrame(written)));
-    if (over) {
-      approach(inRobot, there, place, joint);
+    if (!stands_ && machine_.scara) {
+      line(machine_.scara->lefty ? "LEFTY" : "RIGHTY");
     }
-    reach_.moveTo(inRobot, place, !joint || over);
+    setSpeed(place);
+    const std::string there = "f:" + transText(pose.point, eulerOf(toolFrame(held.written)));
+    if (over) {
+      approach(held.inBase, there, place, joint);
+    }
+    reach_.moveTo(held.inBase, place, !joint || over);
     motion((joint && !over ? "MOVE " : "MOVES ") + there);
     turnTiltAxis();
     here_ = pose;
+    stands_ = held.inBase;
   }
 
   /// A motion instruction; outputs that change on the fly do so as it begins.
@@ -292,45 +302,17 @@ class VplusWriter : public Writer {
   /// Away from the place before and over the next one, along the tool.
   void approach(const Pose& pose, const std::string& there, const std::string& place, bool joint) {
     const double away = machine_.vplus.approach;
-    if (here_) {
-      motion("DEPARTS " + numberText(away));
-    }
+    depart("the way up before " + place);
     motion(fmt::format("{} {}, {}", joint ? "APPRO" : "APPROS", there, numberText(away)));
     turnTiltAxis();
-    Pose raised = pose;
-    raised.point += away * pose.axis.normalized();
-    reach_.moveTo(raised, "the approach to " + place, false);
+    reach_.moveTo(vplus::raised(pose, away), "the approach to " + place, !joint);
   }
-
-  /// Splits the pose into what the robot holds upright and what its tilt axis does.
-  bool standUpright(const Pose& inRobot, const std::string& place, Pose& written) {
-    const std::optional<Upright> upright = uprightOf(inRobot);
-    const double lean =
-        std::acos(std::clamp(inRobot.axis.normalized().z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
-    if (!upright || (!machine_.tilt && lean > tolerance::uprightLean)) {
-      reach_.refuse(fail(diag::ToolNotUpright, place, lean,
-                         machine_.tilt ? " but for the tilt along its side" : ""),
-                    lean);
-      return false;
+  void depart(const std::string& way) {
+    const double away = machine_.vplus.approach;
+    if (stands_ && away > 0.0) {
+      motion("DEPARTS " + numberText(away));
+      reach_.moveTo(vplus::raised(*stands_, away), way, true);
     }
-    if (machine_.tilt) {
-      if (std::abs(upright->tilt) > machine_.tilt->most + tolerance::uprightLean) {
-        const double excess = std::abs(upright->tilt) - machine_.tilt->most;
-        reach_.refuse(fail(diag::TiltRange, place, upright->tilt, machine_.tilt->most, excess),
-                      excess);
-        return false;
-      }
-      wantedTilt_ = tiltWord(*machine_.tilt, upright->tilt);
-    }
-    if (written.side) {
-      const Vec3 third = written.axis.cross(*written.side);
-      written.axis =
-          matrixOf({machine_.frame.angles[0], machine_.frame.angles[1], machine_.frame.angles[2]})
-              .transpose() *
-          Vec3::UnitZ();
-      written.side = third.cross(written.axis);
-    }
-    return true;
   }
 
   /// Behind the instruction of the move: that starts it and the program goes on, so that the axis
@@ -348,8 +330,11 @@ class VplusWriter : public Writer {
     if (speed > std::max(fastest_.speed, machine_.speed)) {
       fastest_ = {speed, place, record_->origin};
     }
-    if (speed > 0.0 && numberText(speed) != written_) {
-      written_ = numberText(speed);
+    if (speed > 0.0 && speed < slowestSpeed) {
+      return report(fail(diag::VplusSlow, place, speed, slowestSpeed));
+    }
+    if (speed > 0.0 && speedText(speed) != written_) {
+      written_ = speedText(speed);
       line(fmt::format("SPEED {}, 100 MMPS ALWAYS", written_));
     }
   }
@@ -384,7 +369,8 @@ class VplusWriter : public Writer {
   int wantedTilt_ = 0;  // of the location under way
   std::size_t location_ = 0;
   std::size_t reported_ = 0;
-  std::optional<Pose> here_;  // seen from the frame
+  std::optional<Pose> here_;    // seen from the frame
+  std::optional<Pose> stands_;  // as the robot holds it, seen from its base
 };
 }  // namespace
 

@@ -21,4 +21,11 @@ inline constexpr double mapExtent = 1e-9;
 /// A ground that leans less is level. Degrees.
 inline constexpr double levelGround = 1e-6;
 
+/// The lowest height of a nozzle over the ground. mm.
+inline constexpr double nozzleHeight = 1e-3;
+/// The smallest area of a cell. In squares of its width.
+inline constexpr double cellArea = 1e-9;
+/// Fan lines of two strokes that are joined may lie this far apart. Units of the grid.
+inline constexpr double joinedLines = 1e-3;
+
 }  // namespace arelem::tolerance

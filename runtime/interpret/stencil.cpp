@@ -22,6 +22,9 @@ using stencil::TiltRule;
 /// Degrees; nozzles of flat fans have 15 to 120.
 constexpr double narrowestFan = 5.0;
 constexpr double widestFan = 165.0;
+/// Letters, mm: lower ones have no width that programs can tell, higher ones no road.
+constexpr double lowestLetter = 1.0;
+constexpr double highestLetter = 1e6;
 constexpr double radian = std::numbers::pi / 180.0;
 constexpr std::string_view form =
     "STENCL/ 'TEXT', HEIGHT, h, {GUN, gun | FAN, deg [, c0, c1]} [, SPEED, mm per second "
@@ -63,6 +66,11 @@ class Reader : private WordedReader {
     if (has(Word::GUN) == has(Word::FAN)) {
       return has(Word::GUN) ? wrong("both GUN and FAN", "one of them says what sprays")
                             : wrong("no GUN and no FAN", "one of them is needed");
+    }
+    const double height = made_.placement.height;
+    if (!(height >= lowestLetter && height <= highestLetter)) {
+      return fail(diag::StencilNumber, "HEIGHT in mm", height,
+                  fmt::format("{:g} to {:g}", lowestLetter, highestLetter));
     }
     const stencil::FanGun& gun = made_.job.gun;
     if (!(gun.fan >= narrowestFan && gun.fan <= widestFan)) {

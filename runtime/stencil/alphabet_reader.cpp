@@ -5,6 +5,8 @@
 #include "ir/space/tolerance.h"
 #include "runtime/stencil/alphabet.h"
 #include "runtime/stencil/alphabet_line.h"
+#include "runtime/stencil/divide.h"
+#include "runtime/stencil/stroke_check.h"
 
 namespace arelem::stencil {
 
@@ -96,6 +98,7 @@ class Reader : private AlphabetLine {
       made.cells = wholeNumber("a number of cells, 1 to 1000", mostCells);
     }
     open_ = made.shape;
+    openCells_ = made.cells;
   }
 
   void edge(Edge Shape::*which, bool Shape::*back) {
@@ -162,8 +165,11 @@ class Reader : private AlphabetLine {
       const auto angles = numbers<2>("its two angles in degrees, such as 90,0,");
       arc.start = angles[0];
       arc.end = angles[1];
-      if (!failure_ && (arc.radii.minCoeff() < smallestGrid || arc.start == arc.end)) {
-        wrongAt(column, "an arc needs positive radii and two different angles");
+      constexpr double round = 360.0;
+      if (!failure_ && (arc.radii.minCoeff() < smallestGrid || arc.start == arc.end ||
+                        std::abs(arc.end - arc.start) > round)) {
+        wrongAt(column,
+                "an arc needs positive radii and two different angles, at most 360 degrees apart");
       }
       made = arc;
     } else if (edge.pieces.empty() ? take("FROM") : take("LINE")) {
@@ -196,8 +202,16 @@ class Reader : private AlphabetLine {
   void finishShape() {
     if (open_ && !failure_ && (open_->first.pieces.empty() || open_->second.pieces.empty())) {
       wrongAt(1, "the primitive before this line needs a FIRST and a SECOND edge");
+    } else if (open_ && !failure_) {
+      check("the primitive before this line", linesOf(*open_, openCells_, Division::equal));
     }
     open_.reset();
+  }
+
+  void check(const std::string& what, const std::vector<Line>& lines) {
+    if (const std::string objection = objectionToLines(lines); !objection.empty()) {
+      wrongAt(1, what + ": " + objection);
+    }
   }
 
   /// A symbol that nothing paints or cuts would vanish from a text.
@@ -280,6 +294,10 @@ class Reader : private AlphabetLine {
     }
     if (!failure_ && made.join && symbol.strokes.empty()) {
       wrongAt(1, "the first stroke of a symbol has nothing to JOIN");
+    } else if (!failure_ && made.join) {
+      const std::string gap =
+          objectionToJoin(symbol.strokes.back(), made, symbol.width, alphabet_.height);
+      gap.empty() ? void() : wrongAt(1, gap);
     }
     symbol.strokes.push_back(std::move(made));
   }
@@ -301,6 +319,8 @@ class Reader : private AlphabetLine {
     } while (!failure_ && take("TO"));
     if (!failure_ && shape->lines.size() < 2) {
       wrong("TO");
+    } else if (!failure_) {
+      check("a stroke", shape->lines);
     }
     return shape;
   }
@@ -333,6 +353,7 @@ class Reader : private AlphabetLine {
   Alphabet alphabet_;
   std::map<int, Curved> shapes_;
   std::shared_ptr<Shape> open_;
+  int openCells_ = 0;
   bool seenGrid_ = false;
 };
 }  // namespace

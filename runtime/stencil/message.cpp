@@ -19,6 +19,11 @@ std::string namesOf(const Alphabet& alphabet) {
   return names;
 }
 
+/// Whether the byte goes on with a character of UTF-8.
+bool goesOn(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
 /// The name of the symbol that begins at `i`: one character, or up to the closing bracket.
 std::string_view nameAt(std::string_view text, std::size_t i) {
   if (text[i] == '<') {
@@ -26,7 +31,11 @@ std::string_view nameAt(std::string_view text, std::size_t i) {
       return text.substr(i, end - i + 1);
     }
   }
-  return text.substr(i, 1);
+  std::size_t length = 1;
+  while (i + length < text.size() && goesOn(text[i + length])) {
+    ++length;
+  }
+  return text.substr(i, length);
 }
 
 /// The shares of its edge's length at which the lines of a stroke stand.
@@ -128,7 +137,11 @@ Result<std::vector<const Symbol*>> symbolsOf(std::string_view text, const Alphab
     const std::string_view name = nameAt(text, i);
     const Symbol* symbol = alphabet.find(name);
     if (symbol == nullptr) {
-      Failure failure = fail(diag::StencilCharacter, i + 1, name, alphabet.file, namesOf(alphabet));
+      const auto before = std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i),
+                                        [](char c) { return !goesOn(c); });
+      const auto number = static_cast<std::size_t>(before) + 1;
+      Failure failure =
+          fail(diag::StencilCharacter, number, name, alphabet.file, namesOf(alphabet));
       std::string capitals(name);
       std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                      [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "ir/diag/stencil.h"
+#include "ir/diag/told_factor.h"
 #include "ir/space/stencil_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/angle.h"
@@ -148,12 +149,9 @@ std::optional<Failure> objectionToSpeeds(std::span<const Track> tracks,
   if (most <= 0.0 || fastest == nullptr || fastest->speed <= most * (1.0 + tolerance::gunSpeed)) {
     return std::nullopt;
   }
-  // Four digits of the factor are told: not more than it is.
   const double factor = std::min(most / fastest->speed, mostFactor());
-  const double digit = std::pow(10.0, std::floor(std::log10(factor)) - 3.0);
-  const double told = std::floor(factor / digit * (1.0 + tolerance::gunSpeed)) * digit;
   return fail(diag::StencilSpeed, track->stroke, track->symbol, fastest->speed, fastest->place.x(),
-              fastest->place.y(), widthOf(fastest->line), most, told);
+              fastest->place.y(), widthOf(fastest->line), most, diag::toldFactor(factor));
 }
 
 Result<Track> planRun(const Run& run, const Job& job) {
@@ -200,6 +198,15 @@ Result<Track> planRun(const Run& run, const Job& job) {
     return fail(diag::StencilLead, track.stroke, track.symbol, whole, job.gun.leadOff);
   }
   addRunUp(track, job.gun);
+  for (const Pose& pose : track.poses) {
+    if (!(pose.height >= tolerance::nozzleHeight)) {
+      return fail(
+          diag::StencilNumber,
+          fmt::format("the height of the nozzle over a line {:.6g} mm wide", widthOf(pose.line)),
+          pose.height,
+          fmt::format("{:g} mm or more: it stands over the ground", tolerance::nozzleHeight));
+    }
+  }
   return track;
 }
 

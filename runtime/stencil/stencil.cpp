@@ -61,7 +61,7 @@ double fastestOf(const std::vector<Track>& tracks) {
 
 /// The paint constant for which the fastest move has the largest speed of the gun. Tilts turn
 /// slower when the gun does, which changes its ways a little: so it is looked for again.
-double fastestJob(const std::vector<Run>& runs, Job job) {
+Result<double> fastestJob(const std::vector<Run>& runs, Job job) {
   const double most = job.gun.speed;
   job.gun.speed = 0.0;
   job.speedTimesWidth = 1.0;
@@ -72,6 +72,9 @@ double fastestJob(const std::vector<Run>& runs, Job job) {
   constexpr int rounds = 6;
   for (int i = 0; i < rounds; ++i) {
     const Result<std::vector<Track>> tracks = planAll(kinds, job);
+    if (!tracks) {
+      return tracks.failure();
+    }
     const double fastest = fastestOf(*tracks);
     const double factor = fastest > 0.0 ? most / fastest : 1.0;
     job.speedTimesWidth *= factor;
@@ -125,16 +128,25 @@ Result<Painted> paint(const Statement& s,
   const double unit = s.placement.height / alphabet.height;
   painted.statement = s;
   Job& job = painted.statement.job;
-  job.speedTimesWidth = s.speed > 0.0  ? s.speed * unit
-                        : s.film > 0.0 ? job.gun.flow * job.gun.efficiency / s.film
-                                       : fastestJob(*runs, job);
+  Result<double> constant = s.speed > 0.0 ? Result<double>(s.speed * unit)
+                            : s.film > 0.0
+                                ? Result<double>(job.gun.flow * job.gun.efficiency / s.film)
+                                : fastestJob(*runs, job);
+  if (!constant) {
+    return constant.takeFailure();
+  }
+  job.speedTimesWidth = *constant;
   painted.statement.speed = job.speedTimesWidth / unit;
   Result<std::vector<Track>> tracks = planAll(*runs, job);
   if (!tracks) {
     return tracks.takeFailure();
   }
   const auto mostFactor = [&] {
-    return job.tilt == TiltRule::off ? 1.0 : fastestJob(*runs, job) / job.speedTimesWidth;
+    if (job.tilt == TiltRule::off) {
+      return 1.0;
+    }
+    const Result<double> fastest = fastestJob(*runs, job);
+    return fastest ? *fastest / job.speedTimesWidth : 1.0;
   };
   if (auto objection = objectionToSpeeds(*tracks, job, mostFactor)) {
     return *std::move(objection);

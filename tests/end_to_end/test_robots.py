@@ -159,6 +159,63 @@ class Robots(ArelemCase):
         self.assertExit(3, "verify", "bad.v2", "--with", "m.apt")
         self.assertIn("E0630", self.err)
 
+    def test_factors_do(self):
+        def planned(speed, name, *machine):
+            self.write("f.apt", f"UNITS/MM\nSTENCL/'I',HEIGHT,2440,FAN,63.5,SPEED,{speed}\nFINI\n")
+            return self.run_arelem("f.apt", "-o", name, *machine)
+        def toml(rapid, acceleration, turn):
+            text = (PROJECT / "stdlib/machines/stencil_robot.machine.toml").read_text()
+            for old, new in (("rapid = 1500", f"rapid = {rapid}"), ("acceleration = 2000", f"acceleration = {acceleration}"),
+                             ("speed = [40, 15]", f"speed = [40, {turn}]"), ("acceleration = [100, 30]", "acceleration = [100, 60]")):
+                self.assertIn(old, text)
+                text = text.replace(old, new)
+            self.write("slow.toml", text)
+        # The tool point of a V+ program: 1200 mm/s of 3243 are 0.36996, not 0.37.
+        self.write("v.toml", "speed = 1200\n")
+        self.assertEqual(planned(3243.57, "f.v2", "--machine", "v.toml"), 6)
+        factor = float(re.search(r"([\d.]+) times as much", self.err)[1])
+        self.assertEqual(planned(3243.57 * factor, "f.v2", "--machine", "v.toml"), 0, self.err)
+        # Joints: the speeds, with the rapid ones.
+        toml(1500, 2000, 8)
+        self.assertEqual(planned(600, "f.joints.csv", "--machine", "slow.toml"), 6)
+        told = re.search(r"among them, ([\d.]+) times as large would do(?:, or ([\d.]+) times with acceleration = ([\d.]+))?", self.err)
+        choices = [(float(told[1]), 2000)] + ([(float(told[2]), told[3])] if told[2] else [])
+        for factor, acceleration in choices:
+            toml(1500 * factor, acceleration, 8)
+            self.assertEqual(planned(600 * factor, "f.joints.csv", "--machine", "slow.toml"), 0, self.err)
+
+    def test_a_slow_arm_makes_a_thick_film(self):
+        # 2440 mm at 2200 mm/s with 2000 mm/s2 from rest to rest: 2 sqrt(2440 / 2000) = 2.21 s and the window, not 1.11 s.
+        self.write("i.apt", "UNITS/MM\nGOTO/0,0,0\nFEDRAT/2200,MMPS\nSPRAY/ON,1\nGOTO/0,2440,0\nSPRAY/OFF,1\nFINI\n")
+        self.assertExit(0, "i.apt", "-o", "i.joints.csv", "--machine", "stencil_robot.machine.toml")
+        told = re.search(r"open for ([\d.]+) s, ([\d.]+) s at the speeds of the program: the film becomes ([\d.]+)", self.err)
+        self.assertIn("W0684", self.err)
+        self.assertAlmostEqual(float(told[1]), 2 * math.sqrt(2440 / 2000) + 0.192, 2)
+        self.assertAlmostEqual(float(told[2]), 2440 / 2200, 2)
+        self.assertAlmostEqual(float(told[3]), float(told[1]) / float(told[2]), 2)
+
+    def test_side_of_the_arm(self):
+        self.write("a.apt", "UNITS/MM\nFROM/600,0,600\nFEDRAT/100,MMPS\nGOTO/600,100,600\nFINI\n")
+        arm = "[scara]\nheight = [500, 805]\nlefty = {}\n"
+        for lefty, word in (("false", "RIGHTY"), ("true", "LEFTY")):
+            self.write("arm.toml", arm.format(lefty))
+            self.assertExit(0, "a.apt", "-o", "a.v2", "--machine", "arm.toml")
+            self.assertIn(f"  {word}\r\n", (self.folder / "a.v2").read_bytes().decode())
+            self.assertExit(0, "verify", "a.v2", "--with", "a.apt", "--machine", "arm.toml")
+
+    def test_approaches_stay_in_the_reach(self):
+        for height, code in ((600, "E0663"), (790, "E0661")):  # straight over the base; 50 over the place is beyond the quill
+            self.write("a.apt", f"UNITS/MM\nFROM/600,-100,{height}\nFEDRAT/100,MMPS\nRAPID\nGOTO/{-600 if height == 600 else 500},100,{height}\nFINI\n")
+            self.write("arm.toml", "[scara]\nheight = [500, 805]\n[vplus]\napproach = 50\n")
+            self.assertExit(6, "a.apt", "-o", "a.v2", "--machine", "arm.toml")
+            self.assertIn(code, self.err)
+
+    def test_output_within_the_word_of_the_tilt(self):
+        self.write("o.apt", STOP.replace("TILT", "OUTPUT,35,TILT"))
+        self.assertExit(6, "o.apt", "-o", "o.v2", "--machine", "stencil_robot.machine.toml")
+        self.assertIn("E0627", self.err)
+        self.assertFalse((self.folder / "o.v2").exists())
+
     def test_outside_the_envelope_writes_nothing(self):
         self.write("stop.apt", STOP)
         self.write("cell.toml", "[envelope]\nz = [100, 900]\n")

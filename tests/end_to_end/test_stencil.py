@@ -93,6 +93,8 @@ class Stencil(ArelemCase):
         self.refused("STENCL/'STOP!',HEIGHT,2500,FAN,63.5,SPEED,600", "E0560")
         self.assertIn("`!`", self.err)
         self.assertIn("A B C", self.err)
+        self.refused("STENCL/'AÖB',HEIGHT,2500,FAN,63.5,SPEED,600", "E0560")
+        self.assertIn("character 2 of the text, `Ö`", self.err)
         self.refused("STENCL/'STOP',HEIGHT,0,FAN,63.5,SPEED,600", "E0561")
         self.refused("STENCL/'STOP',HEIGHT,2500,FAN,180,SPEED,600", "E0561")
         for words, told in (("FAN,179.999,SPEED,600", "the angle of the fan is 179.999"), ("FAN,1,SPEED,600", "the angle of the fan is 1;"),
@@ -102,6 +104,14 @@ class Stencil(ArelemCase):
                             ("FAN,63.5,500,-1,SPEED,600", "the second number of the height of FAN is -1")):
             self.refused(f"STENCL/'STOP',HEIGHT,2500,{words}", "E0561")
             self.assertIn(told, self.err)
+        for words in ("FAN,63.5,-300,.8,SPEED,600", "FAN,63.5,-20,.2,SPEED,600,TILT,BEST"):
+            self.refused(f"STENCL/'STOP',HEIGHT,2500,{words}", "E0561")
+            self.assertIn("the height of the nozzle", self.err)
+        for height in (".001", "1.E-9", "1.E12", "1.E300"):
+            self.refused(f"STENCL/'STOP',HEIGHT,{height},FAN,63.5,SPEED,600", "E0561")
+            self.assertIn("HEIGHT in mm", self.err)
+        # A gun that would be off before it is on, at the speed that is looked for.
+        self.refused("G=GUN/FAN,63.5,STNDOF,300,SPEED,900,LEAD,.1,5\nSTENCL/'SI',HEIGHT,2500,GUN,G", "E0742")
         self.refused("STENCL/'STOP',HEIGHT,2500,FAN,63.5,SPEED,600,300", "E0562")
         # The factor is that of the fastest of all strokes, and does.
         for text, tilt, near in (("STOP", "OFF", .001), ("IS8", "OFF", .001), ("IS8", "BEST,25,60", .01), ("SB", "QUADR,20,40", .01)):
@@ -130,6 +140,12 @@ class Alphabet(ArelemCase):
         chart = (self.folder / "chart.svg").read_text()
         for name in [*"ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-", "&lt;AHEAD&gt;", "&lt;LEFT&gt;", "&lt;RIGHT&gt;"]:
             self.assertIn(f">{name}</text>", chart)
+
+    def test_charts_are_what_their_suffix_says(self):
+        self.assertExit(0, "alphabet", "-o", "chart.png")
+        self.assertEqual((self.folder / "chart.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertExit(2, "alphabet", "-o", "chart.pdf")
+        self.assertFalse((self.folder / "chart.pdf").exists())
 
     def test_shares_of_primitives(self):
         # Blank, section 2.5: in its straight cells 58 and 42 (58.45 for his own division) without tilt; 46.7 to 53.3 by the trapezoid;

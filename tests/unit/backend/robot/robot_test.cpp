@@ -148,7 +148,7 @@ TEST(Scara, JointsLeadBackToThePlace) {
       }
       const ScaraJoints joints = jointsOf(arm, place, 20.0, 0.0);
       EXPECT_LT((pointOf(arm, joints) - place).norm(), 1e-9);
-      EXPECT_EQ(joints.joint2 > 0.0, lefty);
+      EXPECT_EQ(joints.joint2 < 0.0, lefty);
       EXPECT_NEAR(std::remainder(joints.joint1 + joints.joint2 + joints.joint4 - 20.0, 360.0), 0.0,
                   1e-9);
     }

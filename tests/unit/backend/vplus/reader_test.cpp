@@ -46,6 +46,44 @@ TEST(VplusReader, ReadsSeveralPrograms) {
   EXPECT_THAT(cut.failure().message, HasSubstr("no .END"));
 }
 
+/// What is set without ALWAYS holds for one motion; .END returns.
+TEST(VplusReader, KeepsWhatTheProgramDoes) {
+  auto read = vplus::readProgram(
+      ".PROGRAM a()\nSPEED 1, 50 IPS ALWAYS\nDURATION 2\nMOVE TRANS(1,2,3,0,180,0)\n"
+      "MOVES TRANS(1,2,9,0,180,0)\nSIGNAL -1\n.END\n",
+      "x", nullptr);
+  ASSERT_TRUE(read.ok()) << read.failure().message;
+  ASSERT_EQ(read->events.size(), 4U);
+  const auto setting = [&](std::size_t event, vplus::Setting which) {
+    return read->events[event].manner->at(static_cast<std::size_t>(which));
+  };
+  EXPECT_EQ(read->events[0].what, "MOVE");
+  EXPECT_DOUBLE_EQ(setting(0, vplus::Setting::toolSpeed), 25.4);
+  EXPECT_EQ(setting(0, vplus::Setting::rotation), 50.0);
+  EXPECT_EQ(setting(0, vplus::Setting::duration), 2.0);
+  EXPECT_EQ(read->events[1].what, "MOVES");
+  EXPECT_EQ(setting(1, vplus::Setting::duration), 0.0);
+  EXPECT_EQ(vplus::shown(read->events[2]), "SIGNAL -1");
+  EXPECT_EQ(read->events[2].line, 6U);
+  EXPECT_EQ(read->events[3].what, "RETURN");
+  const auto differs = vplus::difference(read->events[0], read->events[1]);
+  ASSERT_TRUE(differs);
+  EXPECT_EQ(differs->found, "MOVE");
+  EXPECT_EQ(differs->wanted, "MOVES");
+}
+
+TEST(VplusReader, RefusesValuesWithoutMeaning) {
+  for (const char* line : {"ACCEL -5, -5", "ACCEL (9) 100, 100", "COARSE -5", "SPEED 9, 0 MMPS",
+                           "SPEED 0 MONITOR", "TRUE = 3"}) {
+    auto read = vplus::readProgram(fmt::format(".PROGRAM a()\n{}\n.END\n", line), "x", nullptr);
+    ASSERT_FALSE(read.ok()) << line;
+    EXPECT_THAT(read.failure().message, HasSubstr("line 2")) << line;
+  }
+  auto twice = vplus::readProgram(".PROGRAM a()\n.END\n.PROGRAM A()\n.END\n", "x", nullptr);
+  ASSERT_FALSE(twice.ok());
+  EXPECT_THAT(twice.failure().message, HasSubstr("line 3"));
+}
+
 TEST(VplusReader, TellsWhatTheOperatorMustSet) {
   auto read = vplus::readProgram(
       ".PROGRAM a()\nGLOBAL offset\nspeed (5*scale) MMPS\nmove trans(1,2,offset)\n.END\n", "x",

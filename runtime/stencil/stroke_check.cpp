@@ -1,0 +1,85 @@
+#include "runtime/stencil/stroke_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ir/space/stencil_tolerance.h"
+#include "runtime/stencil/divide.h"
+
+namespace arelem::stencil {
+
+namespace {
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+std::string shown(const Line& line) {
+  return fmt::format("{:.6g},{:.6g} {:.6g},{:.6g}", line.first.x(), line.first.y(), line.second.x(),
+                     line.second.y());
+}
+
+/// First and last line at the stroke's place in the symbol, in the order in which it is painted.
+std::vector<Line> endsOf(const Stroke& stroke, double symbolWidth, double gridHeight) {
+  const Shape& shape = *stroke.shape;
+  std::vector<Line> ends;
+  if (shape.isStraight()) {
+    ends = {shape.lines.front(), shape.lines.back()};
+  } else {
+    ends = {{firstPoint(shape.first), firstPoint(shape.second)},
+            {lastPoint(shape.first), lastPoint(shape.second)}};
+    if (shape.firstBack) {
+      std::swap(ends[0].first, ends[1].first);
+    }
+    if (shape.secondBack) {
+      std::swap(ends[0].second, ends[1].second);
+    }
+  }
+  return placedLines(stroke, std::move(ends), symbolWidth, gridHeight);
+}
+}  // namespace
+
+std::string objectionToLines(const std::vector<Line>& lines) {
+  double way = 0.0;  // sign of the area of the cells so far
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const Line& from = lines[i - 1];
+    const Line& to = lines[i];
+    const Vec2 along = 0.5 * (from.second - from.first + to.second - to.first);
+    const double atFirst = cross(along, to.first - from.first);
+    const double atSecond = cross(along, to.second - from.second);
+    const double width = std::max(widthOf(from), widthOf(to));
+    const double least = tolerance::cellArea * width * width;
+    const std::string both = fmt::format("between the fan lines {} and {}", shown(from), shown(to));
+    if (std::max(std::abs(atFirst), std::abs(atSecond)) <= least) {
+      return both + " there is no area";
+    }
+    if (std::min(atFirst, atSecond) < -least && std::max(atFirst, atSecond) > least) {
+      return both + " the edges cross, or one of them runs back";
+    }
+    const double area = atFirst + atSecond;
+    if (way * area < 0.0) {
+      return both + " the stroke turns back over what it has painted";
+    }
+    way = area;
+  }
+  return {};
+}
+
+std::string objectionToJoin(const Stroke& before,
+                            const Stroke& stroke,
+                            double symbolWidth,
+                            double gridHeight) {
+  const Line end = endsOf(before, symbolWidth, gridHeight).back();
+  const Line begin = endsOf(stroke, symbolWidth, gridHeight).front();
+  const double gap = std::max((begin.first - end.first).norm(), (begin.second - end.second).norm());
+  if (gap <= tolerance::joinedLines) {
+    return {};
+  }
+  return fmt::format(
+      "the stroke before ends with the fan line {} and this one begins with {}: the "
+      "gun would spray {:.6g} between them",
+      shown(end), shown(begin), gap);
+}
+
+}  // namespace arelem::stencil
