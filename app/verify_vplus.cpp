@@ -209,7 +209,7 @@ bool sameLines(std::string_view text,
   const std::vector<std::string_view> wanted = linesOf(rewritten);
   for (std::size_t i = 0; i < std::max(found.size(), wanted.size()); ++i) {
     const auto shown = [&](const std::vector<std::string_view>& lines) {
-      return i < lines.size() ? fmt::format("`{}`", printableAscii(lines[i]))
+      return i < lines.size() ? fmt::format("`{}`", backend::printableAscii(lines[i]))
                               : std::string("the end");
     };
     if (i >= found.size() || i >= wanted.size() || found[i] != wanted[i]) {

@@ -25,7 +25,7 @@ inline constexpr double levelGround = 1e-6;
 inline constexpr double nozzleHeight = 1e-3;
 /// The smallest area of a cell. In squares of its width.
 inline constexpr double cellArea = 1e-9;
-/// Fan lines of two strokes that are joined may lie this far apart. Units of the grid.
-inline constexpr double joinedLines = 1e-3;
+/// The ends of two strokes that are joined may lie this far apart: a cell joins them. In widths.
+inline constexpr double joinedLines = 1.001;
 
 }  // namespace arelem::tolerance

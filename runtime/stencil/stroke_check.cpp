@@ -73,7 +73,7 @@ std::string objectionToJoin(const Stroke& before,
   const Line end = endsOf(before, symbolWidth, gridHeight).back();
   const Line begin = endsOf(stroke, symbolWidth, gridHeight).front();
   const double gap = std::max((begin.first - end.first).norm(), (begin.second - end.second).norm());
-  if (gap <= tolerance::joinedLines) {
+  if (gap <= tolerance::joinedLines * std::max(widthOf(end), widthOf(begin))) {
     return {};
   }
   return fmt::format(

@@ -111,7 +111,7 @@ class Stencil(ArelemCase):
             self.refused(f"STENCL/'STOP',HEIGHT,{height},FAN,63.5,SPEED,600", "E0561")
             self.assertIn("HEIGHT in mm", self.err)
         # A gun that would be off before it is on, at the speed that is looked for.
-        self.refused("G=GUN/FAN,63.5,STNDOF,300,SPEED,900,LEAD,.1,5\nSTENCL/'SI',HEIGHT,2500,GUN,G", "E0742")
+        self.refused("G=GUN/FAN,63.5,STNDOF,300,SPEED,900,LEAD,.1,5\nSTENCL/'SI',HEIGHT,2500,GUN,G", "E0742", 3)
         self.refused("STENCL/'STOP',HEIGHT,2500,FAN,63.5,SPEED,600,300", "E0562")
         # The factor is that of the fastest of all strokes, and does.
         for text, tilt, near in (("STOP", "OFF", .001), ("IS8", "OFF", .001), ("IS8", "BEST,25,60", .01), ("SB", "QUADR,20,40", .01)):

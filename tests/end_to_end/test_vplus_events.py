@@ -77,6 +77,7 @@ class Events(ArelemCase):
     def test_slow_speeds(self):
         for feed, code, text in ((".1,MMPM", 0, "SPEED 0.001667,"), (".0001,MMPS", 6, "")):
             self.write("f.apt", f"UNITS/MM\nFROM/0,0,5\nFEDRAT/{feed}\nGOTO/1,0,5\nFINI\n")
+            (self.folder / "f.v2").unlink(missing_ok=True)
             self.assertExit(code, "f.apt", "-o", "f.v2")
             self.assertEqual(code != 0, "E0626" in self.err)
             if text:
