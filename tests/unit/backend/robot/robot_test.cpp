@@ -203,7 +203,8 @@ TEST(ReachCheck, TellsEachKindOnceWithItsWorst) {
 
 /// Both ends lie within the range of joint 1, the way between them behind the arm does not.
 TEST(Scara, StraightMovesMayNotPassALimit) {
-  const Scara arm;
+  Scara arm;
+  arm.lefty = true;
   const Vec3 from(-100, 800, 100);
   const Vec3 to(-700, -100, 100);
   EXPECT_FALSE(objectionToPlace(arm, from, 140.0, 0.0, "here"));
