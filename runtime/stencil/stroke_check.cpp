@@ -1,6 +1,7 @@
 #include "runtime/stencil/stroke_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -45,19 +46,26 @@ std::string objectionToLines(const std::vector<Line>& lines) {
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const Line& from = lines[i - 1];
     const Line& to = lines[i];
-    const Vec2 along = 0.5 * (from.second - from.first + to.second - to.first);
-    const double atFirst = cross(along, to.first - from.first);
-    const double atSecond = cross(along, to.second - from.second);
+    // Between the lines lies a bilinear patch; it is folded where its Jacobian changes its sign at
+    // the corners.
+    std::array<double, 4> corners{};
+    std::size_t corner = 0;
+    for (const Line& line : {from, to}) {
+      const Vec2 along = line.second - line.first;
+      corners[corner++] = cross(along, to.first - from.first);
+      corners[corner++] = cross(along, to.second - from.second);
+    }
+    const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
     const double width = std::max(widthOf(from), widthOf(to));
     const double least = tolerance::cellArea * width * width;
     const std::string both = fmt::format("between the fan lines {} and {}", shown(from), shown(to));
-    if (std::max(std::abs(atFirst), std::abs(atSecond)) <= least) {
+    if (std::max(-*low, *high) <= least) {
       return both + " there is no area";
     }
-    if (std::min(atFirst, atSecond) < -least && std::max(atFirst, atSecond) > least) {
+    if (*low<-least&& * high> least) {
       return both + " the edges cross, or one of them runs back";
     }
-    const double area = atFirst + atSecond;
+    const double area = *low + *high;
     if (way * area < 0.0) {
       return both + " the stroke turns back over what it has painted";
     }
