@@ -2,6 +2,7 @@
 """Macros of the standard library: what they cut, measured on their CL data; the page of the manual has their heads."""
 import json
 import math
+import random
 import unittest
 
 from arelem_run import PROJECT, ArelemCase
@@ -86,6 +87,96 @@ class Library(ArelemCase):
             for (c, end), z in zip(turns, range(-17, 5, 3)):
                 self.assertEqual(c[5], hand)
                 self.assertAlmostEqual(end[2], z)
+
+    def floor(self, bottom):
+        """Moves in the plane of the bottom as short chords (arcs too); stops before the way up."""
+        out, at, arc = [], None, None
+        for r in self.records:
+            if r["kind"] == "SURFACE":
+                arc = r["canon"]
+            elif r["kind"] == "GOTO":
+                for p in r["points"]:
+                    chords = [tuple(p)]
+                    if arc and at:
+                        first = math.atan2(at[1] - arc[1], at[0] - arc[0])
+                        turn = (math.atan2(p[1] - arc[1], p[0] - arc[0]) - first - 1e-9) % (2 * math.pi)
+                        n = max(8, math.ceil(turn * 40))
+                        chords = [(arc[0] + arc[6] * math.cos(first + turn * i / n), arc[1] + arc[6] * math.sin(first + turn * i / n),
+                                   at[2] + (p[2] - at[2]) * i / n) for i in range(1, n + 1)]
+                    for q in chords:
+                        if at:
+                            out.append((at, q))
+                        at = q
+                    arc = None
+        below = [(a, b) for a, b in out if a[2] < bottom + 5 - 1e-9 or b[2] < bottom + 5 - 1e-9]
+        return below, [(a, b) for a, b in below if abs(a[2] - bottom) < 1e-9 and abs(b[2] - bottom) < 1e-9]
+
+    def assertCovers(self, what, places, moves, radius):
+        """Every place is cut by a move at the bottom; chords of arcs may miss by their height."""
+        for p in places:
+            self.assertLess(min(away(p, a, b) for a, b in moves), radius + 5e-3, (what, p))
+
+    def test_pockets_of_many_sizes_leave_no_stock_and_do_not_gouge(self):
+        sizes = random.Random(9)
+        for x, y, cutter, width in [(70, 33, 8, ""), (60, 31, 10, ""), (10, 40, 10, ""), (40, 40, 10, ",WOC=8.5"), (50, 26.4, 12, ",WOC=10.2")] + [
+                (round(sizes.uniform(14, 60), 1), round(sizes.uniform(14, 60), 1), sizes.choice((8, 10, 12)), "") for _ in range(12)]:
+            what = f"XA=0,YA=0,XB={x},YB={y},ZT=0,ZB=-5,CUTR={cutter},FED=400{width}"
+            self.call("RPOCK", what)
+            below, floor = self.floor(-5)
+            radius = cutter / 2
+            for a, b in below:
+                for p in (a, b):
+                    self.assertTrue(radius - 1e-9 <= p[0] <= x - radius + 1e-9 and radius - 1e-9 <= p[1] <= y - radius + 1e-9, (what, p))
+            places = [(x * i / 48, y * k / 48) for i in range(49) for k in range(49)]
+            self.assertCovers(what, [p for p in places if min(p[0], x - p[0]) >= radius or min(p[1], y - p[1]) >= radius], floor, radius)
+
+    def test_round_pockets_of_many_sizes(self):
+        sizes = random.Random(45)
+        for size, cutter, width in [(45, 8, ""), (10.5, 10, ""), (40, 10, ",WOC=10")] + [
+                (round(sizes.uniform(13, 70), 1), sizes.choice((8, 10, 12)), "") for _ in range(12)]:
+            what = f"CP=P0,DIA={size},ZB=-5,CUTR={cutter},FED=400{width}"
+            self.call("CPOCK", what)
+            below, floor = self.floor(-5)
+            for a, b in below:
+                self.assertLessEqual(math.hypot(a[0] - 10, a[1] - 20), (size - cutter) / 2 + 1e-9, what)
+            self.assertCovers(what, [(10 + size * i / 80, 20) for i in range(-40, 41)], floor, cutter / 2)
+
+    def test_slots_and_faces_of_many_sizes(self):
+        sizes = random.Random(7)
+        for width in [10, 20] + [round(sizes.uniform(10, 20), 2) for _ in range(6)]:
+            what = f"PA=P1,PB=P2,WID={width},ZB=-5,CUTR=10,FED=400"
+            self.call("SLOTP", what)
+            below, floor = self.floor(-5)
+            for a, b in below:
+                self.assertLess(away(b, (0, 0), (40, 30)), (width - 10) / 2 + 1e-9, what)
+            places = [(40 * i / 20 - .6 * width * k / 20, 30 * i / 20 + .8 * width * k / 20) for i in range(-6, 27) for k in range(-10, 11)]
+            self.assertCovers(what, [p for p in places if away(p, (0, 0), (40, 30)) <= width / 2], floor, 5)
+        for y, width in [(80, ""), (50, ",WOC=50"), (120, ",WOC=50")] + [(round(sizes.uniform(20, 300), 1), "") for _ in range(12)]:
+            what = f"XA=0,YA=0,XB=100,YB={y},ZT=-5,CUTR=50,FED=600{width}"
+            self.call("FACMIL", what)
+            _, floor = self.floor(-5)
+            self.assertCovers(what, [(100 * i / 10, y * k / 60) for i in range(11) for k in range(61)], floor, 25)
+
+    def test_what_cannot_be_cut_is_an_error(self):
+        pocket = "ZT=0,ZB=-3,CUTR=10,FED=100"
+        for name, arguments, reason in (
+                ("RPOCK", f"XA=60,YA=40,XB=0,YB=0,{pocket}", "XB - XA is less than CUTR"),
+                ("RPOCK", f"XA=0,YA=0,XB=9,YB=40,{pocket}", "XB - XA is less than CUTR"),
+                ("RPOCK", f"XA=0,YA=0,XB=40,YB=9,{pocket}", "YB - YA is less than CUTR"),
+                ("RPOCK", f"XA=0,YA=0,XB=10,YB=10,{pocket}", "as small as the cutter"),
+                ("RPOCK", f"XA=0,YA=0,XB=40,YB=40,{pocket},WOC=9.9", "WOC is more than .85 CUTR"),
+                ("RPOCK", "XA=0,YA=0,XB=40,YB=40,ZT=0,ZB=3,CUTR=10,FED=100", "ZB is not below ZT"),
+                ("CPOCK", "CP=P0,DIA=9,ZB=-3,CUTR=10,FED=100", "DIA is not more than CUTR"),
+                ("CPOCK", "CP=P0,DIA=40,ZB=-3,CUTR=10,FED=100,WOC=11", "WOC is more than CUTR"),
+                ("SLOTP", "PA=P1,PB=P2,WID=9,ZB=-3,CUTR=10,FED=100", "WID is less than CUTR"),
+                ("SLOTP", "PA=P1,PB=P2,WID=25,ZB=-3,CUTR=10,FED=100", "WID is more than twice CUTR"),
+                ("SLOTP", "PA=P1,PB=P1,WID=12,ZB=-3,CUTR=10,FED=100", "PA and PB are one place"),
+                ("FACMIL", "XA=0,YA=0,XB=100,YB=90,ZT=0,CUTR=50,FED=100,WOC=60", "WOC is more than CUTR"),
+                ("FACMIL", "XA=100,YA=0,XB=0,YB=90,ZT=0,CUTR=50,FED=100", "XB is not more than XA"),
+                ("THRMIL", "CP=P0,DIA=24,PIT=-3,DEP=20,CUTR=16,FED=100", "PIT or DEP is not above 0"),
+                ("THRMIL", "CP=P0,DIA=16,PIT=3,DEP=20,CUTR=16,FED=100", "DIA is not more than CUTR")):
+            self.refuses(name, arguments, "")
+            self.assertIn(reason, self.err)
 
     def corners(self, *points):
         return f"RESERV/Q,{len(points)}\n" + "".join(f"Q({i + 1})=POINT/{x},{y}\n" for i, (x, y) in enumerate(points))
