@@ -102,22 +102,6 @@ std::optional<std::size_t> compared(const WithRequest& request,
   return found.locations.size();
 }
 
-/// Robot code given as the part program: the two files stand the wrong way round.
-bool areSwapped(const WithRequest& request, const Settings& settings) {
-  const backend::Target* output = backend::targetForFile(request.output);
-  const backend::Target* program = backend::targetForFile(request.program);
-  const bool code = program != nullptr && (program->name == "vplus" || program->name == "g97");
-  const Result<std::string> text = readBytes(request.program, settings.limits);
-  const bool marked = text && text->starts_with(".PROGRAM");
-  if (!marked && !(code && output == nullptr)) {
-    return false;
-  }
-  printUsageError("verify", fmt::format("`{0}` is robot code: --with takes the part program; is it "
-                                        "`arelem verify {0} --with {1}`?",
-                                        request.program, request.output));
-  return true;
-}
-
 ExitCode verify(const WithRequest& request,
                 const Settings& settings,
                 const InterruptFlag& interrupted) {
@@ -227,9 +211,6 @@ int runVerify(const Invocation& invocation) {
   }
   if (comparison.fitShare > 0.0 && isRobotProgram(output)) {
     printUsageError("verify", "--fit compares CL files; robot programs are compared move by move");
-    return static_cast<int>(ExitCode::wrongUse);
-  }
-  if (areSwapped(comparison, settings)) {
     return static_cast<int>(ExitCode::wrongUse);
   }
   return static_cast<int>(verify(comparison, settings, interrupted));
