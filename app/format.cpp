@@ -59,7 +59,7 @@ void say(const FormatChoice& choice, const std::string& path, const std::string&
   }
 }
 
-/// `changes` counts the files whose text is not what it would be.
+/// `changes` counts the files whose text was, or with --check is, not what it should be.
 ExitCode formatOne(const std::string& path, const FormatChoice& choice, std::size_t& changes) {
   const Settings& settings = choice.settings;
   Result<std::string> bytes = readBytes(path, settings.limits);
@@ -73,12 +73,12 @@ ExitCode formatOne(const std::string& path, const FormatChoice& choice, std::siz
       *bytes, {settings.dialect, settings.limits,
                choice.dropIds ? frontend::CardIds::drop : frontend::CardIds::keep});
   const bool changed = result.text != *bytes;
-  changes += changed ? 1 : 0;
   if (result.clText) {
     say(choice, path, "left as it is: this is CL text of a CAM system");
   }
   if (choice.check) {
     if (changed) {
+      ++changes;
       say(choice, path, "would change");
     }
     return ExitCode::ok;
@@ -86,7 +86,9 @@ ExitCode formatOne(const std::string& path, const FormatChoice& choice, std::siz
   if (path == "-" || choice.toOutput) {
     return write("-", result.text, settings);
   }
-  return changed ? write(path, result.text, settings) : ExitCode::ok;
+  const ExitCode code = changed ? write(path, result.text, settings) : ExitCode::ok;
+  changes += changed && code == ExitCode::ok ? 1 : 0;
+  return code;
 }
 }  // namespace
 
@@ -106,17 +108,21 @@ int runFormat(const Invocation& invocation) {
   }
   ExitCode result = ExitCode::ok;
   std::size_t changes = 0;
+  std::size_t failures = 0;
   for (const std::string& file : choice.files) {
     if (!invocation.interrupt.flag()) {
-      result = worse(result, formatOne(file, choice, changes));
+      const ExitCode code = formatOne(file, choice, changes);
+      failures += code == ExitCode::ok ? 0 : 1;
+      result = worse(result, code);
     }
   }
   if (choice.check && changes > 0) {
     result = worse(result, ExitCode::programHasErrors);
   }
   if (!choice.settings.quiet && !choice.toOutput && choice.files.front() != "-") {
-    std::cerr << fmt::format("arelem: {}, {} {}\n", counted(choice.files.size(), "file"), changes,
-                             choice.check ? "would change" : "changed");
+    std::cerr << fmt::format("arelem: {}, {} {}{}\n", counted(choice.files.size(), "file"), changes,
+                             choice.check ? "would change" : "changed",
+                             failures == 0 ? "" : fmt::format(", {} failed", failures));
   }
   return static_cast<int>(result);
 }

@@ -21,6 +21,11 @@ struct Console {
   std::size_t stepped = 0;  ///< motions that :step has shown
   bool leaving = false;
   ExitCode worst = ExitCode::ok;  ///< of what was refused
+
+  /// A command that was used wrongly counts only where nothing else went wrong.
+  void blame(ExitCode code);
+  /// Prints a failure as the other commands do, and blames its exit code.
+  void report(Failure failure);
 };
 
 /// A command that begins with a colon.

@@ -223,6 +223,22 @@ std::string help(Console& console, const std::string& rest) {
          (guess.empty() ? "" : "; did you mean `" + guess + "`?");
 }
 
+void Console::blame(ExitCode code) {
+  if (worst == ExitCode::ok || worst == ExitCode::wrongUse) {
+    worst = code == ExitCode::ok ? worst : code;
+  } else if (code != ExitCode::wrongUse) {
+    worst = worse(worst, code);
+  }
+}
+
+void Console::report(Failure failure) {
+  DiagnosticLog log;
+  log.accept(std::move(failure));
+  blame(log.exitCode());
+  out.flush();
+  log.print(SourceMap(), {}, settings);
+}
+
 void obey(Console& console, const std::string& line) {
   const std::size_t blank = line.find_first_of(" \t");
   const std::string word = line.substr(0, blank);
@@ -244,7 +260,7 @@ void obey(Console& console, const std::string& line) {
   if (!wrong.empty()) {
     console.out.flush();
     printError(wrong);
-    console.worst = worse(console.worst, ExitCode::wrongUse);
+    console.blame(ExitCode::wrongUse);
   }
 }
 

@@ -22,10 +22,6 @@ std::size_t countOf(const std::string& rest) {
   return rest.empty() || (error == std::errc{} && end == rest.data() + rest.size()) ? n : 0;
 }
 
-std::string wordsOf(const Failure& failure) {
-  return fmt::format("{}: {}", failure.row->code, failure.message);
-}
-
 std::string entries(std::size_t n) {
   return n == 1 ? "1 entry" : fmt::format("{} entries", n);
 }
@@ -57,6 +53,7 @@ std::string picture(Console& console, const std::string& path, std::string_view 
       }
     }
   }
+  console.blame(log.exitCode());
   log.print(run.job.sources, run.job.main, console.settings);
   return "";
 }
@@ -89,14 +86,17 @@ std::string save(Console& console, const std::string& rest) {
   }
   auto file = openOutput(rest);
   if (!file) {
-    return wordsOf(file.failure());
+    console.report(file.takeFailure());
+    return "";
   }
   (*file)->stream() << console.session.program();
   if (auto bytes = (*file)->complete(); !bytes) {
-    return wordsOf(bytes.failure());
+    console.report(bytes.takeFailure());
+    return "";
   }
   if (auto name = (*file)->commit(false); !name) {
-    return wordsOf(name.failure());
+    console.report(name.takeFailure());
+    return "";
   }
   console.out << "saved as " << rest << '\n' << leftOut << (leftOut.empty() ? "" : "\n");
   return "";
@@ -106,12 +106,14 @@ std::string loadFile(Console& console, const std::string& rest) {
   if (rest.empty()) {
     return "the name of a file is missing";
   }
-  const Result<std::string> bytes = readBytes(rest, console.settings.limits);
+  Result<std::string> bytes = readBytes(rest, console.settings.limits);
   if (!bytes) {
-    return wordsOf(bytes.failure());
+    console.report(bytes.takeFailure());
+    return "";
   }
   if (const auto objection = objectionToText(rest, *bytes)) {
-    return wordsOf(*objection);
+    console.report(*objection);
+    return "";
   }
   const Session::Answer answer = console.session.load(rest, *bytes, console.interrupt.flag());
   if (answer.verdict.state == Verdict::State::interrupted) {
@@ -129,7 +131,7 @@ std::string loadFile(Console& console, const std::string& rest) {
       "{}{}: {}, {}\n", rest, good ? "" : ", without the statements that have errors",
       counted(names, "name"), counted(run.job.motion.facts.size(), "motion"));
   if (!good) {
-    console.worst = worse(console.worst, ExitCode::programHasErrors);
+    console.blame(ExitCode::programHasErrors);
   }
   return "";
 }
@@ -179,14 +181,17 @@ std::string view(Console& console, const std::string& rest) {
   }
   auto file = openOutput(path);
   if (!file) {
-    return wordsOf(file.failure());
+    console.report(file.takeFailure());
+    return "";
   }
   backend::writePage((*file)->stream(), scene);
   if (auto bytes = (*file)->complete(); !bytes) {
-    return wordsOf(bytes.failure());
+    console.report(bytes.takeFailure());
+    return "";
   }
   if (auto name = (*file)->commit(false); !name) {
-    return wordsOf(name.failure());
+    console.report(name.takeFailure());
+    return "";
   }
   console.out << path << "  open it in a browser\n";
   return "";

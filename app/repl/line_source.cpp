@@ -156,6 +156,14 @@ void drawLine() {
   rl_on_new_line();  // the editor has drawn nothing, and moves nothing when the line ends
 }
 
+/// No question before many candidates and no pages of them: their keys would not know Ctrl-C. The
+/// editor calls it behind the user's own settings.
+int listWithoutQuestions() {
+  rl_completion_query_items = -1;
+  rl_variable_bind("page-completions", "off");
+  return 0;
+}
+
 class Editor : public LineSource {
  public:
   Editor(History& history, Completer completer, Highlighter highlighter) : history_(history) {
@@ -168,6 +176,7 @@ class Editor : public LineSource {
       rl_redisplay_function = drawLine;
     }
     rl_readline_name = "arelem";
+    rl_startup_hook = listWithoutQuestions;
     rl_catch_signals = 0;  // they come through the pipe
     rl_getc_function = getKey;
     rl_attempted_completion_function = completeLine;

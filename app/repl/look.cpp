@@ -5,6 +5,7 @@
 
 #include "app/nearest.h"
 #include "app/repl/console.h"
+#include "app/repl/statement_lines.h"
 #include "app/repl/why.h"
 
 #include "ir/diag/display_text.h"
@@ -43,6 +44,21 @@ bool matches(const runtime::Defined& defined, const std::string& wanted) {
     return defined.name.starts_with(wanted.substr(0, wanted.size() - 1));
   }
   return type == wanted || defined.name == wanted;
+}
+
+void printStatements(const Console& console, const std::vector<StatementLines>& statements) {
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < statements.size() && i < most; ++i) {
+    std::string text = fmt::format("   line {}: ", statements[i].line);
+    const std::string indent(text.size(), ' ');
+    for (std::size_t card = 0; card < statements[i].cards.size(); ++card) {
+      text += (card == 0 ? "" : "\n" + indent) + statements[i].cards[card];
+    }
+    console.out << inked(console.style, Ink::faint, text) << '\n';
+  }
+  if (statements.size() > most) {
+    console.out << fmt::format("   ... and {} more\n", statements.size() - most);
+  }
 }
 }  // namespace
 
@@ -86,12 +102,7 @@ std::string showEntity(Console& console, const std::string& rest) {
     printDefined(console.out, *defined, console.style);
     const SourceMap& sources = console.session.run()->job.sources;
     if (defined->definition.length > 0) {
-      const LineColumn at = sources.locate(defined->definition.buffer, defined->definition.begin);
-      console.out << inked(console.style, Ink::faint,
-                           fmt::format(
-                               "   line {}: {}", at.line,
-                               displayText(sources.line(defined->definition.buffer, at.line))))
-                  << '\n';
+      printStatements(console, statementsThatDefine(sources, *defined, console.settings));
     }
   }
   return "";
@@ -147,9 +158,10 @@ std::string measure(Console& console, const std::string& rest) {
     }
     entities[i] = defined->entity;
   }
-  const Result<geometry::Apart> apart = geometry::apart(*entities[0], *entities[1]);
+  Result<geometry::Apart> apart = geometry::apart(*entities[0], *entities[1]);
   if (!apart) {
-    return std::string(apart.failure().row->code) + ": " + apart.failure().message;
+    console.report(apart.takeFailure());
+    return "";
   }
   console.out << fmt::format("{}", apart->distance);
   if (!apart->remark.empty()) {

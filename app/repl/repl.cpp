@@ -131,6 +131,10 @@ class Loop {
       std::cerr.flush();
       const auto line = lines_.read(promptOf(console_, !pending_.empty()));
       console_.interrupt.forget();
+      if (!line && lines_.isTerminal() && !pending_.empty() && !stopped()) {
+        dropPending();
+        continue;
+      }
       if (!line) {
         break;
       }
@@ -142,12 +146,18 @@ class Loop {
     }
     if (!pending_.empty() && !stopped()) {
       printError("the input ended within an open statement, loop, macro or block");
-      console_.worst = worse(console_.worst, ExitCode::programHasErrors);
+      console_.blame(ExitCode::programHasErrors);
     }
   }
 
  private:
   [[nodiscard]] bool stopped() const { return console_.interrupt.result() == ExitCode::terminated; }
+
+  void dropPending() {
+    console_.out << "the open statements are dropped"
+                 << (lines_.isTerminal() ? "; the history has them\n" : "\n");
+    pending_.clear();
+  }
 
   void take(const std::string& line) {
     if (!line.empty() && line.find_first_not_of(" \t") != std::string::npos) {
@@ -169,7 +179,7 @@ class Loop {
     using State = Verdict::State;
     if (!answer.objection.empty()) {
       printError(answer.objection);
-      console_.worst = worse(console_.worst, ExitCode::programHasErrors);
+      console_.blame(ExitCode::programHasErrors);
       return;
     }
     if (answer.verdict.state == State::interrupted) {
@@ -187,9 +197,7 @@ class Loop {
         console_.out << "this line is not taken: `" << displayText(line) << "`\n";
         return;
       }
-      console_.out << "the open statements are dropped"
-                   << (lines_.isTerminal() ? "; the history has them\n" : "\n");
-      pending_.clear();
+      dropPending();
     } else {
       accept(answer);
       pending_.clear();
@@ -199,7 +207,7 @@ class Loop {
   void refuse(const Session::Answer& answer) {
     for (const Diagnostic& d : answer.verdict.found) {
       if (d.severity() == Severity::error) {
-        console_.worst = worse(console_.worst, exitCodeFor(d.kind()));
+        console_.blame(exitCodeFor(d.kind()));
       }
     }
   }
@@ -261,7 +269,7 @@ ExitCode converse(Console& console, const std::string& file, bool quiet) {
   if (!file.empty()) {
     if (const std::string wrong = loadFile(console, file); !wrong.empty()) {
       printError(wrong);
-      console.worst = ExitCode::inputUnreadable;
+      console.blame(ExitCode::interrupted);
     }
   }
   Loop(console, *lines, pending).run();

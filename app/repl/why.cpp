@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/repl/statement_lines.h"
+
 #include "ir/define/matcher.h"
 #include "runtime/define/alternatives.h"
 
@@ -204,9 +206,13 @@ bool printWhy(std::ostream& out,
     return false;
   }
   printDefined(out, *defined, style);
-  const LineColumn at = job.sources.locate(defined->definition.buffer, defined->definition.begin);
-  out << fmt::format("   {}:{}  {}\n", job.sources.name(defined->definition.buffer), at.line,
-                     job.sources.line(defined->definition.buffer, at.line));
+  for (const StatementLines& s : statementsThatDefine(job.sources, *defined, settings)) {
+    const std::string place =
+        fmt::format("   {}:{}  ", job.sources.name(defined->definition.buffer), s.line);
+    for (std::size_t card = 0; card < s.cards.size(); ++card) {
+      out << (card == 0 ? place : std::string(place.size(), ' ')) << s.cards[card] << '\n';
+    }
+  }
   if (!defined->entity) {
     return true;
   }

@@ -160,8 +160,7 @@ class TextRenderer {
         rest.remove_prefix(end + 1);
       }
       out_ << displayText(rest);
-      const bool list = d.help.find('\n') != std::string::npos;
-      out_ << (old.empty() ? "" : list ? "\n   " : "      ") << old << '\n';
+      out_ << (old.empty() ? "" : "\n   ") << old << '\n';
     } else if (!old.empty()) {
       out_ << "   " << old << '\n';
     }

@@ -119,6 +119,13 @@ class LimitsAndFaults(ArelemCase):
         self.assertIn("internal error", self.err)
         self.assertEqual(self.out, "")
 
+    def test_disk_full_is_no_change_of_a_formatted_file(self):
+        text = "p1=point/1,2\nfini\n"
+        self.write("p.apt", text)
+        self.assertExit(6, "fmt", "p.apt", env=self.preload("disk-full:4"))
+        self.assertIn("arelem: 1 file, 0 changed, 1 failed\n", self.err)
+        self.assertEqual((self.folder / "p.apt").read_text(), text)
+
     def test_disk_full_after_n_bytes_keeps_the_old_output(self):
         self.write("a.apt", "".join(f"GOTO/{i},0,0\n" for i in range(5000)) + "FINI\n")
         self.write("o.cls", "old")

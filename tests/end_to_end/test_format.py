@@ -100,6 +100,11 @@ class Format(ArelemCase):
         self.assertExit(0, "fmt", "p.apt", "-q", *options)
         return (self.folder / "p.apt").read_text()
 
+    def test_summary_counts_what_was_written(self):
+        self.write("a.apt", "p1=point/1,2\nfini\n")
+        self.assertExit(3, "fmt", "a.apt", "none.apt")
+        self.assertIn("arelem: 2 files, 1 changed, 1 failed\n", self.err)
+
     def test_layout(self):
         self.assertEqual(self.formatted(BLOCKS), BLOCKS_DONE)
         self.assertEqual(self.formatted(BLOCKS_DONE), BLOCKS_DONE)

@@ -27,12 +27,32 @@ class Piped(ArelemCase):
         self.assertTrue(out.endswith("\nANS1=3*SINF(90)\nANS2=CIRCLE/0,0,ANS1\nP1=POINT/CENTER,ANS2\nFINI\n"), out)
 
     def test_errors_end_nothing(self):
-        out = self.session("P1=POINT/Q,1\nP1=POINT/1,1\nP1=POINT/2,2\nP2=POINT/3,3\n:nonsense\nP3=POINT/4,4\n", code=2)
+        out = self.session("P1=POINT/Q,1\nP1=POINT/1,1\nP1=POINT/2,2\nP2=POINT/3,3\n:nonsense\nP3=POINT/4,4\n", code=1)
         self.assertIn("E0201", self.err)
         self.assertIn("no command `:nonsense`", self.err)
         self.assertIn("P3 = POINT  (4, 4, 0)", out)
         self.assertIn("P1 = POINT  (1, 1, 0)", out)
         self.assertNotIn("P1 = POINT  (2, 2, 0)", out)
+
+    def test_exit_code_tells_the_worst(self):
+        self.session(":nonsense\n", code=2)
+        self.session("X=NOPE\n:nonsense\n", code=1)        # a wrong command is the least of all
+        self.session(":nonsense\nX=NOPE\n", code=1)
+        self.session("X=1\n:save no/such/folder/a\n", code=6)
+        self.assertIn("arelem: error[E0610]: cannot write", self.err)
+        self.session(":load nothere\n", code=3)
+        self.assertIn("arelem: error[E0701]: cannot read", self.err)
+        self.session("X=1\n", "nothere", code=3)
+        self.session("X=NOPE\n:load nothere\n:nonsense\n", code=3)
+
+    def test_statements_are_shown_whole(self):
+        out = self.session("L1=LINE/0,0,$\n1,1\n:show L1\n:why L1\n")
+        self.assertIn("   line 1: L1=LINE/0,0,$\n           1,1\n", out)
+        self.assertIn("   session:1  L1=LINE/0,0,$\n              1,1\n", out)
+
+    def test_all_statements_that_assign_a_scalar_are_shown(self):
+        out = self.session("X=0\nLOOPST\nA) X=X+1\nIF (X-5) A,B,B\nB) Y=1\nLOOPND\n:show X\n")
+        self.assertTrue(out.endswith("X = 5\n   line 1: X=0\n   line 3: A) X=X+1\n"), out)
 
     def test_open_statements(self):
         out = self.session("C1=CIRCLE/1,$\n2,$ more\n3\nLOOPST\nI=0\nA) I=I+1\nIF(I-3)A,B,B\nB) Z=I\nLOOPND\n"
@@ -99,7 +119,7 @@ class Piped(ArelemCase):
     def test_distance(self):
         out = self.session(SCENE + "C1=CIRCLE/0,80,10\nS1=SPHERE/0,0,30,10\nPL=PLANE/0,0,1,0\nT1=TORUS/0,0,0,0,0,1,50,5\n"
                            "V1=VECTOR/1,0,0\n:distance L1,L2\n:distance P1,C1\n:distance C1,L2\n:distance S1,PL\n"
-                           ":distance T1,P1\n:distance V1,P1\n", code=2)
+                           ":distance T1,P1\n:distance V1,P1\n", code=4)
         # 50 between the lines; 80 - 10; 80 - 50 - 10; 30 - 10; the tube is 45 from its center.
         found = re.findall(r"^(\d[\d.]*)(?:  \(.*\))?$", out, re.M)
         self.assertEqual([float(x) for x in found], [50, 70, 20, 20, 45])
@@ -171,7 +191,7 @@ class Piped(ArelemCase):
         self.assertIn("- (4.375, 0.375, 0)  lost", out)
 
     def test_names_and_texts_are_safe_to_print(self):
-        self.session("P1=POINT/1,\x1b[2J2\nPARTNO <b>\x07bell</b>\n:show \x1b[31m\n:\x1b[2J\n", code=2)
+        self.session("P1=POINT/1,\x1b[2J2\nPARTNO <b>\x07bell</b>\n:show \x1b[31m\n:\x1b[2J\n", code=3)
         self.assertNotIn("\x1b", self.out + self.err)
         self.assertNotIn("\x07", self.out + self.err)
 

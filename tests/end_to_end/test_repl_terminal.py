@@ -165,6 +165,30 @@ class Terminal(ArelemCase):
         self.expect(r"> ")
         self.assertEqual(self.exit_code(), 0)
 
+    def test_many_candidates_are_listed_without_a_question(self):
+        self.start()
+        self.expect(r"> ")
+        self.send("\t\t")                     # more than a screen of words
+        seen = self.expect(r"TRACUT[\s\S]*> ")  # a late one of them, then the line again
+        self.assertNotIn("Display all", seen)
+        self.assertNotIn("More", seen)
+        self.send("\x03")
+        self.expect(r"> ")
+        self.send("A=41+1\r")
+        self.expect(r"A = 42")
+
+    def test_end_of_input_in_an_open_macro_drops_the_macro(self):
+        self.start()
+        self.expect(r"> ")
+        self.tell("A=5", r"A = 5")
+        self.send("M=MACRO/Q\r")
+        self.expect(r"\.\.\. ")
+        self.send("\x04")
+        self.expect(r"the open statements are dropped")
+        self.expect(r"> ")
+        self.tell("A+1", r"ANS1 = 6")
+        self.assertEqual(self.exit_code(), 0)
+
     def test_history_is_kept(self):
         self.start()
         self.expect(r"> ")

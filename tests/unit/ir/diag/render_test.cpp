@@ -66,7 +66,8 @@ TEST(RenderText, LabelsOnTheSameAndOnOtherLines) {
             "    4 | L1=LINE/P1,P2\n"
             "      | --         ^^\n"
             "      | for this line\n"
-            "   help: define it first      [old APT number: 101]\n");
+            "   help: define it first\n"
+            "   [old APT number: 101]\n");
 }
 
 TEST(RenderText, StatementOverSeveralLinesIsMarkedAtBothEnds) {
