@@ -43,9 +43,7 @@ class StrokeWriter {
       state_.emit(Toggle{Word::MULTAX, true});
     }
     if (sprayed_.chosen.operation.flow > 0.0) {
-      constexpr double digits = 1e9;  // of l/min
-      post(Word::FLOW,
-           {std::round(sprayed_.chosen.operation.flow / spray::literPerMinute * digits) / digits});
+      post(Word::FLOW, {spray::toldFlow(sprayed_.chosen.operation.flow)});
     }
     if (!sprayed_.gun.spreads() && !sprayed_.trials.empty()) {
       state_.emit(Pass{cl::Post{Word::END, "FAN", {sprayed_.chosen.across / unit_}}});

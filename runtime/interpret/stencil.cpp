@@ -299,6 +299,10 @@ class TrackWriter {
       : state_(state), statement_(statement), unit_(state.context.millimeters) {}
 
   void write(const std::vector<stencil::Track>& tracks) {
+    const stencil::FanGun& gun = statement_.job.gun;
+    if (gun.flow > 0.0 && !statement_.job.asSource) {
+      post(Word::FLOW, {spray::toldFlow(gun.flow)});
+    }
     for (const stencil::Track& track : tracks) {
       write(track);
     }

@@ -80,7 +80,9 @@ class Stencil(ArelemCase):
         self.assertLessEqual(fast["speed"][1], 900)
         self.assertGreater(fast["speed"][1], 890)
         self.assertExit(0, "part.apt", "-o", "part.cls")
-        self.assertIn("SPRAY / ON, 3", (self.folder / "part.cls").read_text())
+        text = (self.folder / "part.cls").read_text()
+        self.assertIn("SPRAY / ON, 3", text)
+        self.assertEqual(text.count("FLOW / 2"), 1)
 
     def test_heights_in_any_unit(self):
         (mm,) = self.stencil("STENCL/'S',HEIGHT,2540,FAN,63.5,SPEED,600")
