@@ -22,6 +22,8 @@ inline constexpr double rimMargin = 1e-3;
 /// the rounding are alike.
 inline constexpr double normalStep = 6e-6;
 inline constexpr double curvatureStep = 2e-4;
+/// A line on a surface that is shorter is a dot: a pole, a vertex. Of the footprint's half width.
+inline constexpr double shortestLine = 1e-2;
 /// Arcs are drawn with at least this angle between corners. Radians.
 inline constexpr double arcStep = 1e-9;
 /// A row of film cells that runs along a pass, or square to it, but for this, does so. Sine.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ir/diag/interpret.h"
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/geometry/triangle_mesh.h"
@@ -297,6 +298,14 @@ void spraySurface(State& state, const SprayWords& words) {
   if (!sprayed) {
     refuse(state, words, sprayed.takeFailure());
     return;
+  }
+  if (sprayed->leftOut > 0) {
+    sprayed->work = words.work->name;
+    state.reportFailure(
+        state.statement->span,
+        fail(diag::ShortLines, sprayed->leftOut, sprayed->leftOut + sprayed->lines,
+             sprayed->label(), tolerance::shortestLine * sprayed->gun.footprint.across,
+             sprayed->shortest));
   }
   finish(state, words, *std::move(sprayed));
 }

@@ -61,6 +61,8 @@ struct Sprayed {
   std::optional<double> radiusAlong, radiusAcross;
   std::string advice;  ///< which direction suits better, "" when the lines run that way
   std::size_t lines = 0;
+  std::size_t leftOut = 0;     ///< lines too short to be sprayed
+  double shortest = HUGE_VAL;  ///< the length of the shortest of them
   double step = 0.0;
   std::shared_ptr<const Patch> patch;       ///< of a surface that is no mesh, else null
   std::shared_ptr<const MeshSurface> mesh;  ///< of a mesh, else null

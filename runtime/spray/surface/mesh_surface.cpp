@@ -260,6 +260,17 @@ std::vector<SurfaceLine> MeshSurface::sections(const std::vector<CuttingPlane>& 
 
 std::optional<double> MeshSurface::smallestRadius(const std::vector<CuttingPlane>& planes,
                                                   double piece) const {
+  return bend(planes, piece, false);
+}
+
+std::optional<double> MeshSurface::smallestHollow(const std::vector<CuttingPlane>& planes,
+                                                  double piece) const {
+  return bend(planes, piece, true);
+}
+
+std::optional<double> MeshSurface::bend(const std::vector<CuttingPlane>& planes,
+                                        double piece,
+                                        bool hollowOnly) const {
   double smallest = HUGE_VAL;
   for (const CuttingPlane& plane : planes) {
     for (const SurfaceLine& line : cut(plane)) {
@@ -273,7 +284,10 @@ std::optional<double> MeshSurface::smallestRadius(const std::vector<CuttingPlane
         const Vec3& a = line[from].normal;
         const Vec3& b = line[i].normal;
         const double turned = std::atan2(a.cross(b).norm(), a.dot(b));
-        smallest = turned > tolerance::similarity ? std::min(smallest, way / turned) : smallest;
+        const bool hollow = (line[i].place - line[from].place).dot(b - a) < 0.0;
+        if (turned > tolerance::similarity && (hollow || !hollowOnly)) {
+          smallest = std::min(smallest, way / turned);
+        }
         from = i;
         way = 0.0;
       }

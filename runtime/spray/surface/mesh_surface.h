@@ -46,6 +46,9 @@ class MeshSurface {
   /// they are straight.
   [[nodiscard]] std::optional<double> smallestRadius(const std::vector<CuttingPlane>& planes,
                                                      double piece) const;
+  /// The same where they bend towards the normal.
+  [[nodiscard]] std::optional<double> smallestHollow(const std::vector<CuttingPlane>& planes,
+                                                     double piece) const;
 
   /// A place inside a triangle, by its shares of the three corners.
   [[nodiscard]] LinePoint at(std::size_t triangle, const Vec3& shares) const;
@@ -53,6 +56,9 @@ class MeshSurface {
  private:
   [[nodiscard]] double angleAt(std::size_t triangle, std::size_t corner) const;
   [[nodiscard]] std::vector<SurfaceLine> cut(const CuttingPlane& plane) const;
+  [[nodiscard]] std::optional<double> bend(const std::vector<CuttingPlane>& planes,
+                                           double piece,
+                                           bool hollowOnly) const;
 
   geometry::TriangleMesh mesh_;
   std::vector<std::array<Vec3, 3>> normals_;  // at the corners of each triangle

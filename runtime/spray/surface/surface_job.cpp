@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/diag/spray.h"
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/spray/surface/kept.h"
 #include "runtime/spray/surface/patch_grid.h"
@@ -25,8 +26,8 @@ class Planner {
     s_.planar = false;
     s_.gun = job_.gun;
     s_.film = job_.film;
-    for (const auto& step :
-         {&Planner::check, &Planner::checkRadius, &Planner::layOut, &Planner::chooseSpeed}) {
+    for (const auto& step : {&Planner::check, &Planner::checkRadius, &Planner::checkHollow,
+                             &Planner::layOut, &Planner::chooseSpeed}) {
       if (std::optional<Failure> failure = (this->*step)()) {
         return *std::move(failure);
       }
@@ -63,8 +64,11 @@ class Planner {
       }
       s_.radiusAlong = job_.mesh->smallestRadius(sections->planes, piece);
       s_.radiusAcross = job_.mesh->smallestRadius(planesAcross(job_), piece);
+      hollow_ = std::min(job_.mesh->smallestHollow(sections->planes, piece).value_or(HUGE_VAL),
+                         job_.mesh->smallestHollow(planesAcross(job_), piece).value_or(HUGE_VAL));
     } else {
       const Radii radii = smallestRadii(job_.patch);
+      hollow_ = radii.hollow.value_or(HUGE_VAL);
       const bool alongU = way == nullptr || *way == SurfaceJob::Way::alongU;
       s_.radiusAlong = alongU ? radii.alongU : radii.alongV;
       s_.radiusAcross = alongU ? radii.alongV : radii.alongU;
@@ -81,6 +85,16 @@ class Planner {
     if (job_.checkRadius && smallest < job_.gun.footprint.across) {
       return fail(diag::SurfaceRadius, smallest, job_.gun.footprint.across)
           .withHelp("a smaller stand-off makes the footprint smaller; MINRAD, OFF sprays anyway");
+    }
+    return std::nullopt;
+  }
+
+  /// In a hollow the nozzle must not reach the middle: behind it the other wall is near, and the
+  /// nozzle goes against its spray.
+  std::optional<Failure> checkHollow() {
+    if (job_.checkRadius && job_.gun.standOff >= hollow_) {
+      return fail(diag::SurfaceHollow, job_.gun.standOff, hollow_)
+          .withHelp("a smaller stand-off, or REVERS for the other side; MINRAD, OFF sprays anyway");
     }
     return std::nullopt;
   }
@@ -108,12 +122,39 @@ class Planner {
         return failure;
       }
     }
+    if (!job_.mesh) {
+      leaveOutShort();
+    }
     s_.lines = lines_.size();
     s_.area = job_.mesh ? job_.mesh->area() : areaOf(job_.patch);
     if (lines_.empty()) {
       return fail(diag::SprayValue, "the number of sections", 0.0, "at least 1");
     }
     return std::nullopt;
+  }
+
+  /// Lines at a pole or a vertex: their nozzle goes far while their spray does not move.
+  void leaveOutShort() {
+    const double least = tolerance::shortestLine * job_.gun.footprint.across;
+    std::vector<SurfaceLine> kept;
+    std::vector<std::size_t> ranks;
+    for (std::size_t n = 0; n < lines_.size(); ++n) {
+      double length = 0.0;
+      for (std::size_t i = 1; i < lines_[n].size(); ++i) {
+        length += (lines_[n][i].place - lines_[n][i - 1].place).norm();
+      }
+      if (length < least) {
+        ++s_.leftOut;
+        s_.shortest = std::min(s_.shortest, length);
+        continue;
+      }
+      kept.push_back(std::move(lines_[n]));
+      if (!ranks_.empty()) {
+        ranks.push_back(ranks_[n]);
+      }
+    }
+    lines_ = std::move(kept);
+    ranks_ = std::move(ranks);
   }
 
   /// The lines of u or v between the planes of LIMITS.
@@ -277,6 +318,7 @@ class Planner {
   const SurfaceJob& job_;
   Sprayed s_;
   double widest_ = 0.0;
+  double hollow_ = HUGE_VAL;  // smallest radius where the surface bends towards the gun
   std::vector<SurfaceLine> lines_;
   std::vector<SurfaceLine> whole_;  // of u or v, before planes cut them
   std::vector<std::size_t> ranks_;  // which of these a line is a piece of

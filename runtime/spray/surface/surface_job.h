@@ -31,7 +31,7 @@ struct SurfaceJob {
   std::optional<double> speed;
 };
 
-/// Lines, speed from the flow, curvature check. Errors: E0373, E0374, E0376, E0379.
+/// Lines, speed from the flow, curvature check. Errors: E0373, E0374, E0376, E0379, E0389.
 [[nodiscard]] Result<Sprayed> spraySurface(const SurfaceJob& job);
 
 }  // namespace arelem::spray

@@ -163,6 +163,7 @@ double areaOf(const Patch& patch) {
 Radii smallestRadii(const Patch& patch) {
   double alongU = 0.0;
   double alongV = 0.0;
+  double hollow = 0.0;
   const auto share = [](int i) {
     return std::clamp(i / double{samples}, tolerance::rimMargin, 1.0 - tolerance::rimMargin);
   };
@@ -173,14 +174,17 @@ Radii smallestRadii(const Patch& patch) {
       if (!patch.keeps(u, v)) {
         continue;
       }
-      alongU = std::max(alongU, std::abs(patch.curvature(u, v, true)));
-      alongV = std::max(alongV, std::abs(patch.curvature(u, v, false)));
+      const double bendU = patch.curvature(u, v, true);
+      const double bendV = patch.curvature(u, v, false);
+      alongU = std::max(alongU, std::abs(bendU));
+      alongV = std::max(alongV, std::abs(bendV));
+      hollow = std::max({hollow, -bendU, -bendV});
     }
   }
   const auto radius = [](double curvature) {
     return curvature > tolerance::flat ? std::optional(1.0 / curvature) : std::nullopt;
   };
-  return {radius(alongU), radius(alongV)};
+  return {radius(alongU), radius(alongV), radius(hollow)};
 }
 
 LineSet linesOn(const Patch& patch, const Layout& layout) {

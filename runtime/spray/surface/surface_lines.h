@@ -40,9 +40,10 @@ struct LineSet {
 /// Adds a line, begun at the end that is nearer to where the one before ended.
 void appendToAndFro(std::vector<SurfaceLine>& lines, SurfaceLine line);
 
-/// Smallest radius of curvature along u and along v; none where flat. Sampled over the patch.
+/// Smallest radius of curvature along u and along v, and the smaller of both where the surface
+/// bends towards the normal; none where flat. mm. Sampled over the patch.
 struct Radii {
-  std::optional<double> alongU, alongV;
+  std::optional<double> alongU, alongV, hollow;
 };
 [[nodiscard]] Radii smallestRadii(const Patch& patch);
 

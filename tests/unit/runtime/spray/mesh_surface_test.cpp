@@ -61,6 +61,8 @@ TEST(MeshSurfaces, ACylinderHasItsNormalsRadiusAndArea) {
   }
   EXPECT_NEAR(*surface.smallestRadius(planes, 10.0), 100.0, 2.0);
   EXPECT_FALSE(surface.smallestRadius({{Vec3::UnitZ(), 50.0, std::nullopt, {}}}, 10.0).has_value());
+  EXPECT_FALSE(surface.smallestHollow(planes, 10.0).has_value());
+  EXPECT_NEAR(*MeshSurface(halfCylinder(180, 20), true).smallestHollow(planes, 10.0), 100.0, 2.0);
   const MeshSurface inside(halfCylinder(18, 2), true);
   EXPECT_LT(inside.sections(planes, 0.5)[0][3].normal.z(), 0.0);
 }

@@ -299,6 +299,44 @@ TEST(SurfaceJobs, ASurfaceThatBendsTooMuchIsRefused) {
   EXPECT_TRUE(spraySurface(j).ok());
 }
 
+TEST(SurfaceJobs, TheGunStaysBeforeTheMiddleOfAHollow) {
+  SurfaceJob j = job(patch(cylinder, Limits4{0, 360, 0, 400}));  // radius 100, stand-off 150
+  EXPECT_TRUE(spraySurface(j).ok());
+  j.patch.flipped = true;
+  EXPECT_EQ(spraySurface(j).failure().row->code, "E0389");
+  j.gun.standOff = 101.0;
+  EXPECT_FALSE(spraySurface(j).ok());
+  j.gun.standOff = 99.0;
+  EXPECT_TRUE(spraySurface(j).ok());
+  j.gun.standOff = 150.0;
+  j.checkRadius = false;
+  EXPECT_TRUE(spraySurface(j).ok());
+  // Round the hole of the torus, 150, its outside is hollow; in its tube, 50, the inside is.
+  j.checkRadius = true;
+  j.patch = patch(torus);
+  EXPECT_EQ(spraySurface(j).failure().row->code, "E0389");
+  j.gun.standOff = 149.0;
+  EXPECT_TRUE(spraySurface(j).ok());
+  j.patch.flipped = true;
+  EXPECT_FALSE(spraySurface(j).ok());
+  j.gun.standOff = 49.0;
+  EXPECT_TRUE(spraySurface(j).ok());
+}
+
+TEST(SurfaceJobs, TheLinesAtThePolesAreLeftOut) {
+  SurfaceJob j = job(patch(sphere));  // half way round 75 pi = 235.6, a line every 20 mm at most
+  const Result<Sprayed> whole = spraySurface(j);
+  ASSERT_TRUE(whole.ok()) << whole.failure().message;
+  EXPECT_EQ(whole->leftOut, 2U);
+  EXPECT_EQ(whole->lines, 11U);
+  EXPECT_LT(whole->shortest, 1e-2);
+  for (const Stroke& stroke : whole->strokes) {
+    EXPECT_GT(std::hypot(stroke.from.x() - 1.0, stroke.from.y() - 2.0), 10.0);
+  }
+  j.lines = SurfaceJob::Way::alongV;
+  EXPECT_EQ(spraySurface(j)->leftOut, 0U);
+}
+
 TEST(SurfaceJobs, TheBetterDirectionIsTold) {
   SurfaceJob j = job(patch(cylinder, Limits4{0, 180, 0, 400}));
   j.lines = SurfaceJob::Way::alongU;
