@@ -228,7 +228,7 @@ class G97Writer : public Writer {
       report(fail(diag::G97Feed, place, speed));
       return 1;
     }
-    if (machine_.speed > 0.0 && speed > machine_.speed) {
+    if (machine_.speed > 0.0 && rounded > machine_.speed) {
       report(fail(diag::RobotSpeed, place, speed, machine_.speed, machine_.speed / speed));
     }
     return static_cast<int>(rounded);

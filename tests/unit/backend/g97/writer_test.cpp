@@ -57,6 +57,16 @@ std::string program(const std::vector<cl::Record>& records,
   return text;
 }
 
+TEST(G97Writer, TheSpeedThatIsWrittenCounts) {
+  robot::Machine machine = painter();
+  machine.speed = 1000;
+  for (const auto& [speed, fits] : {std::pair{1000.0002, true}, {1000.4, true}, {1000.6, false}}) {
+    std::vector<std::string> codes;
+    program({rapid(), at({0, 0, 0}), on(), feed(speed), at({50, 0, 0}), off()}, machine, codes);
+    EXPECT_EQ(codes.empty(), fits) << speed;
+  }
+}
+
 TEST(G97Writer, TheWorkedExample) {
   std::vector<std::string> codes;
   const std::string text =
