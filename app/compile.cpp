@@ -114,10 +114,9 @@ void printSummary(const PlannedJob& plan,
   for (const path::SmoothFact& fact : job.smoothed) {
     std::cerr << fmt::format(
         "   smoothed from line {}: largest curvature {:.4g} to {:.4g}, mean {:.4g} to {:.4g}, "
-        "length "
-        "{:.6g} to {:.6g}, within {:.3g}\n",
+        "length {:.6g} to {:.6g}, {:.3f} to {:.3f} s, within {:.3g}\n",
         lineOf(job, fact.origin), fact.mostBefore, fact.mostAfter, fact.meanBefore, fact.meanAfter,
-        fact.lengthBefore, fact.lengthAfter, fact.deviation);
+        fact.lengthBefore, fact.lengthAfter, fact.secondsBefore, fact.secondsAfter, fact.deviation);
   }
   for (const OutputSet::Written& file : outputs.written()) {
     std::cerr << fmt::format("   {} ({} bytes)\n", file.path == "-" ? "standard output" : file.path,

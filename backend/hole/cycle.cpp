@@ -147,7 +147,8 @@ class Reader {
     cycle_.retract = std::max(cycle_.clearance, cycle_.retract);
     cycle_.depth = std::abs(cycle_.depth);  // some systems write the way down, some its length
     if (!(cycle_.depth > 0.0) || !(cycle_.clearance > 0.0)) {
-      return fail(diag::NgcCycle, fmt::format("has depth {} and clearance {}; both are above 0",
+      return fail(diag::NgcCycle, fmt::format("has depth {} and clearance {}; a depth that is not "
+                                              "0 and a clearance above 0 are needed",
                                               cycle_.depth, cycle_.clearance));
     }
     const bool pecks = cycle_.kind == Cycle::Kind::peck || cycle_.kind == Cycle::Kind::chip;

@@ -90,6 +90,13 @@ void Statements::spindle(const cl::Post& post) {
   if (!turns && (!starts || !(moves_.spindle() > 0.0))) {
     return refuse(post, starts ? "no speed came before it" : "it has no speed");
   }
+  if (turns && *turns == 0.0) {
+    return refuse(post, "0 turns are no speed; SPINDL/OFF stops the spindle");
+  }
+  if (turns && *turns < 0.0 && (way == "CLW" || way == "CW")) {
+    return refuse(post,
+                  fmt::format("a speed below 0 turns counterclockwise, and {} the other way", way));
+  }
   if (turns) {
     moves_.setSpindle(std::abs(*turns));
     block_.number('S', std::abs(*turns), speedDecimals);

@@ -81,12 +81,13 @@ class Stage : public Smoother {
     if (order_ && twins_ > 0) {
       sink_.accept(diagnose(commandOrigin_, diag::SmoothTwins, twins_));
     }
-    if (order_ && longest_ > 0 && longest_ < fewest) {
+    if (order_ && !told_ && longest_ < fewest) {
       sink_.accept(at(commandOrigin_, fail(diag::SmoothNothing, longest_)));
     }
     order_.reset();
     twins_ = 0;
     longest_ = 0;
+    told_ = false;
   }
 
   /// Under an inverse time each cut vector would take the time of the whole move that it is of.
@@ -167,6 +168,7 @@ class Stage : public Smoother {
       const auto& motion = std::get<cl::Motion>(record.body);
       if (motion.withSide) {
         sink_.accept(at(record.origin, fail(diag::SmoothSide)));
+        told_ = true;
         return false;
       }
       for (std::size_t i = 0; i + motion.stride() <= motion.coordinates.size();
@@ -193,6 +195,7 @@ class Stage : public Smoother {
     axis = axis.value_or(now);
     const double off = axis->cross(now).norm();
     if (off > tolerance::nullDirection) {
+      told_ = true;
       sink_.accept(at(record.origin, fail(diag::SmoothAxis, std::asin(std::min(off, 1.0)) * 180.0 /
                                                                 std::numbers::pi)));
       return false;
@@ -221,7 +224,9 @@ class Stage : public Smoother {
       next_.accept(record);
     }
     at_ = smoothed->end;
-    facts_.push_back(smoothed->fact);
+    SmoothFact& fact = facts_.emplace_back(smoothed->fact);
+    fact.secondsBefore = smoothed->secondsBefore;
+    fact.secondsAfter = smoothed->secondsAfter;
     return true;
   }
 
@@ -240,6 +245,7 @@ class Stage : public Smoother {
   std::optional<cl::Record> surface_;
   std::size_t twins_ = 0;    ///< locations of the order in force that repeat the one before
   std::size_t longest_ = 0;  ///< locations of its longest sequence
+  bool told_ = false;        ///< a sequence of the order in force was refused with its reason
   std::vector<SmoothFact> facts_;
 };
 

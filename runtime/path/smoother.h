@@ -15,6 +15,9 @@ struct SmoothFact {
   double meanBefore = 0.0, meanAfter = 0.0;
   double lengthBefore = 0.0, lengthAfter = 0.0;
   double deviation = 0.0;  ///< bound, from the cut vectors
+  /// Of the cut vectors given and put out, from rest to rest, at the feed in force; at the largest
+  /// speed of the machine where there is none.
+  double secondsBefore = 0.0, secondsAfter = 0.0;
 };
 
 /// Between SMOOTH/tol and SMOOTH/NOMORE, sequences of cut vectors become curves of less curvature,

@@ -77,6 +77,10 @@ class CutTimer::Path {
 
  private:
   void word(const cl::Post& post) {
+    if (std::optional<Failure> why = objectionToTiming(post)) {
+      sink_.accept(at(record_->origin, *std::move(why)));
+      return;
+    }
     switch (post.word) {
       case Word::RAPID:
         rapid_ = true;
@@ -102,9 +106,14 @@ class CutTimer::Path {
   }
 
   void delay(const cl::Post& post) {
-    const double* value = firstNumber(post);
-    const bool turns = hasOneOf(post, {Word::REV}) && feed_.turns() > 0.0;
-    dwell((value == nullptr ? 0.0 : *value) * (turns ? secondsOfAMinute / feed_.turns() : 1.0));
+    const double value = *firstNumber(post);
+    const bool turns = hasOneOf(post, {Word::REV});
+    if (turns && !(feed_.turns() > 0.0)) {
+      sink_.accept(at(record_->origin, fail(diag::UntimedStatement, "DELAY",
+                                            std::string("REV, and the spindle has no speed"))));
+      return;
+    }
+    dwell(turns ? value * secondsOfAMinute / feed_.turns() : value);
   }
 
   void dwell(double seconds) {

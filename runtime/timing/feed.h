@@ -1,5 +1,8 @@
 #pragma once
+#include <optional>
+
 #include "ir/cl/record.h"
+#include "ir/diag/diagnostic.h"
 
 namespace arelem::timing {
 
@@ -23,6 +26,10 @@ class FeedInForce {
   Mode mode_ = Mode::perMinute;
   double turns_ = 0.0;
 };
+
+/// Why no time follows from a FEDRAT or a DELAY: it is not one number, with one of the units that
+/// FeedInForce knows, or with REV. None for other statements. The row is E0598.
+[[nodiscard]] std::optional<Failure> objectionToTiming(const cl::Post& post);
 
 /// The first number among the parameters, if there is one.
 [[nodiscard]] const double* firstNumber(const cl::Post& post);

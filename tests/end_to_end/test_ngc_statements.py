@@ -14,6 +14,8 @@ WRITTEN = {
     "SPINDL/1000,RPM,CW": ["S1000.0 M3"],
     "SPINDL/800\nSPINDL/OFF\nSPINDL/ON": ["S800.0 M3", "M5", "M3"],
     "SPINDL/800,CCLW\nSPINDL/900": ["S800.0 M4", "S900.0 M4"],
+    "SPINDL/-200": ["S200.0 M4"],
+    "SPINDL/-200,CCLW": ["S200.0 M4"],
     "COOLNT/ON": ["M8"],
     "COOLNT/MIST,ON": ["M7"],
     "COOLNT/MIST,FLOOD": ["M7", "M8"],
@@ -40,6 +42,10 @@ REFUSED = {
     "SPINDL/ON": "no speed came before it",
     "SPINDL/CLW": "no speed came before it",
     "SPINDL": "it has no speed",
+    "SPINDL/0": "0 turns are no speed",
+    "SPINDL/0,CLW": "0 turns are no speed",
+    "SPINDL/-200,CLW": "a speed below 0 turns counterclockwise",
+    "SPINDL/CW,-200": "a speed below 0 turns counterclockwise",
     "FEDRAT/100,FOO": "`FOO` has no meaning here",
     "FEDRAT/MMPM": "it has no number",
     "DELAY/3,FOO": "it takes the seconds to wait",
@@ -82,6 +88,16 @@ class Statements(ArelemCase):
                 self.assertIn("error[E0670]", self.err)
                 self.assertIn(why, self.err)
                 self.assertFalse((self.folder / "part.ngc").exists())
+
+    def test_the_sign_of_a_depth(self):
+        """A hole ends its depth below the location, written as a length or as a way down; 0 is none."""
+        for depth, code in (("8", 0), ("-8", 0), ("0", 6)):
+            source = self.write("part.apt", HEAD + f"FEDRAT/100\nCYCLE/DRILL,{depth},MMPM,90,2\nGOTO/1,1,0\nCYCLE/OFF\nFINI\n")
+            self.assertExit(code, "compile", source, "--to", "ngc", "-o", "part.ngc", "--dialect", "cl")
+            if code == 0:
+                self.assertRegex((self.folder / "part.ngc").read_text(), r"G81 X1\.0+ Y1\.0+ Z-8\.0+ R2\.0+ ")
+            else:
+                self.assertIn("error[E0673]", self.err)
 
     def test_a_feed_is_above_zero_in_every_output(self):
         for feed in ("0", "-5", "0,MMPM", "MMPM,0"):

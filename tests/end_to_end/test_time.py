@@ -73,6 +73,25 @@ class Time(ArelemCase):
         self.assertIn("E0396", self.err)
         self.assertEqual(self.out, "")
 
+    def test_statements_without_a_time(self):
+        """What a feed or a wait means must be known: E0598 tells what is not."""
+        for statement, why in (("FEDRAT/100,FOO", "FEDRAT has `FOO`"), ("FEDRAT/MMPM", "FEDRAT has no number"),
+                               ("FEDRAT/100,200", "FEDRAT has several numbers"), ("FEDRAT/100,MMPM,IPR", "several units"),
+                               ("DELAY/3,FOO", "DELAY has `FOO`"), ("DELAY/3,REV", "the spindle has no speed"),
+                               ("SPINDL/300,SFM\nDELAY/3,REV", "the spindle has no speed"), ("DELAY/ON", "DELAY has `ON`")):
+            with self.subTest(statement):
+                self.write("p.apt", f"CUTTER/1\nFROM/0,0,0\nFEDRAT/50\n{statement}\nGOTO/1,0,0\nFINI\n")
+                self.assertExit(4, "time", "p.apt")
+                self.assertIn("error[E0598]", self.err)
+                self.assertIn(why, self.err)
+                self.assertEqual(self.out, "")
+
+    def test_turns_of_the_spindle(self):
+        # 600 turns a minute: 3 turns take 0.3 s, whichever way it turns.
+        for speed in ("600,CLW", "-600"):
+            table = self.seconds(f"CUTTER/1\nSPINDL/{speed}\nFROM/0,0,0\nFEDRAT/50\nDELAY/3,REV\nGOTO/1,0,0\nFINI\n")
+            self.assertAlmostEqual(table["dwell"], 0.3)
+
     def test_wrong_limits(self):
         for words in ("-1,100,100", "1,2", "0,1,1"):
             self.write("p.apt", f"CUTTER/1\nFROM/0,0,0\nMACHLM/{words}\nFEDRAT/10\nGOTO/1,0,0\nFINI\n")
@@ -89,6 +108,22 @@ WAVE = "CUTTER/1\nFROM/0,0,0\nFEDRAT/24000\n{}\n" + "".join(
 
 
 class Smooth(ArelemCase):
+    def test_summary_tells_seconds(self):
+        """The seconds of the summary are those of `arelem time`: one sequence is the whole program."""
+        times = []
+        for name, text in (("w.apt", WAVE.format("", "")), ("s.apt", WAVE.format("SMOOTH/.2", "SMOOTH/NOMORE"))):
+            self.write(name, text)
+            self.assertExit(0, "time", name, "--json")
+            times.append(json.loads(self.out)["total"])
+        self.assertExit(0, "compile", "s.apt", "-v", "-o", "s.cls")
+        self.assertIn(f", {times[0]:.3f} to {times[1]:.3f} s, within ", self.err)
+
+    def test_no_path(self):
+        self.write("p.apt", "CUTTER/1\nFROM/0,0,0\nSMOOTH/.05\nSMOOTH/NOMORE\nFEDRAT/100\nGOTO/1,0,0\nFINI\n")
+        self.assertNotEqual(self.run_arelem("compile", "p.apt", "-o", "p.cls"), 0)
+        self.assertIn("error[E0399]", self.err)
+        self.assertIn("has 0 locations", self.err)
+
     def points(self, text):
         self.write("p.apt", text)
         self.assertExit(0, "compile", "p.apt", "--to", "json", "-o", "-", "--dialect", "cl")

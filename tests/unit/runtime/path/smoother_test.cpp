@@ -278,6 +278,7 @@ TEST(Smoother, WrongPlaces) {
   EXPECT_EQ(code({start, on, moves[0], moves[1], on, off}), "E0592");
   EXPECT_EQ(code({start, on, moves[0], location({2, 0, 0}), off}), "E0591");
   EXPECT_EQ(code({start, on, moves[0], off}), "E0399");
+  EXPECT_EQ(code({start, on, off}), "E0399");
   const cl::Record inverse = post(Word::FEDRAT, {4.0, Word::INVERS});
   EXPECT_EQ(code({inverse, start, on, moves[0], moves[1], off}), "E0596");
   EXPECT_EQ(code({start, on, inverse, moves[0], moves[1], off}), "E0596");
