@@ -76,7 +76,7 @@ class Time(ArelemCase):
     def test_statements_without_a_time(self):
         """What a feed or a wait means must be known: E0598 tells what is not."""
         for statement, why in (("FEDRAT/100,FOO", "FEDRAT has `FOO`"), ("FEDRAT/MMPM", "FEDRAT has no number"),
-                               ("FEDRAT/100,200", "FEDRAT has several numbers"), ("FEDRAT/100,MMPM,IPR", "several units"),
+                               ("FEDRAT/100,200,MMPM", "FEDRAT has several numbers"), ("FEDRAT/100,MMPM,IPR", "several units"),
                                ("DELAY/3,FOO", "DELAY has `FOO`"), ("DELAY/3,REV", "the spindle has no speed"),
                                ("SPINDL/300,SFM\nDELAY/3,REV", "the spindle has no speed"), ("DELAY/ON", "DELAY has `ON`")):
             with self.subTest(statement):
