@@ -33,7 +33,7 @@ REASONS = {
     "a second file": "E0243 E0245 E0677 E0740 E0741",
     "a line of more than 250 characters": "W0676",
     "curves built in memory; tests/unit/runtime/spline shows them": "E0384 E0385",
-    "the command `time`; tests/end_to_end/test_time.py shows it": "E0389 E0396",
+    "the command `time`; tests/end_to_end/test_time.py shows it": "E0598 E0396",
     "a file, a folder or a device that cannot be read or written": "E0610 E0611 E0612 E0613 E0701 E0702 E0730 E0731 E0732 E0895",
     "a data file beside the program; tests/unit/runtime/define, geometry and region show them":
         "E0344 E0345 E0346 E0355 E0367 E0368 E0369 E0370 E0371 E0743",
