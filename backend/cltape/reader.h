@@ -26,7 +26,7 @@ struct TapeRecord {
 };
 
 /// Cuts a tape into records. It trusts no count: words are taken as far as they are there, a header
-/// that no tape can hold ends the reading. Stops behind FINI (14000); stale bytes may follow it.
+/// that no tape can hold ends the reading. Stops behind FINI (14000).
 class Scanner {
  public:
   Scanner(std::istream& in, DiagnosticSink& sink, const Limits& limits);
@@ -51,6 +51,8 @@ class Scanner {
   bool readHeader();
   bool readWords(std::uint32_t count);
   std::size_t readBytes(char* place, std::size_t count);
+  /// Behind FINI stands the byte that ends a tape; what else is there is told and not read.
+  void checkEnd();
   void stop();
 
   std::istream& in_;

@@ -50,6 +50,7 @@ const TapeRecord* Scanner::next() {
   if (record_.type == fini) {
     complete_ = true;
     ended_ = true;
+    checkEnd();
   }
   return &record_;
 }
@@ -106,6 +107,22 @@ std::size_t Scanner::readBytes(char* place, std::size_t count) {
   const auto got = static_cast<std::size_t>(in_.gcount());
   offset_ += got;
   return got;
+}
+
+void Scanner::checkEnd() {
+  const std::uint64_t end = offset_;
+  std::array<char, 4096> bytes{};
+  std::size_t got = readBytes(bytes.data(), bytes.size());
+  const bool marked = got > 0 && static_cast<unsigned char>(bytes[0]) == endOfTape;
+  const std::uint64_t from = end + (marked ? 1 : 0);
+  while (got == bytes.size()) {
+    got = readBytes(bytes.data(), bytes.size());
+  }
+  if (offset_ > from) {
+    report(diag::TapeBehindFini, offset_ - from, from);
+  } else if (!marked) {
+    report(diag::TapeWithoutEnd, end);
+  }
 }
 
 void Scanner::stop() {

@@ -170,7 +170,9 @@ void checkFeedUnits(State& state, std::string_view word, const Items& items) {
     }
     const bool metric = *unit == Word::MMPM || *unit == Word::MMPR;
     const bool imperial = *unit == Word::IPM || *unit == Word::IPR;
-    if ((inches && metric) || (!inches && imperial)) {
+    if ((inches && imperial) || (!inches && metric)) {
+      state.carried.toldOfUnits = false;  // the next one that does not fit is a change again
+    } else if (metric || imperial) {
       if (!state.carried.toldOfUnits) {
         state.report(diagnose(state.statement->span, diag::MixedUnits, spell(*unit),
                               spell(*state.carried.unit)));

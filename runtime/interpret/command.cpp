@@ -38,6 +38,7 @@ void units(State& state, const ir::Command& command) {
         unit != nullptr &&
         (*unit == Word::MM || *unit == Word::CM || *unit == Word::INCHES || *unit == Word::FEET)) {
       state.context.millimeters = millimetersOf(*unit);
+      state.carried.toldOfUnits = state.carried.toldOfUnits && state.carried.unit == *unit;
       state.carried.unit = *unit;
       state.emit(Pass{cl::Units{*unit}});
       return;

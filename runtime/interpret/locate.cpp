@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ir/diag/curves.h"
 #include "ir/diag/interpret.h"
 #include "runtime/interpret/motion.h"
 
@@ -204,6 +205,9 @@ void execute(State& state, const ir::LocateNumbers& numbers) {
     }
     state.emit(std::move(locate));
     return;
+  }
+  if (numbers.count == 2 && state.program.dialect == "cl") {
+    state.report(diagnose(state.statement->span, diag::PlaceWithoutZ, spell(numbers.word)));
   }
   Items items(std::min<std::size_t>(numbers.count, n.size()));
   for (std::size_t i = 0; i < items.size(); ++i) {

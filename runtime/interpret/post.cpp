@@ -1,6 +1,7 @@
 #include "ir/diag/interpret.h"
 #include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/command.h"
+#include "runtime/interpret/post_arguments.h"
 #include "runtime/interpret/swarf_form.h"
 
 namespace arelem::runtime::interpret {
@@ -160,6 +161,7 @@ void post(State& state, const ir::Command& command) {
     return;
   }
   checkFeedUnits(state, name, *items);
+  checkPostArguments(state, word, *items);
   const bool later = state.program.dialect == "cl";  // its systems give parameters to all words
   if (row(word).wordClass == WordClass::postWithoutParameters && !items->empty() && !later) {
     state.report(diagnose(state.statement->span, diag::PostParameters, name, items->size()));

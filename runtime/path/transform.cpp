@@ -5,11 +5,13 @@
 #include <optional>
 #include <set>
 
+#include "ir/diag/curves.h"
 #include "ir/diag/interpret.h"
 #include "ir/diag/limits.h"
 #include "ir/diag/result.h"
 #include "ir/space/tolerance.h"
 #include "runtime/path/affine.h"
+#include "runtime/path/cut_side.h"
 
 namespace arelem::path {
 
@@ -142,6 +144,12 @@ class Chain : public Transformer {
           return index(record, *post);
         case Word::COPY:
           return copy(record, *post);
+        case Word::CUTCOM:
+          side_ = sideOf(record);
+          if (tracut_ && side_) {
+            warnOfSide(record.origin, *tracut_, Word::TRACUT, *side_);
+          }
+          break;
         default:
           break;
       }
@@ -168,6 +176,9 @@ class Chain : public Transformer {
     if (matrix != nullptr && matrix->canon.size() == 12) {
       tracut_ = Affine::fromRows(matrix->canon);
       tracutOrigin_ = record.origin;
+      if (side_) {
+        warnOfSide(record.origin, *tracut_, Word::TRACUT, *side_);
+      }
     } else if (word != nullptr && *word == Word::NOMORE) {
       tracut_.reset();
     } else {
@@ -198,6 +209,14 @@ class Chain : public Transformer {
     if ((turned - Vec3::UnitZ()).lpNorm<Eigen::Infinity>() > tolerance::nullDirection) {
       sink_.accept(at(statement, fail(diag::TiltedWithoutAxis, spell(word))));
       tilted_.insert(statement);
+    }
+  }
+
+  /// The side of CUTCOM is a word for the machine and stays, where a mirror changes it. Told once a
+  /// statement.
+  void warnOfSide(const Span& statement, const Affine& by, Word word, Word side) {
+    if (by.linear.determinant() < 0.0 && mirrored_.insert(statement).second) {
+      sink_.accept(at(statement, fail(diag::MirroredSide, spell(word), spell(side))));
     }
   }
 
@@ -301,6 +320,9 @@ class Chain : public Transformer {
           return;
         }
         warnOfTilt(original, matrix, Word::COPY, record.origin);
+        if (const std::optional<Word> side = sideOf(original)) {
+          warnOfSide(record.origin, matrix, Word::COPY, *side);
+        }
         cl::Record moved = original;
         move(moved, matrix);
         emit(moved);
@@ -349,6 +371,8 @@ class Chain : public Transformer {
   std::optional<Affine> tracut_;
   Span tracutOrigin_;
   std::set<Span> tilted_;           // statements whose tilt was told
+  std::set<Span> mirrored_;         // statements that mirror CUTCOM, as told
+  std::optional<Word> side_;        // of CUTCOM, where it is on
   std::vector<Range> open_;         // outermost first
   std::map<double, Range> closed_;  // by number, for this and later COPYs
   std::uint64_t written_ = 0;

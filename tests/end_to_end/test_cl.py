@@ -158,6 +158,27 @@ class Cl(ArelemCase):
     def test_mixed_units(self):
         self.cl("UNITS/INCHES\nFEDRAT/35.,MMPM\nGOTO/1,2,3\nFINI\n")
         self.assertIn("W0579", self.err)
+        self.cl("$$ISO\nUNITS/MM\nFEDRAT/100,IPM\nFEDRAT/90,IPM\nGOTO/1,2,3\nUNITS/INCHES\nFEDRAT/5,MMPM\nGOTO/2,2,3\nFEDRAT/5,IPM\n"
+                "GOTO/3,2,3\nFEDRAT/6,MMPR\nGOTO/4,2,3\nFINI\n")
+        self.assertEqual([line.split(":")[1] for line in self.err.splitlines() if "W0579" in line], ["3", "7", "11"])
+
+    def test_a_place_of_two_numbers_is_told(self):
+        lines = self.cl("$$ISO\nGOTO/1,2,50\nGOTO/5,6\nFINI\n")
+        self.assertIn("a.cls:3:1: warning[W0580]", self.err)
+        self.assertIn("GOTO / 5.0, 6.0, 0.0", lines)
+
+    def test_words_that_a_word_does_not_take(self):
+        wrong = ["SPINDL/FLOOD", "FEDRAT/CLW", "LOADTL/FLOOD", "COOLNT/CLW", "CUTCOM/FLOOD", "DELAY/CLW", "TURRET/IPM", "SELCTL/MIST"]
+        right = ["SPINDL/1000,RPM,CLW", "FEDRAT/MMPM,9", "LOADTL/1,LENGTH,2", "COOLNT/MIST", "CUTCOM/LEFT,XYPLAN", "DELAY/2", "COOLNT/SHOWER"]
+        self.write("a.cls", "\n".join(["$$ISO", *wrong, *right, "GOTO/1,2,3", "FINI", ""]))
+        self.assertExit(0, "check", "a.cls", "--words")
+        self.assertEqual(self.err.count("W0583"), len(wrong))
+        counts = [line.split(None, 2) for line in self.out.splitlines()]
+        for word in ("SPINDL", "FEDRAT", "LOADTL", "CUTCOM", "DELAY"):
+            self.assertIn([word, "1", "reported"], counts)
+            self.assertIn([word, "1", "understood"], counts)
+        lines = self.cl("\n".join(["$$ISO", *wrong, "GOTO/1,2,3", "FINI", ""]))
+        self.assertIn("SPINDL / FLOOD", lines)
 
     def test_words(self):
         self.write("a.cls", "$$ISO\nPAINT/PATH\nPAINT/COLOR,3\nGOTO/1,2,3,0,0\nGOTO/1,2,3\nFEDRAT/MMPM,10\nFINI\n")

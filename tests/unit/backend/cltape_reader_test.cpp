@@ -103,12 +103,24 @@ TEST(TapeReader, ReadsNamesTextAndStatementNumbers) {
   EXPECT_EQ(reading->summary.records, 6U);
 }
 
-TEST(TapeReader, StaleBytesBehindFiniAreIgnored) {
-  std::string bytes = written("cltape", {record(1, cl::Fini{})});
-  bytes.insert(bytes.size() - 1, "stale bytes of a scratch file");
-  const auto reading = read(bytes);
-  EXPECT_TRUE(reading->summary.complete);
-  EXPECT_TRUE(reading->sink.all().empty());
+TEST(TapeReader, WhatFollowsFiniIsTold) {
+  const std::string good = written("cltape", {record(1, cl::Fini{})});
+  const std::size_t end = good.size() - 1;
+  EXPECT_TRUE(read(good)->sink.all().empty());
+  std::string stale = good;
+  stale.insert(end, "stale bytes of a scratch file");
+  const auto scratch = read(stale);
+  EXPECT_TRUE(scratch->summary.complete);
+  ASSERT_THAT(codes(scratch->sink), ::testing::ElementsAre("W0728"));
+  EXPECT_THAT(scratch->sink.all()[0].message,
+              ::testing::StartsWith(fmt::format("30 bytes from byte {} on", end)));
+  const auto joined = read(good + std::string(5000, 'x'));
+  ASSERT_THAT(codes(joined->sink), ::testing::ElementsAre("W0728"));
+  EXPECT_THAT(joined->sink.all()[0].message,
+              ::testing::StartsWith(fmt::format("5000 bytes from byte {} on", end + 1)));
+  const auto cut = read(good.substr(0, end));
+  EXPECT_TRUE(cut->summary.complete);
+  EXPECT_THAT(codes(cut->sink), ::testing::ElementsAre("W0729"));
 }
 
 TEST(TapeReader, WrongSequenceNumbersAreWarnings) {

@@ -257,5 +257,24 @@ TEST(Tracut, TurnsTheSideOfAPose) {
   EXPECT_THAT(moved.coordinates, ElementsAre(8, 1, 3, 0, 0, 1, 0, 1, 0));
 }
 
+TEST(Transform, AMirrorUnderCutterCompensationIsToldOnceAStatement) {
+  const cl::SurfaceValue mirror = matrix({-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+  Tape before;  // CUTCOM is on when the mirror comes
+  before.post(Word::CUTCOM, {Word::LEFT}).post(Word::TRACUT, {mirror}).go(1, 2, 3).go(2, 2, 3);
+  EXPECT_THAT(before.codes(), ElementsAre("W0581"));
+  Tape within;
+  within.post(Word::TRACUT, {mirror}).post(Word::CUTCOM, {Word::RIGHT, Word::XYPLAN}).go(1, 2, 3);
+  EXPECT_THAT(within.codes(), ElementsAre("W0581"));
+  Tape copied;
+  copied.post(Word::INDEX, {1.0}).post(Word::CUTCOM, {Word::LEFT}).go(1, 2, 3);
+  copied.post(Word::CUTCOM, {Word::OFF}).post(Word::COPY, {1.0, Word::MODIFY, mirror, 1.0});
+  EXPECT_THAT(copied.codes(), ElementsAre("W0581"));
+  Tape clean;  // off before the mirror, and a matrix that mirrors nothing
+  clean.post(Word::CUTCOM, {Word::LEFT}).post(Word::CUTCOM, {Word::OFF});
+  clean.post(Word::TRACUT, {mirror}).go(1, 2, 3).post(Word::TRACUT, {shift(1, 0, 0)});
+  clean.post(Word::CUTCOM, {Word::LEFT}).go(1, 2, 3);
+  EXPECT_THAT(clean.codes(), ElementsAre());
+}
+
 }  // namespace
 }  // namespace arelem::path
