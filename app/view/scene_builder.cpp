@@ -106,6 +106,25 @@ class Pair : public cl::RecordSink {
   cl::RecordSink& first_;
   cl::RecordSink* second_;
 };
+
+/// The way over motions that are missing is none of the program's: it counts neither as length nor
+/// as time, as the way to FROM does not.
+void breakAtFaults(const Compilation& job, backend::Scene& scene) {
+  auto stretch = scene.stretches.cbegin();
+  for (const backend::FaultMark& mark : scene.faults) {
+    stretch = std::find_if(stretch, scene.stretches.cend(), [&](const backend::SceneStretch& s) {
+      return s.file == job.main.index && s.line > mark.line;
+    });
+    if (stretch == scene.stretches.cend()) {
+      return;
+    }
+    const std::size_t i = stretch->first;
+    if (mark.next && i > 0 && Vec3(&scene.places[3 * (i - 1)]) == mark.place) {
+      scene.kinds[i] = static_cast<std::uint8_t>(backend::SceneMove::start);
+      scene.seconds[i] = 0.0F;
+    }
+  }
+}
 }  // namespace
 
 backend::Scene buildScene(Compilation& job, const InterruptFlag& interrupted) {
@@ -129,6 +148,7 @@ backend::Scene buildScene(Compilation& job, const InterruptFlag& interrupted) {
   }
   trace.finish();
   scene.faults = faultsOf(job, records);
+  breakAtFaults(job, scene);
   if (proven && !interrupted) {
     certificate->finish();
     addBounds(*certificate, trace.isns(), scene);

@@ -271,6 +271,17 @@ class Page(ArelemCase):
         self.assertAlmostEqual(axis[0], 0.5, delta=1e-3)
         self.assertAlmostEqual(axis[2], 0.866, delta=1e-3)
 
+    def test_the_way_over_a_missing_motion_is_not_counted(self):
+        # 10 to P1 and 5 at the end; between them 40 that no statement asks for. At 60 mm/min a second is a millimeter.
+        text = "UNITS/MM\nFEDRAT/60,MMPM\nFROM/0,0,0\nGOTO/10,0,0\nGOTO/NOPE\nGOTO/10,40,0\nGOTO/15,40,0\nFINI\n"
+        told, = self.look({"source": text, "steps": [
+            {"get": "window.arelem.scene.way[window.arelem.scene.count - 1]"}, {"get": "window.arelem.scene.total"},
+            {"get": "window.arelem.scene.faults.map(f => f.line)"}]})
+        way, total, lines = told["steps"]
+        self.assertAlmostEqual(way, 15, delta=1e-6)
+        self.assertAlmostEqual(total, 15, delta=0.1)  # and what the machine needs to speed up
+        self.assertEqual(lines, [5])
+
     def test_click_on_a_move_marks_its_line(self):
         profile = (EXAMPLES / "profile.apt").read_text().splitlines()
         self.assertExit(0, EXAMPLES / "profile.apt", "--to", "json")
