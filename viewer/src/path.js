@@ -150,7 +150,7 @@ export class Path {
   }
 
   reserve(moves) {
-    if (moves <= this.room) return;
+    if (this.buffer && moves <= this.room) return;
     this.room = Math.ceil(1.3 * moves) + 64;
     this.data = new Float32Array(4 * wide * this.room);
     this.buffer = new THREE.InterleavedBuffer(this.data, wide).setUsage(THREE.DynamicDrawUsage);
