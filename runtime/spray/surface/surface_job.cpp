@@ -110,6 +110,7 @@ class Planner {
       whole_ = std::move(set.lines);
       s_.step = set.count.step;
       cutOff();
+      leaveOutShort();
     } else {
       const Result<SectionPlanes> sections = sectionPlanes(job_, widest_);
       if (!sections) {
@@ -121,9 +122,6 @@ class Planner {
       } else if (auto failure = cutPatch(sections->planes)) {
         return failure;
       }
-    }
-    if (!job_.mesh) {
-      leaveOutShort();
     }
     s_.lines = lines_.size();
     s_.area = job_.mesh ? job_.mesh->area() : areaOf(job_.patch);
@@ -149,9 +147,7 @@ class Planner {
         continue;
       }
       kept.push_back(std::move(lines_[n]));
-      if (!ranks_.empty()) {
-        ranks.push_back(ranks_[n]);
-      }
+      ranks.push_back(ranks_[n]);
     }
     lines_ = std::move(kept);
     ranks_ = std::move(ranks);

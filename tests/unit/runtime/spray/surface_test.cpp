@@ -335,6 +335,11 @@ TEST(SurfaceJobs, TheLinesAtThePolesAreLeftOut) {
   }
   j.lines = SurfaceJob::Way::alongV;
   EXPECT_EQ(spraySurface(j)->leftOut, 0U);
+  // Planes through an axis leave points where it meets the surface: no lines that anyone asked for.
+  j.lines = SurfaceJob::Radial{{25, 0, 0}, Vec3::UnitZ()};
+  const Result<Sprayed> radial = spraySurface(j);
+  ASSERT_TRUE(radial.ok()) << radial.failure().message;
+  EXPECT_EQ(radial->leftOut, 0U);
 }
 
 TEST(SurfaceJobs, TheBetterDirectionIsTold) {
