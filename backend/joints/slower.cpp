@@ -21,7 +21,7 @@ bool keepsLimits(const Arm& arm,
                  const robot::Machine& machine,
                  double factor,
                  double acceleration) {
-  constexpr double spare = 0.999;  // peaks may lie between two looks
+  constexpr double spare = 0.97;  // peaks may lie between two looks
   for (Knot& knot : knots) {
     knot.speed *= factor;
   }
@@ -46,7 +46,7 @@ bool keepsLimits(const Arm& arm,
   return true;
 }
 
-/// The largest factor that does, within a five hundredth, rounded down; none above 1 / 64.
+/// The largest factor that does, within a five hundredth, rounded down; none below 1 / 64.
 std::optional<double> largest(const std::function<bool(double)>& does) {
   constexpr double least = 1.0 / 64.0;
   constexpr double enough = 1.002;

@@ -27,5 +27,7 @@ inline constexpr double nozzleHeight = 1e-3;
 inline constexpr double cellArea = 1e-9;
 /// The ends of two strokes that are joined may lie this far apart: a cell joins them. In widths.
 inline constexpr double joinedLines = 1.001;
+/// Two fan lines that lie this close are one. In widths.
+inline constexpr double sameLine = 1e-6;
 
 }  // namespace arelem::tolerance

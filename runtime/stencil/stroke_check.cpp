@@ -21,12 +21,13 @@ std::string shown(const Line& line) {
                      line.second.y());
 }
 
-/// First and last line at the stroke's place in the symbol, in the order in which it is painted.
-std::vector<Line> endsOf(const Stroke& stroke, double symbolWidth, double gridHeight) {
+/// Lines at the stroke's place in the symbol, in the order in which it is painted: all of a
+/// straight one, first and last of another.
+std::vector<Line> linesOf(const Stroke& stroke, double symbolWidth, double gridHeight) {
   const Shape& shape = *stroke.shape;
   std::vector<Line> ends;
   if (shape.isStraight()) {
-    ends = {shape.lines.front(), shape.lines.back()};
+    ends = shape.lines;
   } else {
     ends = {{firstPoint(shape.first), firstPoint(shape.second)},
             {lastPoint(shape.first), lastPoint(shape.second)}};
@@ -78,16 +79,29 @@ std::string objectionToJoin(const Stroke& before,
                             const Stroke& stroke,
                             double symbolWidth,
                             double gridHeight) {
-  const Line end = endsOf(before, symbolWidth, gridHeight).back();
-  const Line begin = endsOf(stroke, symbolWidth, gridHeight).front();
+  const std::vector<Line> past = linesOf(before, symbolWidth, gridHeight);
+  const std::vector<Line> next = linesOf(stroke, symbolWidth, gridHeight);
+  const Line& end = past.back();
+  const Line& begin = next.front();
   const double gap = std::max((begin.first - end.first).norm(), (begin.second - end.second).norm());
-  if (gap <= tolerance::joinedLines * std::max(widthOf(end), widthOf(begin))) {
+  const std::string both = fmt::format(
+      "the stroke before ends with the fan line {} and this one begins with {}: ", shown(end),
+      shown(begin));
+  if (gap > tolerance::joinedLines * std::max(widthOf(end), widthOf(begin))) {
+    return both + fmt::format("the gun would spray {:.6g} between them", gap);
+  }
+  if ((end.second - end.first).dot(begin.second - begin.first) < 0.0) {
+    return both + "the fan would turn round in place with the gun open";
+  }
+  if (!before.shape->isStraight() || !stroke.shape->isStraight()) {
     return {};
   }
-  return fmt::format(
-      "the stroke before ends with the fan line {} and this one begins with {}: the "
-      "gun would spray {:.6g} between them",
-      shown(end), shown(begin), gap);
+  std::vector<Line> across = {past[past.size() - 2], end};
+  if (gap > tolerance::sameLine * widthOf(end)) {
+    across.push_back(begin);
+  }
+  across.push_back(next[1]);
+  return objectionToLines(across);
 }
 
 }  // namespace arelem::stencil

@@ -11,7 +11,8 @@ namespace arelem::stencil {
 [[nodiscard]] std::string objectionToLines(const std::vector<Line>& lines);
 
 /// Why the stroke cannot go on from the one before with the gun open: between the last line of that
-/// and its own first there is a gap wider than the fan. Empty: they are one line, or one cell.
+/// and its own first there is a gap wider than the fan, the fan would turn round, or a straight
+/// stroke would turn back over the one before. Empty: nothing is wrong.
 [[nodiscard]] std::string objectionToJoin(const Stroke& before,
                                           const Stroke& stroke,
                                           double symbolWidth,

@@ -159,6 +159,10 @@ TEST(Alphabet, DamageIsNamedWithItsPlace) {
       {"GRID 4 25\nPRIMITIVE 1\nFIRST FROM 0,0 LINE 0,25\nSECOND FROM 1,25 LINE 1,0\nSYMBOL A",
        "line 5, column 1: the primitive before this line: between the fan lines"},
       {"GRID 4 25\nPRIMITIVE 1\nFIRST ARC 2,12 2,2 0,720", "at most 360 degrees apart"},
+      {"GRID 4 25\nSYMBOL A\nSTROKE 5 0,0 1,0 TO 0,10 1,10\nSTROKE 5 0,10 1,10 TO 0,0 1,0 JOIN",
+       "turns back"},
+      {"GRID 4 25\nSYMBOL A\nSTROKE 5 0,0 1,0 TO 0,10 1,10\nSTROKE 5 1,10 0,10 TO 1,25 0,25 JOIN",
+       "turn round in place"},
       {"GRID 4 25\nSYMBOL A\nSTROKE 5 0,0 1,0 TO 0,10 1,10\nSTROKE 5 2,12 3,12 TO 2,25 3,25 JOIN",
        "line 4, column 1: the stroke before ends with the fan line 0,10 1,10 and this one begins "
        "with 2,12 3,12"},
