@@ -33,7 +33,8 @@ struct ConsoleCommand {
   std::string_view name;       ///< ":help"
   std::string_view arguments;  ///< "[WORD]"
   std::string_view summary;
-  /// What the last word may be: 'n' names, 'f' files, 'w' words of the language, 's' settings.
+  /// What the last word may be: 'n' names, 't' names and types, 'f' files, 's' settings, 'h' what
+  /// there is help on.
   char completes = ' ';
   /// What is wrong, or "".
   std::string (*run)(Console& console, const std::string& rest);

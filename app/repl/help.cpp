@@ -25,9 +25,9 @@ std::string leave(Console& console, const std::string& /*rest*/) {
 constexpr std::array commands = {
     ConsoleCommand{
         ":help", "[WORD]",
-        "this list; a word of the language; a diagnostic; a page of the manual; a command", 'w',
+        "this list; a word of the language; a diagnostic; a page of the manual; a command", 'h',
         help},
-    ConsoleCommand{":list", "[TYPE or NAME*]", "what the session has defined", 'w', listNames},
+    ConsoleCommand{":list", "[TYPE or NAME*]", "what the session has defined", 't', listNames},
     ConsoleCommand{":show", "NAME, ...", "values, with the statement that defined them", 'n',
                    showEntity},
     ConsoleCommand{":why", "NAME", "how it was solved, and why the other candidates lost", 'n',

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/command.h"
+#include "app/manual_pages.h"
 #include "app/options.h"
 #include "app/repl/console.h"
 #include "app/repl/highlight.h"
@@ -64,15 +65,34 @@ std::vector<std::string> wordsOfCommand(const Session& session,
     all = filesBeside(begin);
   } else if (kind == 's') {
     all = settingNames();
-  } else if (kind == 'n' || kind == 'w') {
+  } else if (kind == 'n' || kind == 't') {
     for (const auto& name : session.names()) {
       all.push_back(name.name);
     }
-    for (std::size_t i = 0; kind == 'w' && i < static_cast<std::size_t>(Word::count); ++i) {
-      all.emplace_back(spell(static_cast<Word>(i)));
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
+    const Word word = static_cast<Word>(i);
+    if (kind == 'h' || (kind == 't' && row(word).wordClass == WordClass::geometry)) {
+      all.emplace_back(spell(word));
+    }
+  }
+  if (kind == 'h') {
+    all.emplace_back("topics");
+    for (const ManualPage& page : manualTopics()) {
+      all.emplace_back(page.code);
+    }
+    for (const Command& command : app::commands()) {
+      all.emplace_back(command.name);
     }
   }
   return all;
+}
+
+bool beginsWith(std::string_view word, std::string_view begin) {
+  return word.size() >= begin.size() &&
+         std::equal(begin.begin(), begin.end(), word.begin(), [](unsigned char a, unsigned char b) {
+           return std::toupper(a) == std::toupper(b);
+         });
 }
 
 frontend::Completion completeCommand(const Session& session, const std::string& line) {
@@ -91,17 +111,16 @@ frontend::Completion completeCommand(const Session& session, const std::string& 
     found.begin = line.find_last_of(kind == 'f' ? " " : " ,") + 1;
     all = wordsOfCommand(session, kind, line.substr(found.begin));
   }
-  std::string begin = line.substr(found.begin);
-  if (kind == 'n' || kind == 'w') {
-    std::transform(begin.begin(), begin.end(), begin.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  }
+  const std::string begin = line.substr(found.begin);
+  const bool exact = kind == 'f';
   for (const std::string& word : all) {
-    if (word.starts_with(begin)) {
+    if (exact ? word.starts_with(begin) : beginsWith(word, begin)) {
       found.candidates.push_back(word);
     }
   }
   std::sort(found.candidates.begin(), found.candidates.end());
+  found.candidates.erase(std::unique(found.candidates.begin(), found.candidates.end()),
+                         found.candidates.end());
   return found;
 }
 

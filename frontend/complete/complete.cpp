@@ -145,6 +145,12 @@ void addAll(const Place& place, Candidates& candidates) {
       candidates.names(KnownName::Kind::scalar);
       candidates.names(KnownName::Kind::entity);
       break;
+    case Place::Kind::motion:
+      for (const WordClass c :
+           {WordClass::toolPosition, WordClass::arelemSwitch, WordClass::motion}) {
+        candidates.wordsOf(c);
+      }
+      break;
     case Place::Kind::value:
       candidates.wordsOf(WordClass::geometry);
       candidates.add("MACRO", "/");

@@ -87,7 +87,9 @@ class Scan {
     } else if (level.value || levels_.size() > 1) {
       place.kind = condition_ && levels_.size() == 2 ? Place::Kind::expression : Place::Kind::value;
     } else {
-      place.kind = condition_ ? Place::Kind::label : Place::Kind::head;
+      place.kind = condition_ ? Place::Kind::label
+                   : chained_ ? Place::Kind::motion
+                              : Place::Kind::head;
     }
     return place;
   }
@@ -113,6 +115,7 @@ class Scan {
     const bool inStatement = level.kind == Level::Kind::open && levels_.size() == 1;
     if (inStatement && !level.value) {  // RAPID, GOTO/ ...: the next word is a head again
       level.current.reset();
+      chained_ = true;
     } else {
       level.given.push_back(level.current.value_or(Symbol::empty()));
       level.current.reset();
@@ -170,8 +173,9 @@ class Scan {
 
   std::span<const KnownName> names_;
   std::vector<Level> levels_ = std::vector<Level>(1);
-  Token last_;  ///< of kind end at first
+  Token last_;              ///< of kind end at first
   bool condition_ = false;  ///< behind IF (
+  bool chained_ = false;    ///< behind a comma that joins words to one statement
 };
 }  // namespace
 

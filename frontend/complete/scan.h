@@ -14,12 +14,13 @@ namespace arelem::frontend {
 struct Place {
   enum class Kind : std::uint8_t {
     head,        ///< a statement begins
+    motion,      ///< behind `TLRGT,` and the like: what may share its statement
     value,       ///< right side of `=`
     parameter,   ///< of `word` (a noun or a statement), behind `given`
     expression,  ///< a scalar
     functionArgument,
     subscript,  ///< of an array, behind `given`
-    label,  ///< a jump's target
+    label,      ///< a jump's target
     macroName,
     nothing  ///< a name of the program's own choice
   };

@@ -134,7 +134,12 @@ class Terminal(ArelemCase):
         self.send("\x15:dis\tP1,P2\r")              # the command is complete, and a blank with it
         self.expect(r"2\.82842")
         self.expect(r"> ")
-        self.send("A1=SQ\t16)\r")                 # SQRTF( without a blank
+        self.send(":help verif\t\r")              # pages and commands too, in small letters
+        self.expect(r"The certificate of a path")
+        self.expect(r"> ")
+        self.send(":list po\t\t")                 # types, not every word of the language
+        self.assertNotIn("POSTN", self.expect(r"POLCON"))
+        self.send("\x15A1=SQ\t16)\r")             # SQRTF( without a blank
         self.expect(r"A1=SQRTF\(16\)")
         self.expect(r"A1 = 4\b")
 

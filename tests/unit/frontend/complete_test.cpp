@@ -75,6 +75,17 @@ TEST(Complete, LabelsMacrosAndHeads) {
   EXPECT_THAT(after("X=2*"), Not(Contains("P1")));
 }
 
+TEST(Complete, WhatSharesAStatementWithAToolPosition) {
+  for (const char* const text : {"TLRGT,", "RAPID,TLLFT,"}) {
+    const auto found = after(text);
+    EXPECT_THAT(found, Contains("GORGT/"));
+    EXPECT_THAT(found, Contains("TLOFPS"));
+    EXPECT_THAT(found, Not(Contains("POINT/")));
+    EXPECT_THAT(found, Not(Contains("COOLNT/")));
+    EXPECT_THAT(found, Not(Contains("P1")));
+  }
+}
+
 TEST(Complete, NothingInTextsAndComments) {
   EXPECT_THAT(after("INCLUDE/'P"), IsEmpty());
   EXPECT_THAT(after("X=1 $$ P"), IsEmpty());
