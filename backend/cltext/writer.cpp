@@ -7,16 +7,12 @@
 
 #include "backend/cltext/statement.h"
 #include "backend/text/clean.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/output.h"
 
 namespace arelem::backend {
 
 namespace {
-bool isAppliedAlready(Word word) {
-  return word == Word::TRACUT || word == Word::COPY || word == Word::INDEX ||
-         word == Word::SMOOTH || word == Word::VTLAXS || word == Word::WCORN;
-}
-
 class TextWriter : public Writer {
  public:
   TextWriter(std::ostream& out, int decimals, DiagnosticSink& sink)
@@ -66,7 +62,7 @@ class TextWriter : public Writer {
       return;
     }
     line_.begin(foreign ? statementText(post.foreign) : std::string(spell(post.word)),
-                !foreign && isAppliedAlready(post.word));
+                cl::isApplied(post));
     for (const cl::Value& value : post.arguments) {
       argument(value);
     }

@@ -8,6 +8,7 @@
 #include "backend/hole/cycle.h"
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/robot.h"
 #include "ir/words/units.h"
@@ -69,6 +70,9 @@ class G97Writer : public Writer {
     }
   }
   void operator()(const cl::Post& post) {
+    if (cl::isApplied(post)) {
+      return;
+    }
     if (!post.foreign.empty()) {
       return without(post.foreign);
     }
@@ -80,12 +84,9 @@ class G97Writer : public Writer {
         return;
       case Word::SPRAY:
         return spray(post);
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
       case Word::MACHIN:
       case Word::END:
-        return;  // done already, or said by the program's end
+        return;  // for others, or said by the program's end
       default:
         other(post);
     }

@@ -131,6 +131,9 @@ void KnotReader::spray(const cl::Post& post) {
 }
 
 void KnotReader::post(const cl::Post& post, const Span& origin) {
+  if (cl::isApplied(post)) {
+    return;
+  }
   switch (post.foreign.empty() ? post.word : Word::INSERT) {
     case Word::FEDRAT:
       if (Result<double> speed = robot::neededSpeed(post, millimeters_, turns_)) {
@@ -163,12 +166,9 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
     case Word::STOP:
     case Word::OPSTOP:
       return stopHere(0.0);
-    case Word::TRACUT:
-    case Word::COPY:
-    case Word::INDEX:
     case Word::MACHIN:
     case Word::END:
-      return;  // done already, or said by the end of the table
+      return;  // for others, or said by the end of the table
     default:
       break;
   }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include "backend/hole/steps.h"
 #include "backend/ngc/moves.h"
@@ -34,10 +33,7 @@ void Moves::closeCycle() {
 /// The cycle is over, and so is its feed.
 void Moves::endCycle() {
   closeCycle();
-  if (outside_) {
-    std::tie(feed_, feedMode_) = *outside_;
-    outside_.reset();
-  }
+  feed_.endCycle();
 }
 
 void Moves::cycle(const cl::Post& post) {
@@ -51,9 +47,9 @@ void Moves::cycle(const cl::Post& post) {
   endCycle();
   const Cycle* begun = cycles_.now();
   if (const auto own = begun != nullptr ? hole::feedOf(*begun) : std::nullopt) {
-    const auto before = std::pair(feed_, feedMode_);
-    feed(*own);
-    outside_ = before;
+    if (const auto feed = readFeed(*own)) {
+      feed_.beginCycle(*feed);
+    }
   }
 }
 
@@ -64,7 +60,7 @@ void Moves::drill(const ToolPose& at) {
   if (!feedIsKnown(at.end)) {
     return;
   }
-  if (feedMode_ == FeedMode::inverseTime) {
+  if (feed_.now().mode == FeedMode::inverseTime) {
     return report(fail(diag::NgcCycle, std::string("needs a feed; an inverse time is none")));
   }
   const bool turned = (at.axis - now_.pose.axis).norm() > tolerance::symmetric;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "backend/hole/cycle.h"
+#include "backend/hole/feed_in_force.h"
 #include "backend/ngc/block.h"
 #include "backend/robot/turned_move.h"
 #include "ir/diag/diagnostic.h"
@@ -36,7 +37,13 @@ class Moves {
 
  private:
   enum class FeedMode { perMinute, perTurn, inverseTime };
+  struct Feed {
+    double value = 0.0;  ///< mm a minute or a turn, or moves a minute; 0 where none was given
+    FeedMode mode = FeedMode::perMinute;
+  };
 
+  /// What FEDRAT says; none where it is refused.
+  [[nodiscard]] std::optional<Feed> readFeed(const cl::Post& post);
   void points(const cl::Motion& motion);
   void from(const robot::ToolPose& pose);
   void line(const robot::ToolPose& to);
@@ -70,10 +77,7 @@ class Moves {
   double turns_ = 0.0;
   Spindle spindle_ = Spindle::off;
   bool rapid_ = false;
-  std::optional<double> feed_;  // mm a minute or a turn, or moves a minute
-  FeedMode feedMode_ = FeedMode::perMinute;
-  /// What they are outside of a cycle that has a feed of its own.
-  std::optional<std::pair<std::optional<double>, FeedMode>> outside_;
+  hole::FeedInForce<Feed> feed_;
   hole::Cycles cycles_;
   double share_ = 1.0;  // of a divided move that a line is: it has as much of an inverse time
   bool cycleOpen_ = false;

@@ -88,9 +88,8 @@ class NgcWriter : public Writer {
   }
   void operator()(const cl::Post& post) {
     start();
-    const std::string_view name = cl::nameOf(post);
-    if (name == "SMOOTH" || name == "MACHLM") {
-      return;  // done before, or for others
+    if (cl::isApplied(post) || cl::nameOf(post) == "MACHLM") {
+      return;  // the time law has read the limits
     }
     if (const auto apt = cl::inApt(post)) {
       return word(*apt);
@@ -188,13 +187,8 @@ class NgcWriter : public Writer {
         return moves_.cycle(post);
       case Word::END:
         return end();
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
-      case Word::VTLAXS:
-      case Word::WCORN:
       case Word::MACHIN:
-        return;  // done before, or for others
+        return;  // for others
       default:
         return statements_.accept(post, record_->origin);
     }

@@ -56,6 +56,9 @@ class BlankWriter : public Writer {
   static double plain(double value) { return std::abs(value) < 0.05 ? 0.0 : value; }
 
   void word(const cl::Post& post, const Span& origin) {
+    if (cl::isApplied(post)) {
+      return;
+    }
     switch (post.foreign.empty() ? post.word : Word::INSERT) {
       case Word::FEDRAT:
         return feed(post, origin);
@@ -69,9 +72,6 @@ class BlankWriter : public Writer {
           sink_.accept(at(origin, *std::move(failure)));
         }
         return;
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
       case Word::MACHIN:
       case Word::END:
         return;

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <set>
 
+#include "backend/hole/feed_in_force.h"
 #include "backend/hole/steps.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/reach_check.h"
@@ -12,6 +13,7 @@
 #include "backend/vplus/held_tool.h"
 #include "backend/vplus/program_lines.h"
 #include "backend/vplus/reader.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
 #include "ir/diag/told_factor.h"
@@ -76,6 +78,9 @@ class VplusWriter : public Writer {
     }
   }
   void operator()(const cl::Post& post) {
+    if (cl::isApplied(post)) {
+      return;
+    }
     if (!post.foreign.empty()) {
       return without(post.foreign);
     }
@@ -95,12 +100,9 @@ class VplusWriter : public Writer {
         switchOutputs();
         line("PAUSE");
         return;
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
       case Word::MACHIN:
       case Word::END:
-        return;  // done already, or said by the program itself
+        return;  // for others, or said by the program itself
       case Word::CYCLE:
         return cycle(post);
       case Word::SPINDL:
@@ -150,10 +152,7 @@ class VplusWriter : public Writer {
     if (!speed) {
       return report(speed.takeFailure());
     }
-    speed_ = *speed;
-    if (outside_) {
-      outside_ = speed_;  // it stays when the cycle is over
-    }
+    speed_.set(*speed);
     rapid_ = false;
   }
 
@@ -201,15 +200,17 @@ class VplusWriter : public Writer {
     if (*change == hole::Cycles::Change::none) {
       return;
     }
-    speed_ = std::exchange(outside_, std::nullopt).value_or(speed_);
+    speed_.endCycle();
     const hole::Cycle* begun = cycles_.now();
     if (begun == nullptr) {
       return;
     }
     if (const auto own = hole::feedOf(*begun)) {
-      const double before = speed_;
-      feed(*own);
-      outside_ = before;  // the feed of a cycle ends with it
+      Result<double> speed = robot::neededSpeed(*own, millimeters_, turns_);
+      if (!speed) {
+        return report(speed.takeFailure());
+      }
+      speed_.beginCycle(*speed);
     }
     if (const auto steps = hole::stepsOf(*begun); !steps) {
       report(steps.failure());
@@ -252,12 +253,12 @@ class VplusWriter : public Writer {
   }
 
   bool feedIsKnown(const Pose& to) {
-    if (speed_ <= 0.0 && !feedMissed_) {
+    if (speed_.now() <= 0.0 && !feedMissed_) {
       feedMissed_ = true;
       const Vec3 place = to.point / millimeters_;
       report(fail(diag::NgcFeedMissing, place.x(), place.y(), place.z()));
     }
-    return speed_ > 0.0;
+    return speed_.now() > 0.0;
   }
 
   void moveTo(const Pose& pose, bool isFrom) {
@@ -325,7 +326,7 @@ class VplusWriter : public Writer {
   }
 
   void setSpeed(const std::string& place) {
-    const double speed = rapid_ ? machine_.rapid : speed_;
+    const double speed = rapid_ ? machine_.rapid : speed_.now();
     rapid_ = false;
     if (speed > std::max(fastest_.speed, machine_.speed)) {
       fastest_ = {speed, place, record_->origin};
@@ -359,8 +360,7 @@ class VplusWriter : public Writer {
   std::string name_;
   std::string written_;  // the speed in force
   double millimeters_ = 1.0;
-  double speed_ = 0.0;
-  std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own
+  hole::FeedInForce<double> speed_;
   bool rapid_ = false;
   double turns_ = 0.0;       // of a spindle that the robot carries, a minute
   bool feedMissed_ = false;  // told once
