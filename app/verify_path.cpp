@@ -77,12 +77,12 @@ void Path::word(const cl::Post& post) {
 
 void Path::cycle(const cl::Post& post) {
   const auto change = cycles_.read(post);
-  if (!change || *change == backend::hole::Cycles::Change::none) {
+  if (!change || *change == hole::Cycles::Change::none) {
     return;
   }
   speed_ = std::exchange(outside_, std::nullopt).value_or(speed_);
-  const backend::hole::Cycle* begun = cycles_.now();
-  if (const auto own = begun != nullptr ? backend::hole::feedOf(*begun) : std::nullopt) {
+  const hole::Cycle* begun = cycles_.now();
+  if (const auto own = begun != nullptr ? hole::feedOf(*begun) : std::nullopt) {
     outside_ = speed_;
     speed_ = robot::speedOf(*own, millimeters, turns_).value_or(0.0);
   }

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "backend/hole/cycle.h"
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
+#include "ir/hole/cycle.h"
 #include "ir/space/vector.h"
 
 namespace arelem::app {
@@ -21,9 +21,9 @@ struct Location {
   std::set<int> on;    ///< outputs that are on when the tool leaves it
   double speed = 0.0;  ///< of the move to it, mm/s; 0: rapid, or unknown
   double wait = 0.0;   ///< of DELAY behind it, s
-  std::optional<backend::hole::Cycle> hole = std::nullopt;  ///< drilled there
-  bool rapid = false;  ///< the tool comes to it by RAPID or FROM
-  double band = 0.0;   ///< INTOL + OUTTOL on the way there, part unit
+  std::optional<hole::Cycle> hole = std::nullopt;  ///< drilled there
+  bool rapid = false;                              ///< the tool comes to it by RAPID or FROM
+  double band = 0.0;                               ///< INTOL + OUTTOL on the way there, part unit
 };
 
 /// Keeps the locations of a stream of records and forgets the rest.
@@ -38,7 +38,7 @@ class Path : public cl::RecordSink {
   void cycle(const cl::Post& post);
   void switchOutput(const cl::Post& post);
 
-  backend::hole::Cycles cycles_;
+  hole::Cycles cycles_;
   std::set<int> on_;
   double speed_ = 0.0;
   std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own

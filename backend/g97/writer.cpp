@@ -5,12 +5,12 @@
 #include <set>
 
 #include "backend/g97/divide.h"
-#include "backend/hole/cycle.h"
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/robot.h"
+#include "ir/hole/cycle.h"
 #include "ir/words/units.h"
 
 namespace arelem::backend {
@@ -127,8 +127,8 @@ class G97Writer : public Writer {
   void other(const cl::Post& post) {
     const auto found = machine_.g97.words.find(std::string(spell(post.word)));
     const bool known = found != machine_.g97.words.end() && !steps_.empty();
-    if (auto lost = known || post.word != Word::CYCLE ? std::nullopt
-                                                      : backend::hole::objectionToDrilling(post)) {
+    if (auto lost =
+            known || post.word != Word::CYCLE ? std::nullopt : hole::objectionToDrilling(post)) {
       return report(*std::move(lost));
     }
     if (!known) {

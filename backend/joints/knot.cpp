@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "backend/hole/cycle.h"
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/hole/cycle.h"
 #include "ir/space/robot_tolerance.h"
 #include "ir/words/units.h"
 
@@ -156,7 +156,7 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
       }
       return;
     case Word::CYCLE:
-      if (auto failure = backend::hole::objectionToDrilling(post)) {
+      if (auto failure = hole::objectionToDrilling(post)) {
         refuse(*std::move(failure), origin);
       }
       return;

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "backend/hole/steps.h"
 #include "backend/ngc/moves.h"
 #include "ir/diag/ngc.h"
+#include "ir/hole/steps.h"
 #include "ir/limits.h"
 #include "ir/space/tolerance.h"
 

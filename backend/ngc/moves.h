@@ -4,11 +4,11 @@
 #include <span>
 #include <string>
 
-#include "backend/hole/cycle.h"
-#include "backend/hole/feed_in_force.h"
 #include "backend/ngc/block.h"
 #include "backend/robot/turned_move.h"
 #include "ir/diag/diagnostic.h"
+#include "ir/hole/cycle.h"
+#include "ir/hole/cycle_feed.h"
 
 namespace arelem::backend::ngc {
 
@@ -77,7 +77,7 @@ class Moves {
   double turns_ = 0.0;
   Spindle spindle_ = Spindle::off;
   bool rapid_ = false;
-  hole::FeedInForce<Feed> feed_;
+  hole::CycleFeed<Feed> feed_;
   hole::Cycles cycles_;
   double share_ = 1.0;  // of a divided move that a line is: it has as much of an inverse time
   bool cycleOpen_ = false;

@@ -5,11 +5,11 @@
 #include <ostream>
 #include <set>
 
-#include "backend/hole/cycle.h"
 #include "backend/robot/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/hole/cycle.h"
 #include "ir/space/robot_tolerance.h"
 #include "ir/words/units.h"
 
@@ -68,7 +68,7 @@ class BlankWriter : public Writer {
       case Word::SPRAY:
         return without("SPRAY, the robot switches its gun by itself,", origin);
       case Word::CYCLE:
-        if (auto failure = backend::hole::objectionToDrilling(post)) {
+        if (auto failure = hole::objectionToDrilling(post)) {
           sink_.accept(at(origin, *std::move(failure)));
         }
         return;

@@ -4,8 +4,6 @@
 #include <ostream>
 #include <set>
 
-#include "backend/hole/feed_in_force.h"
-#include "backend/hole/steps.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/reach_check.h"
 #include "backend/text/clean.h"
@@ -17,6 +15,8 @@
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
 #include "ir/diag/told_factor.h"
+#include "ir/hole/cycle_feed.h"
+#include "ir/hole/steps.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 
@@ -360,7 +360,7 @@ class VplusWriter : public Writer {
   std::string name_;
   std::string written_;  // the speed in force
   double millimeters_ = 1.0;
-  hole::FeedInForce<double> speed_;
+  hole::CycleFeed<double> speed_;
   bool rapid_ = false;
   double turns_ = 0.0;       // of a spindle that the robot carries, a minute
   bool feedMissed_ = false;  // told once

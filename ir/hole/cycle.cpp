@@ -1,11 +1,11 @@
-#include "backend/hole/cycle.h"
+#include "ir/hole/cycle.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "ir/diag/ngc.h"
 
-namespace arelem::backend::hole {
+namespace arelem::hole {
 
 namespace {
 /// A cycle has at most so many pecks a hole: each is several moves where they are written out.
@@ -258,4 +258,4 @@ std::optional<cl::Post> feedOf(const Cycle& cycle) {
   return feed;
 }
 
-}  // namespace arelem::backend::hole
+}  // namespace arelem::hole

@@ -4,7 +4,7 @@
 #include "ir/cl/record.h"
 #include "ir/diag/result.h"
 
-namespace arelem::backend::hole {
+namespace arelem::hole {
 
 /// A canned cycle of CYCLE/ type, depth, unit, feed, clearance, modifiers. Lengths in the part
 /// unit.
@@ -54,4 +54,4 @@ class Cycles {
 /// FEDRAT with the feed that a cycle brings; none where it has the feed before it.
 [[nodiscard]] std::optional<cl::Post> feedOf(const Cycle& cycle);
 
-}  // namespace arelem::backend::hole
+}  // namespace arelem::hole

@@ -1,14 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "backend/hole/steps.h"
+#include "ir/hole/steps.h"
 
 namespace arelem::test {
 namespace {
 
-using backend::hole::Cycle;
-using backend::hole::Cycles;
-using backend::hole::Step;
+using hole::Cycle;
+using hole::Cycles;
+using hole::Step;
 using testing::ElementsAre;
 
 cl::Post cycle(std::vector<cl::Value> values) {
@@ -17,9 +17,9 @@ cl::Post cycle(std::vector<cl::Value> values) {
 
 /// The steps in short: r and f with the height over the location, w with the seconds.
 std::vector<std::string> stepsOf(std::vector<cl::Value> values) {
-  const auto read = backend::hole::readCycle(cycle(std::move(values)));
+  const auto read = hole::readCycle(cycle(std::move(values)));
   EXPECT_TRUE(read.ok());
-  const auto steps = backend::hole::stepsOf(*read);
+  const auto steps = hole::stepsOf(*read);
   EXPECT_TRUE(steps.ok());
   std::vector<std::string> all;
   for (const Step& step : *steps) {
@@ -58,9 +58,9 @@ TEST(Hole, ARetractIsHigherThanTheClearance) {
 }
 
 TEST(Hole, TapsHaveNoMoves) {
-  const auto read = backend::hole::readCycle(cycle({Word::TAP, 9.0, Word::MMPM, 80.0, 2.0}));
+  const auto read = hole::readCycle(cycle({Word::TAP, 9.0, Word::MMPM, 80.0, 2.0}));
   ASSERT_TRUE(read.ok());
-  const auto steps = backend::hole::stepsOf(*read);
+  const auto steps = hole::stepsOf(*read);
   ASSERT_FALSE(steps.ok());
   EXPECT_EQ(steps.failure().row->code, "E0673");
 }
@@ -95,10 +95,8 @@ TEST(Hole, CyclesEndAndGoOn) {
 /// From below the clearance up first, from above it across at that height.
 TEST(Hole, TheWayOverAHoleIsNeverBelowItsClearance) {
   const Vec3 clear(10, 0, 2);
-  EXPECT_THAT(backend::hole::wayOver({0, 0, 0}, clear, Vec3::UnitZ()),
-              ElementsAre(Vec3(0, 0, 2), clear));
-  EXPECT_THAT(backend::hole::wayOver({0, 0, 20}, clear, Vec3::UnitZ()),
-              ElementsAre(Vec3(10, 0, 20)));
+  EXPECT_THAT(hole::wayOver({0, 0, 0}, clear, Vec3::UnitZ()), ElementsAre(Vec3(0, 0, 2), clear));
+  EXPECT_THAT(hole::wayOver({0, 0, 20}, clear, Vec3::UnitZ()), ElementsAre(Vec3(10, 0, 20)));
 }
 
 }  // namespace

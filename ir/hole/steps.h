@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "backend/hole/cycle.h"
+#include "ir/hole/cycle.h"
 #include "ir/space/vector.h"
 
-namespace arelem::backend::hole {
+namespace arelem::hole {
 
 /// One move along the tool axis, or a wait.
 struct Step {
@@ -20,8 +20,11 @@ struct Step {
 /// turns back at the bottom, which no move can say.
 [[nodiscard]] Result<std::vector<Step>> stepsOf(const Cycle& cycle);
 
+/// The same for any cycle, as long as it takes: TAP goes back at its feed.
+[[nodiscard]] std::vector<Step> timedStepsOf(const Cycle& cycle);
+
 /// The way of the tool end to a place over a hole, without a change of the axis: along the
 /// axis up to its height if it is below it, then across, at the height where it is.
 [[nodiscard]] std::vector<Vec3> wayOver(const Vec3& from, const Vec3& clear, const Vec3& axis);
 
-}  // namespace arelem::backend::hole
+}  // namespace arelem::hole

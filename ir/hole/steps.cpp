@@ -1,10 +1,10 @@
-#include "backend/hole/steps.h"
+#include "ir/hole/steps.h"
 
 #include <algorithm>
 
 #include "ir/diag/ngc.h"
 
-namespace arelem::backend::hole {
+namespace arelem::hole {
 
 Result<std::vector<Step>> stepsOf(const Cycle& cycle) {
   if (cycle.kind == Cycle::Kind::tap) {
@@ -12,6 +12,10 @@ Result<std::vector<Step>> stepsOf(const Cycle& cycle) {
                 std::string("/TAP turns the spindle back at the bottom, which only a canned cycle "
                             "along z does"));
   }
+  return timedStepsOf(cycle);
+}
+
+std::vector<Step> timedStepsOf(const Cycle& cycle) {
   const bool pecks = cycle.kind == Cycle::Kind::peck || cycle.kind == Cycle::Kind::chip;
   const double step = pecks ? cycle.step : cycle.depth;
   std::vector<Step> steps;
@@ -29,8 +33,9 @@ Result<std::vector<Step>> stepsOf(const Cycle& cycle) {
   if (cycle.kind == Cycle::Kind::dwell || cycle.kind == Cycle::Kind::boreDwell) {
     steps.push_back({Step::Kind::dwell, -cycle.depth, cycle.dwell});
   }
-  const bool bores = cycle.kind == Cycle::Kind::bore || cycle.kind == Cycle::Kind::boreDwell;
-  go(bores ? Step::Kind::feed : Step::Kind::rapid, cycle.clearance);
+  const bool feedsOut = cycle.kind == Cycle::Kind::bore || cycle.kind == Cycle::Kind::boreDwell ||
+                        cycle.kind == Cycle::Kind::tap;
+  go(feedsOut ? Step::Kind::feed : Step::Kind::rapid, cycle.clearance);
   if (cycle.retract > cycle.clearance) {
     go(Step::Kind::rapid, cycle.retract);
   }
@@ -47,4 +52,4 @@ std::vector<Vec3> wayOver(const Vec3& from, const Vec3& clear, const Vec3& axis)
   return way;
 }
 
-}  // namespace arelem::backend::hole
+}  // namespace arelem::hole
