@@ -49,7 +49,7 @@ void Path::accept(const cl::Record& record) {
       location.hole = *cycles_.now();
     }
     location.rapid = isFrom || rapid_;
-    location.speed = isFrom || (rapid_ && !location.hole) ? 0.0 : speed_;
+    location.speed = isFrom || (rapid_ && !location.hole) ? 0.0 : speed_.now();
     rapid_ = false;
     locations.push_back(location);
   }
@@ -59,8 +59,7 @@ void Path::word(const cl::Post& post) {
   if (post.word == Word::CYCLE) {
     cycle(post);
   } else if (post.word == Word::FEDRAT) {
-    speed_ = robot::speedOf(post, millimeters, turns_).value_or(0.0);
-    outside_ = outside_ ? std::optional(speed_) : std::nullopt;
+    speed_.set(robot::speedOf(post, millimeters, turns_).value_or(0.0));
     rapid_ = false;
   } else if (post.word == Word::RAPID) {
     rapid_ = true;
@@ -80,11 +79,10 @@ void Path::cycle(const cl::Post& post) {
   if (!change || *change == hole::Cycles::Change::none) {
     return;
   }
-  speed_ = std::exchange(outside_, std::nullopt).value_or(speed_);
+  speed_.endCycle();
   const hole::Cycle* begun = cycles_.now();
   if (const auto own = begun != nullptr ? hole::feedOf(*begun) : std::nullopt) {
-    outside_ = speed_;
-    speed_ = robot::speedOf(*own, millimeters, turns_).value_or(0.0);
+    speed_.beginCycle(robot::speedOf(*own, millimeters, turns_).value_or(0.0));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/hole/cycle.h"
+#include "ir/hole/cycle_feed.h"
 #include "ir/space/vector.h"
 
 namespace arelem::app {
@@ -40,8 +41,7 @@ class Path : public cl::RecordSink {
 
   hole::Cycles cycles_;
   std::set<int> on_;
-  double speed_ = 0.0;
-  std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own
+  hole::CycleFeed<double> speed_;
   double turns_ = 0.0;
   bool rapid_ = false;
   double inner_ = 0.0;
