@@ -135,7 +135,7 @@ class BodySearch {
     if (best >= aim) {
       return best;
     }
-    const surface::Bends bends = surface_.bends(point_, foot_, away);
+    const surface::Bends bends = surface::bendsOf(surface_, point_, foot_, away, hint_);
     const double low = side_ > 0.0 ? bends.low : -bends.high;
     if (std::isfinite(low)) {
       best = std::max(best, gap + tilt(box, turned, onCutter) + 0.5 * low * away * away);
