@@ -104,6 +104,20 @@ class Certify(ArelemCase):
                 self.assertEqual(code, 5 if name in OLD_SYSTEM_VIOLATES else 0, self.err)
                 self.assertTrue(rows or name.startswith("g"))  # g: geometry only
 
+    def test_paths_of_the_old_system_as_plain_text(self):
+        """What any other system may write: locations only, nine decimals, no statement numbers."""
+        for name, path in programs():
+            records = json.loads(path.with_suffix(".json").read_text())["cl"]
+            lines = [f"{'FROM' if r['kind'] == 'FROM' else 'GOTO'} / " + ", ".join(f"{x:.9f}" for x in point)
+                     for r in records if r["type"] == 5000 for point in r["points"]]
+            if not lines:
+                continue
+            with self.subTest(name):
+                self.write("old.cls", "\n".join(["PARTNO OLD", *lines, "FINI", ""]))
+                code, rows = self.rows(path, "old.cls")
+                self.assertEqual(code, 5 if name in OLD_SYSTEM_VIOLATES else 0, self.err)
+                self.assertTrue(rows)
+
     def test_old_ball_on_sphere_is_a_tenth_of_the_band_too_deep(self):
         case = CASES / "d01_sphere_ball.apt"
         code, rows = self.rows(case, case.with_suffix(".json"))

@@ -76,6 +76,15 @@ class Ruled::Sheet {
     Vec3 from, to;
   };
 
+  /// Bounds of one of the curves as the sheet follows it: beyond its ends the tangents are
+  /// straight.
+  [[nodiscard]] std::optional<CurveRange> range(const RuledCurve& curve,
+                                                double f,
+                                                double half) const {
+    const double from = std::max(f - half, low_);
+    const double to = std::min(f + half, high_);
+    return from < to ? curve.range(0.5 * (from + to), 0.5 * (to - from)) : CurveRange{};
+  }
   static CurvePlace onTangent(const CurvePlace& end, double beyond) {
     return {end.place + beyond * end.first, end.first, Vec3::Zero()};
   }
@@ -155,8 +164,8 @@ std::optional<Bends> Ruled::Sheet::curvatures(double f, double g, double reach) 
   const double way = sheetSlack * reach / area;  // along the sheet, through the inverse of its form
   const double halfF = way * longG;
   const double halfG = way * longF;
-  const auto a = first_.range(f, halfF);
-  const auto b = second_.range(f, halfF);
+  const auto a = range(first_, f, halfF);
+  const auto b = range(second_, f, halfF);
   if (!a || !b) {
     return std::nullopt;
   }
