@@ -169,6 +169,9 @@ def part(kind, u):
                 (("CYLNDR", (0, 4, z - far), (0, 1, 0), far), ((-4.5, 4, z - 2), (4.5, 4, z - 2), (0, 4, z + 2))))
     if kind == "mesh":
         return ("MESH", hills(u))
+    if kind == "slanted":
+        _, _, points = wave(u, 0, "y", 0.5)
+        return ("TABCYL", (u(-0.3, 0.3), 1, u(-0.3, 0.3)), points)
     if kind == "polyconic":
         return arch(u, ((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0, 0, z))
     raise KeyError(kind)
@@ -201,6 +204,9 @@ def drive(kind, u):
         return wave(u, 0, "z", 0.5)
     if kind == "quadric":
         return ("QADRIC", (u(0.005, 0.01), 1, u(0.001, 0.01), 0, 0, 0, 0, u(3, 6), 0, u(-1, 1)))
+    if kind == "slanted":
+        _, _, points = wave(u, 0, "z", 0.5)
+        return ("TABCYL", (u(-0.2, 0.2), u(-0.2, 0.2), 1), points)
     if kind == "polyconic":
         return arch(u, ((0, 0, 1), (1, 0, 0), (0, 1, 0)), (0, y, 0))
     raise KeyError(kind)
@@ -220,4 +226,5 @@ PARTS = ["plane", "sphere", "hollow", "cylinder", "cone", "torus", "ellipsoid", 
 DRIVES = ["plane", "wall", "circle", "cylinder", "sphere", "hollow", "quadric", "cone", "torus", "tabcyl"]
 # Scenes keep their numbers: what was added later stands behind.
 PAIRS = [(p, d) for p in PARTS for d in DRIVES]
-PAIRS += [("polyconic", d) for d in DRIVES] + [(p, "polyconic") for p in [*PARTS, "polyconic"]]
+for added in ("polyconic", "slanted"):
+    PAIRS += [(added, d) for d in DRIVES] + [(p, added) for p in [*PARTS, added]]

@@ -289,5 +289,30 @@ TEST(TabulatedCylinderFoot, IsExactNextToACenterOfCurvature) {
   EXPECT_NEAR(foot.distance, -7.9287477372366, 1e-9);
 }
 
+/// A sharp S over one chord: wherever the last foot was, the foot is the nearest of many places of
+/// the curve, to their distance of 0.001.
+TEST(TabulatedCylinderFoot, IsTheNearestWhateverTheHint) {
+  TabulatedCylinder::Piece wave{};
+  wave.dirU = 1.0;
+  wave.length = 3.625;
+  wave.a = -0.285336;
+  wave.b = 1.34036;
+  wave.c = -wave.length * (wave.a * wave.length + wave.b);
+  wave.lowY = -0.2554;
+  wave.highY = 1.1631;
+  const TabulatedCylinder s = cylinderOf({wave});
+  Random r;
+  TabulatedCylinder::Hint hint{};
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p(r.in(-1, 5), r.in(-3, 4), 0.0);
+    double least = 1e300;
+    for (double x = 0.0; x <= wave.length; x += 0.001) {
+      const double y = ((wave.a * x + wave.b) * x + wave.c) * x;
+      least = std::min(least, std::hypot(x - p.x(), y - p.y()));
+    }
+    EXPECT_NEAR(std::abs(s.foot(p, hint).distance), least, 0.002) << i;
+  }
+}
+
 }  // namespace
 }  // namespace arelem::surface
