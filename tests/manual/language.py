@@ -36,7 +36,8 @@ CANON = {
     "SPHERE": "x y z of the center, r",
     "TABCYL": "n intervals, k values behind k, the 3 x 3 matrix of the controlling plane, then u v a b length max min an "
               "interval and the last u v; the first and last interval are straight",
-    "POLCON": "jroots, m1 to m12, t, cb, pb, 7 x 8 coefficients, 7 coefficients of the square root",
+    "POLCON": "jroots, m1 to m12, t, cb, pb, then of each of A B C D L H P the coefficients of d^0 to d^7, then of each that of "
+              "the square root of d",
     "RLDSRF": "sub-forms one after another, each with its type code and count",
     "PATERN": "x y z of each point",
     "TORUS": "x y z of the center, unit axis i j k, radius of the center circle, radius of the tube",
@@ -59,6 +60,17 @@ ABOUT = {
            "here. [Spray painting](../spray.md) tells what it is for.",
     "REGION": "What is painted, in one plane. Boundaries close by themselves, must not cross or touch, and lie in each other: "
               "a HOLE in an outline, an ISLAND in a hole or outside. [Spray painting](../spray.md).",
+    "POLCON": "A polyconic: conics in the planes x = cb + pb d, 0 <= d <= 1. The conic of d begins at (y, z) = (L, H) in the "
+              "direction (C, B) and ends at (L + A + C, H + B + D) in the direction (A, D); (L + C, H + B) is where these two tangents meet. "
+              "P says how full it is: its tangent parallel to the chord touches it at P of the way from the first tangent's "
+              "start to its end, as L + A (1 - P) + C P. P lies between 1/2 and 1: at 0.75 there is a parabola, and 0.70710678 between "
+              "perpendicular tangents of the same length is a quarter of a circle. Each of the seven is k0 + k1 d + ... + k7 d^7 + k sqrt(d). "
+              "jroots is 1 without square roots, else 2: then both signs of the root belong to the surface. The matrix (by rows, the shift in every "
+              "fourth place; twelve zeros: none) turns the part into the system of the conics. What the tool meets lies at t from the "
+              "conics, on the side of the normal: the direction of the conic times the direction of growing d. Beyond its ends a conic "
+              "goes on along its tangents, and the functions along theirs. Drive, part and check surface as any other; the cut vectors "
+              "are proven, but for the tip of a nose, where the normal's direction is not bounded. The example is a quarter of the cylinder of "
+              "radius 5 about the x axis.",
     "REVOLV": "A surface of revolution, for SPRAY. Angles count from the curve's own place.",
     "MESH": "Triangles whose normals, by the order of their corners, stand on the positive side. Drive, part and check surface as "
             "any other; each edge belongs to one triangle or two. Cut vectors are proven over all triangles below them. Lengths "
