@@ -155,6 +155,7 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::units:
       return units(p);
     case WordClass::stencil:
+    case WordClass::refusal:
       return plain(p, {.owner = spell(p.word), .strings = true});
     case WordClass::call:
     case WordClass::ifWord:

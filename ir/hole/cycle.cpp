@@ -86,6 +86,7 @@ class Reader {
     }
     const double* value = number(next_ + 1);
     if (word == "RTRCTO" && value == nullptr) {
+      cycle_.returns = spelling(next_ + 1) == "AUTO";
       ++next_;
       return true;
     }
@@ -110,6 +111,7 @@ class Reader {
       hasClearance_ = true;
     } else if (word == "RTRCTO" || word == "RETURN") {
       cycle_.retract = value;
+      cycle_.returns = word == "RETURN" && value == 0.0;  // Creo: to its retract plane
     } else if (word == "DWELL") {
       cycle_.dwell = value;
       hasDwell_ = value != 0.0;
@@ -192,6 +194,14 @@ class Reader {
 
 Result<Cycle> readCycle(const cl::Post& post) {
   return Reader(post).read();
+}
+
+Cycle cycleFrom(const Cycle& cycle, std::optional<double> height) {
+  Cycle here = cycle;
+  if (cycle.returns && height) {
+    here.retract = std::max(cycle.clearance, *height);
+  }
+  return here;
 }
 
 namespace {
