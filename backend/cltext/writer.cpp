@@ -73,7 +73,7 @@ class TextWriter : public Writer {
   /// The text as it is, after `WORD / `; a blank less each side where that keeps it within the
   /// columns.
   void operator()(const cl::Text& body) {
-    const std::string clean = statementText(body.text);
+    const std::string clean = restOfLine(body.text);
     std::string_view text = trimmed(clean);
     if (body.word != Word::INSERT && text.starts_with('/')) {
       text = trimmed(text.substr(1));  // `PARTNO / PLATE` in the source too: one slash is enough

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ir/diag/ngc.h"
 
@@ -228,10 +229,15 @@ std::optional<Failure> objectionToDrilling(const cl::Post& post) {
 Result<Cycles::Change> Cycles::read(const cl::Post& post) {
   const Word* first = firstWord(post);
   if (ends(post)) {
+    paused_ = first != nullptr && *first == Word::NOMORE ? std::optional(on_) : std::nullopt;
     on_ = false;
     return Change::ended;
   }
+  const std::optional<bool> paused = std::exchange(paused_, std::nullopt);
   if (first != nullptr && *first == Word::ON) {
+    if (paused && !*paused) {
+      return Change::none;  // AVOID of a pattern that is not drilled
+    }
     on_ = true;
     return last_ ? Change::resumed : Change::none;  // CAMWorks: the head of a cycle that follows
   }

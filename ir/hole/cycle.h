@@ -51,6 +51,7 @@ class Cycles {
  private:
   std::optional<Cycle> last_;
   bool on_ = false;
+  std::optional<bool> paused_;  ///< NOMORE came last: whether the cycle was on, which ON restores
 };
 
 /// What a machine that does not drill has against a word CYCLE: E0673, but for those that end one.

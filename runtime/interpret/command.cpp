@@ -131,9 +131,6 @@ void execute(State& state, const ir::Command& command) {
     case WordClass::stencil:
       command.word == Word::ENGRAV ? engrave(state, command) : stencil(state, command);
       return;
-    case WordClass::refusal:
-      refuse(state, command);
-      return;
     case WordClass::units:
       units(state, command);
       return;

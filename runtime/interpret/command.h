@@ -24,9 +24,6 @@ void runControl(State& state, const ir::Command& command);
 /// Every word of the post-processor, and TRACUT, INDEX, COPY, MACHIN.
 void post(State& state, const ir::Command& command);
 
-/// REFUSE: a macro cannot do what its CALL asks; an error at the CALL, and nothing more is executed.
-void refuse(State& state, const ir::Command& command);
-
 /// STENCL: letters painted on the ground.
 void stencil(State& state, const ir::Command& command);
 /// ENGRAV: lines of letters cut into a face.

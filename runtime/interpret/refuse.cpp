@@ -1,9 +1,9 @@
 // REFUSE/'text' [, value]...: how a macro tells of parameters that it cannot work with.
-#include <algorithm>
+#include "runtime/interpret/refuse.h"
+
 #include <utility>
 
-#include "ir/diag/interpret.h"
-#include "runtime/interpret/command.h"
+#include "ir/diag/words.h"
 
 namespace arelem::runtime::interpret {
 
@@ -26,15 +26,11 @@ std::optional<std::string> sentence(const Items& items) {
 }
 }  // namespace
 
-void refuse(State& state, const ir::Command& command) {
-  const auto items = evaluate(state, command.arguments, Use::motion);
-  if (!items) {
-    return;
-  }
+void refuse(State& state, const Items& items) {
   const Span& here = state.statement->span;
-  const std::optional<std::string> why = sentence(*items);
+  const std::optional<std::string> why = sentence(items);
   if (!why) {
-    state.report(diagnose(here, diag::RefuseForm, describe(*items)));
+    state.report(diagnose(here, diag::RefuseForm, describe(items)));
     return;
   }
   // The place is the CALL: its parameters are what the user can change.

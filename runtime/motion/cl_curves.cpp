@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ir/diag/curves.h"
+#include "ir/diag/words.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 #include "runtime/interpret/passed_post.h"
@@ -25,31 +26,36 @@ double dividedRise(std::optional<Word> unit) {
 }  // namespace
 
 namespace {
-/// Why `next`, or the end of all, is not the end of an arc; empty where the arc goes on waiting.
-std::string_view whyLost(const runtime::Action* next, bool positioned) {
+/// What is lost where `next`, null at the end of all, is not the end of an arc; none where the arc
+/// goes on waiting.
+std::optional<Failure> lostBefore(const runtime::Action* next, bool positioned) {
   constexpr std::string_view otherMotion = "its end is a GOTO, and another motion follows";
   if (next == nullptr || std::holds_alternative<runtime::Fini>(next->body)) {
-    return "no GOTO follows";
+    return fail(diag::ArcOpen);
   }
   if (std::holds_alternative<runtime::Arc>(next->body)) {
-    return "another arc follows before its GOTO";
+    return fail(diag::ArcLost, "another arc follows before its GOTO");
   }
   if (const auto* place = std::get_if<runtime::Locate>(&next->body)) {
-    const std::string_view noStart = "no FROM or GOTO before it says where it starts";
-    return place->word != Word::GOTO ? otherMotion : positioned ? "" : noStart;
+    if (place->word != Word::GOTO) {
+      return fail(diag::ArcLost, otherMotion);
+    }
+    return positioned ? std::nullopt
+                      : std::optional(
+                            fail(diag::ArcLost, "no FROM or GOTO before it says where it starts"));
   }
   const bool moves = std::holds_alternative<runtime::Startup>(next->body) ||
                      std::holds_alternative<runtime::Follow>(next->body) ||
                      std::holds_alternative<runtime::FollowSpline>(next->body) ||
                      std::holds_alternative<runtime::Pocket>(next->body);
-  return moves ? otherMotion : "";
+  return moves ? std::optional(fail(diag::ArcLost, otherMotion)) : std::nullopt;
 }
 }  // namespace
 
 void ClCurves::tellLost(const runtime::Action* next) {
-  const std::string_view why = waiting_ ? whyLost(next, state_.positioned) : "";
-  if (!why.empty()) {
-    reporter_.report(*std::exchange(waiting_, std::nullopt), fail(diag::ArcOpen, why));
+  auto lost = waiting_ ? lostBefore(next, state_.positioned) : std::nullopt;
+  if (lost) {
+    reporter_.report(*std::exchange(waiting_, std::nullopt), *std::move(lost));
   }
 }
 
