@@ -11,6 +11,7 @@
 #include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/verify.h"
+#include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 
 namespace arelem::app {
@@ -46,13 +47,27 @@ void Path::accept(const cl::Record& record) {
     }
     const bool isFrom = motion->kind == cl::Motion::Kind::from;
     if (cycles_.now() != nullptr && !isFrom) {
-      location.hole = *cycles_.now();
+      location.hole = holeAt(location.point, location.axis.value_or(Vec3::UnitZ()));
     }
     location.rapid = isFrom || rapid_;
     location.speed = isFrom || (rapid_ && !location.hole) ? 0.0 : speed_.now();
     rapid_ = false;
     locations.push_back(location);
   }
+}
+
+/// The cycle in force, which may return to the height where the tool is now.
+hole::Cycle Path::holeAt(const Vec3& point, const Vec3& axis) const {
+  if (locations.empty()) {
+    return *cycles_.now();
+  }
+  const Location& last = locations.back();
+  const Vec3 before = last.axis.value_or(Vec3::UnitZ());
+  if ((before - axis).norm() > tolerance::symmetric) {
+    return hole::cycleFrom(*cycles_.now(), std::nullopt);
+  }
+  const double over = last.hole ? last.hole->retract : 0.0;
+  return hole::cycleFrom(*cycles_.now(), (last.point - point).dot(axis) + over);
 }
 
 void Path::word(const cl::Post& post) {

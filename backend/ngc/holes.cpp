@@ -60,7 +60,13 @@ void Moves::drill(const ToolPose& at) {
     return report(fail(diag::NgcCycle, std::string("stands while CUTCOM is on; CUTCOM/OFF first")));
   }
   compensation_.finish();
-  const Cycle& cycle = *cycles_.now();
+  const bool along = placed_ && (now_.pose.axis - at.axis).norm() <= tolerance::symmetric;
+  const std::optional<double> height =
+      along ? std::optional((now_.pose.end - at.end).dot(at.axis) / unit_) : std::nullopt;
+  drill(at, hole::cycleFrom(*cycles_.now(), height));
+}
+
+void Moves::drill(const ToolPose& at, const Cycle& cycle) {
   if (!feedIsKnown(at.end)) {
     return;
   }
@@ -76,18 +82,18 @@ void Moves::drill(const ToolPose& at) {
     closeCycle();
   }
   if (!cycleOpen_) {
-    approach(between);
+    approach(between, cycle);
   }
-  const Vec3 along = onMachine(at.end + at.axis) - onMachine(at.end);
-  const bool upright = (along - Vec3::UnitZ()).norm() <= tolerance::symmetric;
+  const Vec3 upwards = onMachine(at.end + at.axis) - onMachine(at.end);
+  const bool upright = (upwards - Vec3::UnitZ()).norm() <= tolerance::symmetric;
   const bool canned = control_.cycles && upright;
   if (!cycleAllowed(canned)) {
     return;
   }
   if (canned) {
-    cannedHole(at);
+    cannedHole(at, cycle);
   } else {
-    drilledHole(at);
+    drilledHole(at, cycle);
   }
 }
 
@@ -106,8 +112,7 @@ bool Moves::cycleAllowed(bool canned) {
 
 /// The way to the first hole: across at the height where the tool is, or at the clearance if that
 /// is higher; straight where the tool turns.
-void Moves::approach(const ToolPose& clear) {
-  const Cycle& cycle = *cycles_.now();
+void Moves::approach(const ToolPose& clear, const Cycle& cycle) {
   const bool wasRapid = std::exchange(rapid_, true);
   if (placed_ && (now_.pose.axis - clear.axis).norm() <= tolerance::symmetric) {
     for (const Vec3& end : hole::wayOver(now_.pose.end, clear.end, clear.axis)) {
@@ -122,8 +127,7 @@ void Moves::approach(const ToolPose& clear) {
   rapid_ = wasRapid;
 }
 
-void Moves::cannedHole(const ToolPose& at) {
-  const Cycle& cycle = *cycles_.now();
+void Moves::cannedHole(const ToolPose& at, const Cycle& cycle) {
   const bool counter = spindle_ == Spindle::counterclockwise;
   const std::array codes = {"G81", "G82", "G83", "G73", "G85", "G89", counter ? "G74" : "G84"};
   const Vec3 place = onMachine(at.end);
@@ -151,8 +155,8 @@ void Moves::cannedHole(const ToolPose& at) {
   placed_ = sure_ = true;
 }
 
-void Moves::drilledHole(const ToolPose& at) {
-  const Result<std::vector<hole::Step>> steps = hole::stepsOf(*cycles_.now());
+void Moves::drilledHole(const ToolPose& at, const Cycle& cycle) {
+  const Result<std::vector<hole::Step>> steps = hole::stepsOf(cycle);
   if (!steps) {
     return report(steps.failure());
   }

@@ -56,10 +56,11 @@ class Moves {
   [[nodiscard]] std::optional<std::vector<robot::TurnedPlace>> way(const robot::ToolPose& to);
   std::size_t arc(std::span<const Vec3> rest);
   void drill(const robot::ToolPose& at);
-  void approach(const robot::ToolPose& clear);
+  void drill(const robot::ToolPose& at, const hole::Cycle& cycle);
+  void approach(const robot::ToolPose& clear, const hole::Cycle& cycle);
   [[nodiscard]] bool cycleAllowed(bool canned);
-  void cannedHole(const robot::ToolPose& at);
-  void drilledHole(const robot::ToolPose& at);
+  void cannedHole(const robot::ToolPose& at, const hole::Cycle& cycle);
+  void drilledHole(const robot::ToolPose& at, const hole::Cycle& cycle);
   void endCycle();
   void closeCycle();
   void putFeed(double length);

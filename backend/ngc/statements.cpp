@@ -30,6 +30,9 @@ void Statements::accept(const cl::Post& post, const Span& origin) {
     case Word::LOADTL:
     case Word::TURRET:
       return tool(post);
+    case Word::SELCTL:
+    case Word::TOOLNO:
+      return nextTool(post);
     case Word::DELAY:
       return delay(post);
     case Word::AUXFUN:
@@ -179,6 +182,16 @@ void Statements::tool(const cl::Post& post) {
   // Where the changer leaves the axes is not known.
   block_.forgetAxes();
   passed(std::string(spell(post.word)) + "/" + given.rest());
+}
+
+/// The tool of the next change; LOADTL or TURRET changes it. What follows the number describes it.
+void Statements::nextTool(const cl::Post& post) {
+  Parameters given(post);
+  const auto number = given.takeNumber();
+  if (!number || *number < 1.0 || !isWhole(*number)) {
+    return refuse(post, "it takes the whole number of a tool first");
+  }
+  line(fmt::format("T{}", static_cast<long long>(*number)));
 }
 
 void Statements::delay(const cl::Post& post) {

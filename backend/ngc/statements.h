@@ -32,6 +32,7 @@ class Statements {
   void delay(const cl::Post& post);
   void function(const cl::Post& post);
   void tool(const cl::Post& post);
+  void nextTool(const cl::Post& post);
   void spray(const cl::Post& post);
 
   BlockWriter& block_;

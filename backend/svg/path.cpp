@@ -66,8 +66,9 @@ void PathCollector::accept(const cl::Record& record) {
   } else if (const auto* along = std::get_if<cl::Surface>(&record.body)) {
     surface(along->surface);
   } else if (const auto* values = std::get_if<cl::Values>(&record.body)) {
+    constexpr std::size_t ringValues = 3;  // CUTTER / OPTION: no diameter
     if (values->word == Word::CUTTER && !values->values.empty() &&
-        std::isfinite(values->values[0])) {
+        values->values.size() != ringValues && std::isfinite(values->values[0])) {
       diameter_ = std::abs(values->values[0]);
     }
   } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {

@@ -71,7 +71,7 @@ class VplusWriter : public Writer {
         report(*std::move(objection));
       }
       if (cycles_.now() != nullptr && motion.kind != cl::Motion::Kind::from) {
-        drill(pose, *cycles_.now());
+        drill(pose, hole::cycleFrom(*cycles_.now(), heightOver(pose)));
       } else {
         moveTo(pose, motion.kind == cl::Motion::Kind::from);
       }
@@ -215,6 +215,15 @@ class VplusWriter : public Writer {
     if (const auto steps = hole::stepsOf(*begun); !steps) {
       report(steps.failure());
     }
+  }
+
+  /// How far the tool stands above a place along its axis; none where that is not known or it
+  /// turns.
+  [[nodiscard]] std::optional<double> heightOver(const Pose& pose) const {
+    if (!here_ || (here_->axis - pose.axis).norm() > tolerance::symmetric) {
+      return std::nullopt;
+    }
+    return (here_->point - pose.point).dot(pose.axis) / millimeters_;
   }
 
   /// A location under a cycle: over the hole, down and up again along the tool, move by move.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ir/diag/ngc.h"
 
@@ -86,6 +87,7 @@ class Reader {
     }
     const double* value = number(next_ + 1);
     if (word == "RTRCTO" && value == nullptr) {
+      cycle_.returns = spelling(next_ + 1) == "AUTO";
       ++next_;
       return true;
     }
@@ -110,6 +112,7 @@ class Reader {
       hasClearance_ = true;
     } else if (word == "RTRCTO" || word == "RETURN") {
       cycle_.retract = value;
+      cycle_.returns = word == "RETURN" && value == 0.0;  // Creo: to its retract plane
     } else if (word == "DWELL") {
       cycle_.dwell = value;
       hasDwell_ = value != 0.0;
@@ -194,6 +197,14 @@ Result<Cycle> readCycle(const cl::Post& post) {
   return Reader(post).read();
 }
 
+Cycle cycleFrom(const Cycle& cycle, std::optional<double> height) {
+  Cycle here = cycle;
+  if (cycle.returns && height) {
+    here.retract = std::max(cycle.clearance, *height);
+  }
+  return here;
+}
+
 namespace {
 const Word* firstWord(const cl::Post& post) {
   return post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
@@ -218,10 +229,15 @@ std::optional<Failure> objectionToDrilling(const cl::Post& post) {
 Result<Cycles::Change> Cycles::read(const cl::Post& post) {
   const Word* first = firstWord(post);
   if (ends(post)) {
+    paused_ = first != nullptr && *first == Word::NOMORE ? std::optional(on_) : std::nullopt;
     on_ = false;
     return Change::ended;
   }
+  const std::optional<bool> paused = std::exchange(paused_, std::nullopt);
   if (first != nullptr && *first == Word::ON) {
+    if (paused && !*paused) {
+      return Change::none;  // AVOID of a pattern that is not drilled
+    }
     on_ = true;
     return last_ ? Change::resumed : Change::none;  // CAMWorks: the head of a cycle that follows
   }

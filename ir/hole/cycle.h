@@ -14,6 +14,7 @@ struct Cycle {
   double depth = 0.0;          ///< below the location; written with either sign
   double clearance = 0.0;      ///< above it, where the feed begins
   double retract = 0.0;        ///< above it, on the way to the next hole; never below clearance
+  bool returns = false;        ///< between holes to the height where the cycle began
   double step = 0.0;           ///< of each peck
   double dwell = 0.0;          ///< seconds
   std::optional<double> feed;  ///< of the cycle; with its unit
@@ -26,6 +27,10 @@ struct Cycle {
 /// again), TAP (G84, or G74 where the spindle turns counter-clockwise), with the words of NX,
 /// SolidWorks CAM, CAMWorks, Creo and CATIA. Errors: other cycles, a number that is missing.
 [[nodiscard]] Result<Cycle> readCycle(const cl::Post& post);
+
+/// The cycle at a location that the tool comes to from `height` above it, none where that is not
+/// known: a cycle that returns to where it began retracts to that height, or to its clearance.
+[[nodiscard]] Cycle cycleFrom(const Cycle& cycle, std::optional<double> height);
 
 /// What the words CYCLE of a program leave in force.
 class Cycles {
@@ -46,6 +51,7 @@ class Cycles {
  private:
   std::optional<Cycle> last_;
   bool on_ = false;
+  std::optional<bool> paused_;  ///< NOMORE came last: whether the cycle was on, which ON restores
 };
 
 /// What a machine that does not drill has against a word CYCLE: E0673, but for those that end one.

@@ -140,7 +140,7 @@ class CutTimer::Path {
 
   /// One location of a cycle: over the hole, down and up again along the tool.
   void drill(const Vec3& end, const Vec3& axis) {
-    const hole::Cycle& cycle = *cycles_.now();
+    const hole::Cycle cycle = hole::cycleFrom(*cycles_.now(), (*at_ - end).dot(axis) / unit_);
     run_.reset();
     follower_.reset();
     rapid_ = true;

@@ -169,6 +169,31 @@ def words_page(words):
     return "\n".join(text)
 
 
+def post_words_page(tables):
+    """Section 5: what each word for the machine takes, and the code profiles."""
+    text = [GENERATED, "", "# Words for the machine", "",
+            "Each is passed on unchanged to CL text, CL tapes and JSON, wherever it stands. A parameter is a number, a name or an "
+            "expression in parentheses, or one of the words listed; CLEARP and CLRSRF take surfaces, TRACUT, COPY and TRANS matrices. "
+            "Another word is the warning [W0583](../diagnostics/W0583.md), another count of numbers "
+            "[W0584](../diagnostics/W0584.md), and both are passed on: a postprocessor may have its own meaning. In other "
+            "dialects than `cl` a name that is no word is [W0204](../diagnostics/W0204.md).", "",
+            "*Acts*: outputs, times or the reading of places act on it, and `arelem check FILE --words` calls it understood. The others "
+            "are for a postprocessor alone. *Code*: the number on a CL tape; `--codes apt4` and files of your own change it "
+            "([profiles](../cl-files.md#numbers-of-words-on-tapes)).", "",
+            "| word | code | form | numbers | words that it takes | acts | meaning |", "|---|---|---|---|---|---|---|"]
+    for row in sorted(tables["postWords"], key=lambda r: r["word"]):
+        bare = row["form"] == row["word"]
+        count = row["least"] if row["least"] == row["most"] else f"{row['least']} to {row['most']}"
+        words = {"": "none", "*": "any"}.get(row["words"], row["words"])
+        form = row["word"] if bare else row["form"] if row["bare"] else f"{row['word']}/ {row['form']}"
+        form = form.replace("|", "\\|")
+        text.append(f"| {row['word']} | {row['code']} | `{form}` | {count} | {words} | {row['acts'] or 'no'} | {row['meaning']} |")
+    rest = [r["word"] for r in tables["words"] if r["class"].startswith("post") and r["word"] not in {p["word"] for p in tables["postWords"]}]
+    text += ["", "Without parameters, for a postprocessor alone: " + ", ".join(sorted(rest)) + ".", "",
+             "Texts go with PARTNO, PPRINT and INSERT: [statements](statements.md#lx-09)."]
+    return "\n".join(text) + "\n"
+
+
 def dialects_page(tables):
     names = ["auto", "apt360", "apt4", "cl", "native"]
     text = [GENERATED, "", "# Dialects", "",
@@ -198,7 +223,7 @@ def index_page(nouns, tables):
             "of several, `[a]` may be absent, `a ...` stands once or more. Angles are degrees.", "",
             "`arelem language CIRCLE` prints the forms of a type.", "",
             "* [Statements and rules](statements.md): lines, computing, arrays, control, listing, run control",
-            "* [Dialects](dialects.md) · [limits](limits.md) · [words](words.md) · [ambiguities decided](ambiguities.md)", "",
+            "* [Words for the machine](post-words.md): what each takes, and which of them act", "* [Dialects](dialects.md) · [limits](limits.md) · [words](words.md) · [ambiguities decided](ambiguities.md)", "",
             "| type | forms | canonical numbers |", "|---|---|---|"]
     for noun, rows in nouns.items():
         text.append(f"| [{noun}]({noun.lower()}.md) | {len({public(r['id']) for r in rows})} | {CANON[noun]} |")
@@ -214,7 +239,7 @@ def pages(arelem):
         nouns.setdefault(row["noun"], []).append(row)
     result = {"README.md": index_page(nouns, tables), "statements.md": statements_page(arelem, tables["features"]),
               "words.md": words_page(tables["words"]), "dialects.md": dialects_page(tables),
-              "limits.md": limits_page(tables["limits"])}
+              "limits.md": limits_page(tables["limits"]), "post-words.md": post_words_page(tables)}
     for noun, rows in nouns.items():
         result[noun.lower() + ".md"] = noun_page(arelem, noun, rows)
     return result
