@@ -37,7 +37,7 @@ class Path : public cl::RecordSink {
  private:
   void word(const cl::Post& post);
   void cycle(const cl::Post& post);
-  [[nodiscard]] backend::hole::Cycle holeAt(const Vec3& point, const Vec3& axis) const;
+  [[nodiscard]] hole::Cycle holeAt(const Vec3& point, const Vec3& axis) const;
   void switchOutput(const cl::Post& post);
 
   hole::Cycles cycles_;
