@@ -27,6 +27,8 @@ constexpr double overRelaxation = 1.6;
 /// Held control points are stiffer than the others by this.
 constexpr double stiffness = 1e6;
 constexpr std::size_t heldPoints = 3;
+/// No control point is moved by more than this, in radii of the tube.
+constexpr double farthest = 3.0;
 /// Halvings of a piece of the difference spline where its hull is measured.
 constexpr int halvings = 1;
 
@@ -330,8 +332,9 @@ void Tube::turn() {
   for (Bound& bound : bounds_) {
     const Vec3 at = overRelaxation * combined(bound.weights, bound.from, shift_) +
                     (1.0 - overRelaxation) * bound.split + bound.dual;
-    const double length = at.norm();
-    bound.split = length > bound.radius ? Vec3(bound.radius / length * at) : at;
+    const double square = at.squaredNorm();
+    const bool isInside = square <= bound.radius * bound.radius;
+    bound.split = isInside ? at : Vec3(bound.radius / std::sqrt(square) * at);
     bound.dual = at - bound.split;
   }
 }
@@ -346,6 +349,14 @@ void Tube::round(double exponent, double pull, int turns) {
   system_.factor();
   for (int i = 0; i < turns; ++i) {
     turn();
+  }
+  // Where the curve has loops the problem about it may lead far away: that is no way to go.
+  const double most = farthest * radius_;
+  for (Vec3& shift : shift_) {
+    const double length = shift.norm();
+    if (!(length <= most)) {
+      shift = std::isfinite(length) ? Vec3(most / length * shift) : Vec3(Vec3::Zero());
+    }
   }
   for (std::size_t k = 0; k < held_.size(); ++k) {
     shift_[held_[k]] = target_[k];

@@ -143,8 +143,7 @@ class NodeChooser {
     const std::size_t i = marks_.before(corner);
     const double x = places_[corner] - places_[i];
     const double limit = path_.corners[corner];
-    if (after_[i].mostBetween(x, x) > limit * (1.0 + tolerance::planSlack) &&
-        !insert(corner, limit)) {
+    if (after_[i].exceeds(limit * (1.0 + tolerance::planSlack), x, x) && !insert(corner, limit)) {
       cutPeak(i, marks_.after(corner), limit);
     }
   }
@@ -161,11 +160,11 @@ class NodeChooser {
     const double allowed = limit * (1.0 + tolerance::planSlack);
     const double a = places_[k] - places_[i];
     const double b = places_[k + 1] - places_[i];
-    if (after_[i].mostBetween(a, b) <= allowed) {
+    if (!after_[i].exceeds(allowed, a, b)) {
       return;
     }
-    const bool startHigh = k != i && after_[i].mostBetween(a, a) > allowed;
-    const bool endHigh = k + 1 != j && after_[i].mostBetween(b, b) > allowed;
+    const bool startHigh = k != i && after_[i].exceeds(allowed, a, a);
+    const bool endHigh = k + 1 != j && after_[i].exceeds(allowed, b, b);
     bool done = (startHigh || endHigh);
     if (startHigh) {
       done = insert(k, limit) && done;
@@ -219,7 +218,7 @@ class NodeChooser {
   }
 
   bool lower(std::size_t i, std::size_t j, double a, double b, double limit) {
-    if (after_[i].mostBetween(a, b) <= limit * (1.0 + 2.0 * tolerance::planSlack)) {
+    if (!after_[i].exceeds(limit * (1.0 + 2.0 * tolerance::planSlack), a, b)) {
       return false;
     }
     speed_[i] = std::min(speed_[i], limit);
@@ -275,13 +274,15 @@ Plan::State Plan::Interval::at(double t) const {
   return {place + rise.distance() + cruise + s.place, s.speed, s.acceleration};
 }
 
-double Plan::Interval::mostBetween(double a, double b) const {
-  const double top = rise.distance();
-  const double down = length - fall.distance();
-  if (b >= top && a <= down) {
-    return peak;
+bool Plan::Interval::exceeds(double speed, double a, double b) const {
+  if (peak <= speed) {
+    return false;
   }
-  return b < top ? rise.at(rise.timeAt(b)).speed : fall.at(fall.timeAt(a - down)).speed;
+  const double down = length - fall.distance();
+  if (b < rise.distance()) {
+    return speed < from || rise.placeOf(speed) < b;
+  }
+  return a <= down || speed < to || down + fall.placeOf(speed) > a;
 }
 
 double Plan::Interval::timeAt(double x) const {

@@ -1,9 +1,14 @@
 """RS-274 outputs, judged by the interpreter of LinuxCNC: every canonical call against the CL."""
+import contextlib
+import io
 import math
+import os
 import pathlib
 import re
 import sys
+import tempfile
 import unittest
+from unittest import mock
 
 from arelem_run import ARELEM, PROJECT, ArelemCase
 
@@ -19,11 +24,7 @@ NUMBER = re.compile(r"[A-Z]-?\d+(\.\d+)?$")
 class NgcCase(ArelemCase):
     @classmethod
     def setUpClass(cls):
-        try:
-            cls.interpreter = rs274.Interpreter(pathlib.Path(ARELEM).resolve().parent)
-        except rs274.Unavailable as why:
-            print(f"SKIPPED: no RS-274 interpreter: {why}", file=sys.stderr)
-            raise unittest.SkipTest(str(why))
+        cls.interpreter = rs274.judge(pathlib.Path(ARELEM).resolve().parent)
 
     def interpret(self, text, *options, name="part"):
         source = self.write(f"{name}.apt", text)
@@ -47,6 +48,24 @@ class NgcCase(ArelemCase):
         source = self.write(f"{name}.apt", text)
         self.assertExit(0, "compile", source, "--to", "json", "-o", "-")
         return paths.cl_locations(self.out)
+
+
+class WithoutInterpreter(unittest.TestCase):
+    """On a developer's computer the tests are skipped and say so; CI, which sets the variable, fails."""
+
+    def test_missing(self):
+        nowhere = {"PATH": "", rs274.REQUIRED: ""}
+        with tempfile.TemporaryDirectory() as build, mock.patch.dict(os.environ, nowhere):
+            with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(unittest.SkipTest):
+                rs274.judge(pathlib.Path(build))
+            self.assertIn("SKIPPED: no RS-274 interpreter", told.getvalue())
+            os.environ[rs274.REQUIRED] = "1"
+            with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(rs274.Unavailable):
+                rs274.judge(pathlib.Path(build))
+            self.assertNotIn("SKIPPED", told.getvalue())
+
+    def test_ci_requires_it(self):
+        self.assertIn(f"export {rs274.REQUIRED}=1\n", (PROJECT / ".ci" / "run").read_text())
 
 
 class EveryExample(NgcCase):
