@@ -5,6 +5,7 @@
 #include "app/cl_input.h"
 #include "app/cl_moves.h"
 #include "app/command.h"
+#include "app/number_check.h"
 #include "app/options.h"
 #include "app/source_file.h"
 #include <Eigen/Geometry>
@@ -209,9 +210,9 @@ int runDiff(const Invocation& invocation) {
   app.add_option("B", second, "another one")->required();
   app.add_option("--tolerance", allowed.distance,
                  "largest distance of ends and centers, part unit of A (1e-6)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFromZero());
   app.add_option("--degrees", allowed.degrees, "largest angle between tool axes (1e-4)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFromZero());
   addSourceOptions(app, settings);
   addMessageOptions(app, settings);
   if (const auto code = parse(app, invocation.words)) {

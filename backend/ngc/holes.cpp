@@ -56,6 +56,10 @@ void Moves::cycle(const cl::Post& post) {
 /// One location under a cycle: drilled along the tool axis, back to the height of RTRCTO or else
 /// the clearance, not higher.
 void Moves::drill(const ToolPose& at) {
+  if (compensation_.isOn()) {
+    return report(fail(diag::NgcCycle, std::string("stands while CUTCOM is on; CUTCOM/OFF first")));
+  }
+  compensation_.finish();
   const Cycle& cycle = *cycles_.now();
   if (!feedIsKnown(at.end)) {
     return;

@@ -270,6 +270,11 @@ void Moves::straight(const TurnedPlace& to) {
     now_ = to;
     return;
   }
+  if (compensation_.isOn() && turned > tolerance::nullDirection) {
+    report(fail(diag::NgcValue, std::string("the turning axes move while CUTCOM is on; a control "
+                                            "offsets in one plane")));
+  }
+  compensation_.put();
   block_.modal('m', rapid_ ? "G0" : "G1");
   putAxes(to);
   if (!rapid_) {
@@ -284,7 +289,8 @@ void Moves::straight(const TurnedPlace& to) {
 /// Puts out an arc from here through the first of `rest` and tells how many it replaces.
 std::size_t Moves::arc(std::span<const Vec3> rest) {
   const bool possible = control_.arcs && run_ && run_->canon.size() == 7 && !rapid_ && placed_ &&
-                        feed_.now().value > 0.0 && feed_.now().mode != FeedMode::inverseTime;
+                        feed_.now().value > 0.0 && feed_.now().mode != FeedMode::inverseTime &&
+                        !compensation_.isPending();
   if (!possible || rest.empty()) {
     return 0;
   }
@@ -303,8 +309,8 @@ std::size_t Moves::arc(std::span<const Vec3> rest) {
                  [&](const Vec3& place) { return onMachine(place); });
   const Vec3 from = onMachine(now_.pose.end);
   const auto found = arcThrough(round, from, places, control_.arcTolerance, band_);
-  if (!found) {
-    return 0;
+  if (!found || (compensation_.isOn() && found->axis != 2)) {
+    return 0;  // a control does not change planes while it offsets the path
   }
   constexpr std::array planes = {"G19", "G18", "G17"};
   constexpr std::array offsets = {'I', 'J', 'K'};

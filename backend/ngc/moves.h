@@ -5,6 +5,7 @@
 #include <string>
 
 #include "backend/ngc/block.h"
+#include "backend/ngc/compensation.h"
 #include "backend/robot/turned_move.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/hole/cycle.h"
@@ -20,7 +21,7 @@ class Moves {
         const Control& control,
         const robot::Turning* turning,
         DiagnosticSink& sink)
-      : block_(block), control_(control), turning_(turning), sink_(sink) {}
+      : block_(block), control_(control), turning_(turning), sink_(sink), compensation_(block) {}
 
   void setRecord(const cl::Record& record) { record_ = &record; }
   void setUnit(double millimeters) { unit_ = millimeters; }
@@ -30,6 +31,9 @@ class Moves {
   enum class Spindle { off, clockwise, counterclockwise };
   void setSpindle(Spindle spindle) { spindle_ = spindle; }
   [[nodiscard]] double spindle() const { return turns_; }  ///< turns a minute
+  void setCutter(double diameter) { cutter_ = diameter; }
+  [[nodiscard]] double cutter() const { return cutter_; }  ///< diameter, part unit
+  [[nodiscard]] Compensation& compensation() { return compensation_; }
   void rapid() { rapid_ = true; }
   void feed(const cl::Post& post);
   void cycle(const cl::Post& post);
@@ -71,6 +75,8 @@ class Moves {
   const Control& control_;
   const robot::Turning* turning_;
   DiagnosticSink& sink_;
+  Compensation compensation_;
+  double cutter_ = 0.0;
   const cl::Record* record_ = nullptr;
   double unit_ = 1.0;
   double band_ = 0.0;  // mm

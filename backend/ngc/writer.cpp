@@ -65,6 +65,9 @@ class NgcWriter : public Writer {
     const double value = body.values.empty() ? 0.0 : std::abs(body.values.front()) * unit_;
     inner_ = body.word == Word::INTOL ? value : inner_;
     outer_ = body.word == Word::OUTTOL ? value : outer_;
+    if (body.word == Word::CUTTER) {
+      moves_.setCutter(value / unit_);
+    }
     toleranceRead_ = toleranceRead_ || body.word != Word::CUTTER;
     moves_.setBand(inner_ + outer_);
   }
@@ -142,6 +145,7 @@ class NgcWriter : public Writer {
     if (ended_) {
       return;
     }
+    moves_.compensation().finish();
     line(control_.end);
     ended_ = true;
   }

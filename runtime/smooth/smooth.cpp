@@ -14,7 +14,7 @@ namespace {
 /// Halvings of each knot interval when the deviation is certified.
 constexpr int certificateHalvings = 2;
 /// Pieces of each knot interval in the time law.
-constexpr int samplesOfASpan = 6;
+constexpr int samplesOfASpan = 4;
 /// A long path is timed in parts of so many knot intervals: its plan would take a kilobyte for
 /// each.
 constexpr std::size_t timedSpans = 4096;

@@ -14,7 +14,7 @@ using spline::CubicSpline;
 
 constexpr Schedule leastCurvature{2.0, 8, 8};
 /// From the path of a few control points to those of more, each begun where the one before ended.
-constexpr std::array leastTime = {Schedule{2.0, 6, 6}, Schedule{3.0, 6, 6}, Schedule{4.0, 6, 6}};
+constexpr std::array leastTime = {Schedule{0.5, 6, 6}, Schedule{2.0, 6, 6}, Schedule{5.0, 6, 8}};
 /// Samples of each knot interval when curves are compared.
 constexpr int samplesOfASpan = 6;
 /// Where a curve is too sharp for the feed, so many knot intervals on each side are refined with

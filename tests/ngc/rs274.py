@@ -72,7 +72,7 @@ class Interpreter:
     def run(self, program, folder):
         """(canonical calls as (name, [arguments]), error text or "")."""
         tools = pathlib.Path(folder) / "tool.tbl"
-        tools.write_text("".join(f"T{n} P{n} Z0 D3\n" for n in range(1, 31)))
+        tools.write_text("".join(f"T{n} P{n} Z0 D{3 if n < 31 else 0}\n" for n in range(1, 32)))
         done = subprocess.run([self.program, "-g", "-t", str(tools), str(program)], cwd=folder, env=self.env,
                               capture_output=True, text=True, timeout=300)
         if "error while loading" in done.stderr:

@@ -1,6 +1,6 @@
 #pragma once
-// The machining time as the source simulates it: Naseath, section 4.3 and eqs. 4-2 to 4-11. Written
-// for the tests alone, from its formulas.
+// The machining time as the source simulates it: Naseath, section 4.5 and eqs. 4-2 to 4-11. Written
+// for the tests and the tables alone, from its formulas.
 #include <algorithm>
 #include <cmath>
 #include <vector>
