@@ -79,6 +79,8 @@ class Scan {
       place.kind = level.word == Word::CALL ? Place::Kind::macroName
                    : level.word == Word::JUMPTO || level.word == Word::TRANTO
                        ? Place::Kind::label
+                   : level.word == Word::RESERV && level.given.size() % 2 == 0
+                       ? Place::Kind::nothing  // new names
                        : Place::Kind::parameter;
     } else if (level.kind == Level::Kind::function) {
       place.kind = Place::Kind::functionArgument;

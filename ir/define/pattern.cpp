@@ -42,6 +42,8 @@ constexpr std::array kinds = {
     Kind{"spline", bits({T::pathSpline})},
     Kind{"surface", conics | bits({T::line, T::plane, T::circle, T::cylinder, T::cone, T::sphere,
                                    T::torus, T::tabulatedCylinder})},
+    Kind{"anySurface",
+         ~bits({T::point, T::vector, T::matrix, T::pattern, T::gun, T::region, T::pathSpline})},
     Kind{"gun", bits({T::gun})},
     Kind{"region", bits({T::region})},
     Kind{"any", ~std::uint64_t{0}},
