@@ -30,6 +30,7 @@ constexpr std::array kinds = {
     Kind{"point", bits({T::point})},
     Kind{"line", bits({T::line})},
     Kind{"plane", bits({T::plane, T::line})},
+    Kind{"level", bits({T::plane})},  // a plane that is no line
     Kind{"circle", bits({T::circle})},
     Kind{"cylinder", bits({T::cylinder, T::circle})},
     Kind{"cone", bits({T::cone})},
