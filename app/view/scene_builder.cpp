@@ -9,6 +9,7 @@
 #include "app/view/path_trace.h"
 #include "app/view/scene_surfaces.h"
 
+#include "ir/hole/drilled.h"
 #include "runtime/certify/certificate.h"
 #include "runtime/path/chords.h"
 
@@ -95,10 +96,10 @@ void addBounds(const certify::Certificate& certificate,
 /// certificate.
 class Fan : public cl::RecordSink {
  public:
-  Fan(PathTrace& path, FaultTrace& faults, certify::Certificate& certificate)
+  Fan(cl::RecordSink& path, FaultTrace& faults, certify::Certificate& certificate)
       : path_(path), faults_(faults), certificate_(certificate) {}
   void accept(const cl::Record& record) override {
-    path_.accept(record);
+    path_.accept(record);  // with the moves of holes
     faults_.accept(record);
     const auto* motion = std::get_if<cl::Motion>(&record.body);
     vectors_ += motion == nullptr ? 0 : motion->points();
@@ -109,7 +110,7 @@ class Fan : public cl::RecordSink {
   [[nodiscard]] bool isShort() const { return vectors_ <= mostProven; }
 
  private:
-  PathTrace& path_;
+  cl::RecordSink& path_;
   FaultTrace& faults_;
   certify::Certificate& certificate_;
   std::uint64_t vectors_ = 0;
@@ -147,7 +148,8 @@ backend::Scene buildScene(Compilation& job, const InterruptFlag& interrupted) {
   CollectingSink faults;  // what the certificate finds is shown as bounds, not as an error
   const auto certificate = certify::makeCertificate(job.evaluation.actions, options, faults);
   FaultTrace missing(job);
-  Fan all(trace, missing, *certificate);
+  hole::Drilled drilled(trace);
+  Fan all(drilled, missing, *certificate);
   static_cast<void>(execute(job, *path::makeChordStage(all, faults), interrupted));
   trace.finish();
   scene.faults = missing.marks();

@@ -12,6 +12,7 @@
 #include "backend/svg/legend.h"
 #include "backend/svg/path_drawer.h"
 #include "backend/svg/solid.h"
+#include "ir/hole/drilled.h"
 
 namespace arelem::backend {
 
@@ -35,7 +36,7 @@ class PictureWriter : public Writer {
                 const Shortcomings& shortcomings)
       : out_(out), context_(context), views_(views), wrong_(shortcomings), path_(mostVertices) {}
 
-  void accept(const cl::Record& record) override { path_.accept(record); }
+  void accept(const cl::Record& record) override { holes_.accept(record); }
 
   void finish() override {
     path_.finish();
@@ -229,6 +230,7 @@ class PictureWriter : public Writer {
   PictureViews views_;
   const Shortcomings& wrong_;
   PathCollector path_;
+  hole::Drilled holes_{path_};
   std::size_t outlines_ = 0;
   std::vector<bool> drawn_;           // by entity: some view shows it
   std::vector<std::string> unnamed_;  // names for which some view had no room

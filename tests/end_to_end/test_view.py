@@ -203,6 +203,24 @@ class Page(ArelemCase):
         self.assertEqual(told[0], sorted(told[0]), told)  # "message error" before "message warning"
         self.assertIn("3 errors, 1 warning", told[1])
 
+    def test_holes_are_drilled(self):
+        # Over the hole at the height of 50, down to the clearance of 2, at 30 mm/min to -30, up again; then over to the next.
+        path = self.write("h.apt", "UNITS/MM\nCUTTER/5\nSPINDL/1000,RPM\nFEDRAT/60\nFROM/0,0,50\nRAPID\nCYCLE/DRILL,30,30,MMPM,2\n"
+                                   "GOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\nGOTO/0,0,50\nFINI\n")
+        self.assertExit(0, "time", path)
+        seconds = float(re.search(r"total ([0-9.]+) s", self.out).group(1))
+        total, places, kinds, line = self.steps(
+            path, {"get": "window.arelem.scene.total"}, {"get": "[...window.arelem.scene.places]"},
+            {"get": "[...window.arelem.scene.kinds]"}, {"get": "[...window.arelem.scene.line]"})
+        self.assertAlmostEqual(total, seconds, delta=0.02)
+        self.assertGreater(total, 2 * 32 / 30 * 60)
+        visited = [tuple(places[3 * i:3 * i + 3]) for i in range(len(kinds))]
+        self.assertEqual(visited[:5], [(0, 0, 50), (10, 0, 50), (10, 0, 2), (10, 0, -30), (10, 0, 2)])
+        self.assertEqual(kinds[:5], [0, 1, 1, 2, 1])
+        self.assertIn((20, 0, -30), visited)
+        self.assertEqual(visited[-1], (0, 0, 50))
+        self.assertEqual(line, [5, 8, 9, 11])
+
     def test_section_and_layers(self):
         shown = {"colors": True}
         told = self.steps(EXAMPLES / "profile.apt", {"key": "1"}, {"press": "#layers label:nth-child(2) input"}, shown, {"key": "x"},
