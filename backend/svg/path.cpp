@@ -106,6 +106,7 @@ void PathCollector::command(const cl::Post& post) {
     return;
   }
   rapid_ = rapid_ || post.word == Word::RAPID;
+  changed_ = changed_ || post.word == Word::RAPID || post.word == Word::FEDRAT;
   const auto* word = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
   if (post.word == Word::SPRAY) {
     gun_ = word != nullptr && *word == Word::ON;
@@ -120,6 +121,9 @@ void PathCollector::move(const cl::Motion& motion, int isn) {
   isn_ = isn;
   if (!continues) {
     addStop();
+  }
+  if (!continues || changed_) {  // in a hole a statement has several kinds
+    changed_ = false;
     kind_ = rapid_ || cycle_ ? MoveKind::rapid
             : gun_           ? MoveKind::gun
             : arc_           ? MoveKind::arc
