@@ -252,6 +252,8 @@ class Features(NgcCase):
         self.assertNotIn("W0693", self.err)
         radius = 1.5 * 25.4  # of the table, which is in inches
         text = self.OFFSET.format(0, 4).replace("-20,-20", "-120,-120").replace("-10,0", "-60,0")
+        text = text.replace("CIRCLE/20,15,15", "CIRCLE/20,60,60").replace("LINE/20,15,20,50", "LINE/20,60,20,90")
+        text = text.replace("GOTO/20,60,0", "GOTO/20,200,0")
         moves = paths.canonical_moves(self.interpret(text))
         self.assertTrue(any(abs(m.end[1] - radius) < 1e-3 for m in moves), [m.end for m in moves])
         self.interpret(self.OFFSET.format(6, 31))
