@@ -3,6 +3,19 @@ import math
 import pathlib
 import struct
 
+
+
+def polyconic(radius=100.0, half=0.8, growth=-0.1):
+    """An arch over y, of arcs of `half` radians to both sides of the top, that grows along y from -45 to 45: z = 30 at the first top."""
+    sine, cosine = math.sin(half), math.cos(half)
+    fall, share = radius * sine * sine / cosine, cosine / (1 + cosine)
+    rows = [[k, growth * k] for k in (-radius * sine, fall, -radius * sine, -fall, radius * sine)]
+    rows += [[30 + radius * (cosine - 1), growth * radius * (cosine - 1)], [0.5 * (1 + share), 0.02]]
+    values = [1, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, -45, 90]
+    values += [k for row in rows for k in row + [0] * 6] + [0] * 7
+    return "POLCON/CANON," + ",$\n".join(f"{k:.12g}" for k in values)
+
+
 # Part surfaces under the tool; the passes run along x in planes of constant y between -width and width.
 SURFACES = {
     "cylinder": ("CYLNDR/0,0,-60,0,1,0,80", 40),
@@ -13,6 +26,7 @@ SURFACES = {
     "tabulated cylinder": ("TABCYL/NOY,SPLINE,2,-70,9,-45,12,-20,8,5,5,25,11,50,13,75", 40),
     "ruled surface": ("RLDSRF/CA,(POINT/-60,-45,0),(POINT/60,-45,0),(POINT/0,-45,30),$\n"
                       "CB,(POINT/-60,45,0),(POINT/60,45,0),(POINT/0,45,20)", 40),
+    "polyconic": (polyconic(), 40),
     "mesh of 200 000 triangles": ("MESH/STL,'wavy.stl'", 40),
 }
 BEFORE = {"ruled surface": "CA=CYLNDR/0,0,-70,0,1,0,100\nCB=CYLNDR/0,0,-80,0,1,0,100\n"}
@@ -23,7 +37,7 @@ CUTTERS = {
     "tapered": f"12,1.5,{6 - 1.5 * (1 - math.sin(math.radians(10))) / math.cos(math.radians(10)):.9f},1.5,0,10,20",
 }
 PASSES = 100
-SLOW = ("mesh of 200 000 triangles", "ruled surface")  # a tenth of the passes
+SLOW = ("mesh of 200 000 triangles", "ruled surface", "polyconic")  # a tenth of the passes
 MESH_SIDE = 316  # 316 * 316 * 2 triangles
 
 

@@ -24,6 +24,8 @@ constexpr int halvings = 12;
 constexpr double smallStep = 1e-9;
 /// A Newton step is at most this share of the ranges of s and t, which are of length one.
 constexpr double stride = 0.25;
+/// A part of the sheet that is bounded reaches at most this far in s and t.
+constexpr double widest = 0.45;
 /// Places from which a search may start, in each direction, and how many are left out where the
 /// foot is known to lie on the surface.
 constexpr int seeds = 33;
@@ -136,6 +138,8 @@ class Polyconic::Sheet {
   };
 
   [[nodiscard]] std::optional<Range> over(const Interval& s, const Interval& t) const;
+  /// The same for a box about a place, its first derivatives also by the mean value theorem.
+  [[nodiscard]] std::optional<Range> about(const Hint& middle, double halfS, double halfT) const;
 
   geometry::Polyconic form_;
   std::vector<Place> places_;
@@ -233,6 +237,26 @@ std::optional<Polyconic::Sheet::Range> Polyconic::Sheet::over(const Interval& s,
   return range;
 }
 
+std::optional<Polyconic::Sheet::Range> Polyconic::Sheet::about(const Hint& middle,
+                                                               double halfS,
+                                                               double halfT) const {
+  const Interval byS(-halfS, halfS);
+  const Interval byT(-halfT, halfT);
+  auto range = over(Interval(middle.s) + byS, Interval(middle.t) + byT);
+  if (range) {
+    const auto center = form_.at<double>(middle.s, middle.t, form_.partOf(middle.s),
+                                         geometry::Polyconic::along(middle.t));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto both = [](Interval& a, const Interval& b) {
+        a = {std::max(a.low, b.low), std::min(a.high, b.high)};
+      };
+      both(range->s[i], Interval(center[i].s) + range->ss[i] * byS + range->st[i] * byT);
+      both(range->t[i], Interval(center[i].t) + range->st[i] * byS + range->tt[i] * byT);
+    }
+  }
+  return range;
+}
+
 /// In parameters x and y whose directions on the sheet are perpendicular and of length one in the
 /// middle of the box, the first form is nearly the unit matrix all over the box, and the
 /// eigenvalues of the second form nearly the curvatures.
@@ -251,11 +275,10 @@ std::optional<Bends> Polyconic::Sheet::curvatures(const Hint& middle, double rea
   const double way = sheetSlack * reach;
   const double halfT = way / f;
   const double halfS = way / e + std::abs(k) * halfT;
-  if (!(std::max(halfS, halfT) <= stride)) {
+  if (!(std::max(halfS, halfT) <= widest)) {
     return std::nullopt;
   }
-  const std::optional<Range> box =
-      over({middle.s - halfS, middle.s + halfS}, {middle.t - halfT, middle.t + halfT});
+  const std::optional<Range> box = about(middle, halfS, halfT);
   if (!box) {
     return std::nullopt;
   }
@@ -276,13 +299,13 @@ std::optional<Bends> Polyconic::Sheet::curvatures(const Hint& middle, double rea
   // The area is the root of the determinant of the first form.
   const double least = 1.0 + change.low;
   const double most = 1.0 + change.high;
-  const auto widest = [&](double value, bool upwards) {
+  const auto farthest = [&](double value, bool upwards) {
     const bool outwards = (value > 0.0) == upwards;
     return value / (outwards ? least * least : most * most);
   };
   const double sign = form_.hasNose() && middle.s < 0.0 ? -1.0 : 1.0;
-  const double low = widest(second.low, false);
-  const double high = widest(second.high, true);
+  const double low = farthest(second.low, false);
+  const double high = farthest(second.high, true);
   return sign > 0.0 ? Bends{-high, -low} : Bends{low, high};
 }
 

@@ -272,10 +272,16 @@ TEST(ByHand, TorusHasEightNumbers) {
               {1, 2, 3, 0, 0, 1, 5, 1}, 0);
 }
 
+/// Parabolas in planes of a system without matrix: jroots 1, pb 10, A = B = 1 and P = 3/4.
 TEST(ByHand, PolyconicIsCanonicalOnly) {
+  std::vector<double> values(79, 0.0);
+  values[0] = 1.0;
+  values[15] = 10.0;
+  values[16] = values[24] = 1.0;
+  values[64] = 0.75;
   P numbers{W::CANON};
-  numbers.insert(numbers.end(), 79, 1.0);
-  EXPECT_EQ(defined(T::polyconic, numbers).canon.size(), 79U);
+  numbers.insert(numbers.end(), values.begin(), values.end());
+  EXPECT_EQ(defined(T::polyconic, numbers).canon, values);
 }
 
 TEST(ByHand, FromOneZsurfToAnother) {
