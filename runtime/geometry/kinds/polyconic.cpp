@@ -26,6 +26,8 @@ constexpr double smallStep = 1e-9;
 constexpr double stride = 0.25;
 /// A part of the sheet that is bounded reaches at most this far in s and t.
 constexpr double widest = 0.45;
+/// It is taken in parts that reach at most this far.
+constexpr double narrow = 0.04;
 /// Places from which a search may start, in each direction, and how many are left out where the
 /// foot is known to lie on the surface.
 constexpr int seeds = 33;
@@ -184,9 +186,6 @@ Box mixed(const Box& a, double x, const Box& b, double y) {
   }
   return sum;
 }
-Vec3 middleOf(const Box& a) {
-  return {a[0].middle(), a[1].middle(), a[2].middle()};
-}
 
 /// The stretches of a range before, inside and behind its limits.
 std::vector<std::pair<Interval, Part>> parts(const Interval& x, double low, double high) {
@@ -203,12 +202,15 @@ std::vector<std::pair<Interval, Part>> parts(const Interval& x, double low, doub
   return result;
 }
 
-/// Bounds of the eigenvalues of all symmetric matrices (a b; b c).
+/// Bounds of the eigenvalues of all symmetric matrices (a b; b c): those of the middle one and how
+/// far the others are from it, and Gershgorin's circles.
 Interval eigenvalues(const Interval& a, const Interval& b, const Interval& c) {
   const double half = 0.5 * (a.middle() + c.middle());
   const double root = std::hypot(0.5 * (a.middle() - c.middle()), b.middle());
   const double off = std::max(a.half(), c.half()) + b.half();
-  return {half - root - off, half + root + off};
+  const double low = std::min(a.low, c.low) - b.size();
+  const double high = std::max(a.high, c.high) + b.size();
+  return {std::max(low, half - root - off), std::min(high, half + root + off)};
 }
 }  // namespace
 
@@ -257,9 +259,51 @@ std::optional<Polyconic::Sheet::Range> Polyconic::Sheet::about(const Hint& middl
   return range;
 }
 
-/// In parameters x and y whose directions on the sheet are perpendicular and of length one in the
-/// middle of the box, the first form is nearly the unit matrix all over the box, and the
-/// eigenvalues of the second form nearly the curvatures.
+namespace {
+/// Parameters x and y whose directions on the sheet are perpendicular and of length one at a place:
+/// S_x = byF / e, S_y = (byG - k byF) / f.
+struct Square {
+  double e, f, k;
+
+  /// Half widths of s and t over a circle of x and y.
+  [[nodiscard]] double halfS(double way) const { return way / e + std::abs(k) * way / f; }
+  [[nodiscard]] double halfT(double way) const { return way / f; }
+};
+
+/// What the coefficients of both fundamental forms by x and y may be: of the first, less the unit
+/// matrix, and of the second times the area.
+struct Forms {
+  Interval exx, exy, eyy, lxx, lxy, lyy;
+  Interval upright;  ///< how far normals go along the middle one, times the area
+
+  template <class Range>
+  Forms(const Range& box, const Square& q, const Vec3& normal) {
+    const Box x = mixed(box.s, 1.0 / q.e, box.s, 0.0);
+    const Box y = mixed(box.t, 1.0 / q.f, box.s, -q.k / q.f);
+    const Box across = cross(y, x);
+    const Box xx = mixed(box.ss, 1.0 / (q.e * q.e), box.ss, 0.0);
+    const Box xy = mixed(box.st, 1.0 / (q.e * q.f), box.ss, -q.k / (q.e * q.f));
+    const Box yy = mixed(mixed(box.tt, 1.0 / (q.f * q.f), box.st, -2.0 * q.k / (q.f * q.f)), 1.0,
+                         box.ss, q.k * q.k / (q.f * q.f));
+    exx = dot(x, x) - 1.0;
+    exy = dot(x, y);
+    eyy = dot(y, y) - 1.0;
+    lxx = dot(across, xx);
+    lxy = dot(across, xy);
+    lyy = dot(across, yy);
+    upright = dot(across, {normal.x(), normal.y(), normal.z()});
+  }
+  void widen(const Forms& o) {
+    for (Interval Forms::*m : {&Forms::exx, &Forms::exy, &Forms::eyy, &Forms::lxx, &Forms::lxy,
+                               &Forms::lyy, &Forms::upright}) {
+      this->*m = geometry::hull(this->*m, o.*m);
+    }
+  }
+};
+}  // namespace
+
+/// The first form is nearly the unit matrix all over the box, and the eigenvalues of the second
+/// nearly the curvatures. The box is taken in parts: intervals widen faster than it does.
 std::optional<Bends> Polyconic::Sheet::curvatures(const Hint& middle, double reach) const {
   const SheetPlace place = at(middle.s, middle.t);
   const double ss = place.byF.squaredNorm();
@@ -268,34 +312,35 @@ std::optional<Bends> Polyconic::Sheet::curvatures(const Hint& middle, double rea
   if (!(ss > 0.0 && tt > noArea * noArea * ss)) {
     return std::nullopt;
   }
-  // S_x = byF / e, S_y = (byG - k byF) / f
-  const double e = std::sqrt(ss);
-  const double f = std::sqrt(tt);
-  const double k = st / ss;
+  const Square square{std::sqrt(ss), std::sqrt(tt), st / ss};
   const double way = sheetSlack * reach;
-  const double halfT = way / f;
-  const double halfS = way / e + std::abs(k) * halfT;
+  const double halfS = square.halfS(way);
+  const double halfT = square.halfT(way);
   if (!(std::max(halfS, halfT) <= widest)) {
     return std::nullopt;
   }
-  const std::optional<Range> box = about(middle, halfS, halfT);
-  if (!box) {
+  const int byS = static_cast<int>(std::ceil(halfS / narrow));
+  const int byT = static_cast<int>(std::ceil(halfT / narrow));
+  const Vec3 normal = form_.rows * place.byG.cross(place.byF).normalized() *
+                      (form_.rows.determinant() < 0.0 ? -1.0 : 1.0);
+  std::optional<Forms> forms;
+  for (int i = 0; i < byS; ++i) {
+    for (int j = 0; j < byT; ++j) {
+      const Hint center{true, middle.s + halfS * ((2 * i + 1.0) / byS - 1.0),
+                        middle.t + halfT * ((2 * j + 1.0) / byT - 1.0)};
+      const std::optional<Range> box = about(center, halfS / byS, halfT / byT);
+      if (!box) {
+        return std::nullopt;
+      }
+      const Forms part(*box, square, normal);
+      forms ? forms->widen(part) : void(forms = part);
+    }
+  }
+  const Interval change = eigenvalues(forms->exx, forms->exy, forms->eyy);
+  if (!(change.size() <= mostChange && forms->upright.low > 0.0)) {
     return std::nullopt;
   }
-  const Box x = mixed(box->s, 1.0 / e, box->s, 0.0);
-  const Box y = mixed(box->t, 1.0 / f, box->s, -k / f);
-  const Interval change = eigenvalues(dot(x, x) - 1.0, dot(x, y), dot(y, y) - 1.0);
-  const Box across = cross(y, x);
-  const Vec3 about = middleOf(across);
-  const Interval length = dot(across, {about[0], about[1], about[2]});
-  if (!(change.size() <= mostChange && length.low > 0.0)) {
-    return std::nullopt;
-  }
-  const Box xx = mixed(box->ss, 1.0 / (e * e), box->ss, 0.0);
-  const Box xy = mixed(box->st, 1.0 / (e * f), box->ss, -k / (e * f));
-  const Box yy = mixed(mixed(box->tt, 1.0 / (f * f), box->st, -2.0 * k / (f * f)), 1.0, box->ss,
-                       k * k / (f * f));
-  const Interval second = eigenvalues(dot(across, xx), dot(across, xy), dot(across, yy));
+  const Interval second = eigenvalues(forms->lxx, forms->lxy, forms->lyy);
   // The area is the root of the determinant of the first form.
   const double least = 1.0 + change.low;
   const double most = 1.0 + change.high;
@@ -303,10 +348,9 @@ std::optional<Bends> Polyconic::Sheet::curvatures(const Hint& middle, double rea
     const bool outwards = (value > 0.0) == upwards;
     return value / (outwards ? least * least : most * most);
   };
-  const double sign = form_.hasNose() && middle.s < 0.0 ? -1.0 : 1.0;
   const double low = farthest(second.low, false);
   const double high = farthest(second.high, true);
-  return sign > 0.0 ? Bends{-high, -low} : Bends{low, high};
+  return form_.hasNose() && middle.s < 0.0 ? Bends{low, high} : Bends{-high, -low};
 }
 
 Bends Polyconic::bends(const Vec3& p, const Foot& foot, double radius) const {
