@@ -164,7 +164,7 @@ class Planner {
   [[nodiscard]] double narrowest() const {
     double least = 1.0;
     if (speedFollowsSpacing()) {
-      const Spacing spacing(laid_.whole);
+      const Spacing spacing(laid_.whole, laid_.step);
       for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
         for (const LinePoint& point : laid_.lines[n]) {
           least = std::min(least, spacing.share(laid_.ranks[n], point));
@@ -221,7 +221,7 @@ class Planner {
     chosen.across = job_.gun.footprint.across;
     chosen.passes = laid_.lines.size();
     const bool follows = speedFollowsSpacing();
-    const Spacing spacing(follows ? laid_.whole : none_);
+    const Spacing spacing(follows ? laid_.whole : none_, laid_.step);
     double seconds = 0.0;
     for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
       const SurfaceLine& line = laid_.lines[n];
