@@ -30,10 +30,10 @@ Result<Resolved> resolved(std::vector<Boundary> boundaries, std::optional<double
   if (corners > region::mostCorners) {
     return fail(diag::RegionSize, region::mostCorners);
   }
-  const double coarsest = box.isEmpty() ? HUGE_VAL : box.diagonal().norm() / 10.0;
+  const double coarsest = box.isEmpty() ? HUGE_VAL : box.diagonal().norm() / 4.0;
   if (chord && *chord > coarsest) {
     return fail(diag::RegionChord, *chord,
-                fmt::format("at most {:.6g}, a tenth of the region", coarsest));
+                fmt::format("at most {:.6g}, a quarter of the region", coarsest));
   }
   Result<region::Region> made = region::regionOf(std::move(boundaries));
   if (!made) {

@@ -170,6 +170,34 @@ class Spray(ArelemCase):
         self.assertIn("16 sizes at 19 angles", self.err)
         self.assertNotIn("other.cls", self.files())
 
+    def test_lines_go_past_the_edges(self):
+        # A plane of 200 by 100, lines 20 apart: 6 of 200; 30 past its edges 8 of 260.
+        surface = ("UNITS/MM\nG1=GUN/CONE,45,STNDOF,30,SPEED,500\nP1=PLANE/0,0,1,0\n"
+                   "SPRAY/P1,GUN,G1,FILM,.05,ULINES,LIMITS,0,200,0,100,STEP,20")
+        one, = self.spray(surface + "\n")
+        self.assertEqual((one["passes"], one["past"]), (6, 0))
+        self.assertAlmostEqual(one["Xi"], 1200, places=6)
+        self.assertLess(one["simulated"]["min"], .5 * one["film"])
+        one, = self.spray(surface + ",PAST,30\n")
+        self.assertEqual((one["passes"], one["past"]), (8, 30))
+        self.assertAlmostEqual(one["Xi"], 8 * 260, places=6)
+        self.assertGreater(one["simulated"]["min"], .75 * one["film"])
+        # The same by planes.
+        one, = self.spray(surface.replace("LIMITS,0,200,0,100", "LIMITS,XLARGE,(PLANE/1,0,0,0),XSMALL,(PLANE/1,0,0,200),"
+                                          "YLARGE,(PLANE/0,1,0,0),YSMALL,(PLANE/0,1,0,100)") + ",PAST,30\n")
+        self.assertGreater(one["simulated"]["min"], .75 * one["film"])
+        self.assertAlmostEqual(one["area"], 20000, delta=200)
+
+    def test_numbers_that_cannot_be(self):
+        surface = "SPRAY/(SPHERE/0,0,0,300),GUN,G1,FILM,.05,ULINES,"
+        for words in ("SPRAY/R1,GUN,G1,FILM,.05,MINCST,-60,10,2,2", "SPRAY/R1,GUN,G1,FILM,.05,MINCST,60,10,2,-2",
+                      surface + "CHORD,0", surface + "CHORD,.00000000001", surface + "PAST,-1", surface + "PAST,1000",
+                      surface + "STEP,-1", "SPRAY/R1,GUN,G1,FILM,0", "SPRAY/R1,GUN,G1,FILM,.05,OVRLAP,1"):
+            self.write("part.apt", GUN.replace(".7,1", "7,10") + PLATE + words + "\nFINI\n")
+            self.assertExit(4, "compile", "part.apt", "-o", "part.cls")
+            self.assertIn("E0373", self.err, words)
+            self.assertNotIn("part.cls", self.files())
+
     def test_passes_have_a_limit(self):
         small = "G2=GUN/ELLIPS,.01,.01,SPEED,500\n"
         cases = {"R1,GUN,G1,FILM,.05,OVRLAP,.9999999": "1e+07 passes over each place",

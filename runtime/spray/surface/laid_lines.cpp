@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include "ir/diag/spray.h"
 #include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
@@ -119,10 +121,49 @@ class Layer {
     }
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       for (const SurfaceLine& line : sectionOf(job_.patch, *grid, planes_[i], job_.chord)) {
-        takeSections(onItsSide(line, planes_[i]), i);
+        std::vector<SurfaceLine> pieces = onItsSide(line, planes_[i]);
+        for (SurfaceLine& piece : pieces) {
+          if (planes_[i].half && piece.size() >= 2) {
+            putOntoAxis(piece.front(), planes_[i]);
+            putOntoAxis(piece.back(), planes_[i]);
+          }
+        }
+        takeSections(std::move(pieces), i);
       }
     }
     return std::nullopt;
+  }
+
+  /// An end where the axis of radial planes cuts a chord goes to where it cuts the surface: by
+  /// Newton's method from there.
+  void putOntoAxis(LinePoint& end, const CuttingPlane& plane) const {
+    constexpr int rounds = 8;
+    const Patch& p = job_.patch;
+    if (std::abs(plane.half->dot(end.place - plane.place)) > tolerance::coincidence) {
+      return;
+    }
+    const auto off = [&](const Vec2& uv) {
+      const Vec3 place = p.at(uv.x(), uv.y());
+      return Vec2(plane.normal.dot(place) - plane.level, plane.half->dot(place - plane.place));
+    };
+    const Vec2 step = tolerance::normalStep * Vec2(p.u1 - p.u0, p.v1 - p.v0);
+    Vec2 uv = end.uv;
+    for (int i = 0; i < rounds; ++i) {
+      Eigen::Matrix2d slope;
+      slope.col(0) = (off(uv + Vec2(step.x(), 0.0)) - off(uv - Vec2(step.x(), 0.0))) / 2.0;
+      slope.col(1) = (off(uv + Vec2(0.0, step.y())) - off(uv - Vec2(0.0, step.y()))) / 2.0;
+      if (!(std::abs(slope.determinant()) > 0.0)) {
+        break;
+      }
+      uv -= step.cwiseProduct(Vec2(slope.inverse() * off(uv)));
+      uv = uv.cwiseMax(Vec2(p.u0, p.v0)).cwiseMin(Vec2(p.u1, p.v1)).eval();
+    }
+    const Vec3 place = p.at(uv.x(), uv.y());
+    // Where the axis only touches the surface, what lies on it at the chord's end is near enough.
+    const bool good = (place - end.place).norm() <= 4.0 * job_.chord;
+    end.uv = good ? uv : end.uv;
+    end.place = p.at(end.uv.x(), end.uv.y());
+    end.normal = p.normal(end.uv.x(), end.uv.y());
   }
 
   void takeSections(std::vector<SurfaceLine> pieces, std::size_t rank) {

@@ -21,10 +21,13 @@ std::optional<LinePoint> beyond(const LinePoint& before, const LinePoint& end, c
   LinePoint point = end;
   point.place += past.length * along.normalized();
   if (past.walls != nullptr) {
+    // From a little before the end: a wall may stand right there.
+    const double back = std::min(chord.norm(), tolerance::wallLift * past.length);
+    const Vec3 start = end.place - back * along.normalized();
     const double low = tolerance::wallLift * past.standOff + past.walls->blur();
     for (const double height : {low, past.standOff}) {
       const Vec3 up = height * end.normal;
-      if (past.walls->between(end.place + up, point.place + up)) {
+      if (past.walls->between(start + up, point.place + up)) {
         return std::nullopt;
       }
     }

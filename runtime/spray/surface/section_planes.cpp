@@ -103,6 +103,18 @@ Result<Levels> levelsOf(const SurfaceJob& job, double widest) {
   levels.closed = wholeTurn;
   return levels;
 }
+
+/// How often planes so far apart cross the triangles of a mesh, about.
+double crossings(const geometry::TriangleMesh& mesh, const Vec3& normal, double step) {
+  double height = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [low, high] =
+        std::minmax({normal.dot(mesh.corner(t, 0)), normal.dot(mesh.corner(t, 1)),
+                     normal.dot(mesh.corner(t, 2))});
+    height += high - low;
+  }
+  return height / step;
+}
 }  // namespace
 
 Result<SectionPlanes> sectionPlanes(const SurfaceJob& job, double widest) {
@@ -127,6 +139,14 @@ Result<SectionPlanes> sectionPlanes(const SurfaceJob& job, double widest) {
     plane.place = radial.place;
     plane.normal = radial.axis.cross(*plane.half);
     plane.level = plane.normal.dot(radial.place);
+  }
+  if (job.mesh) {
+    // Radial planes are as many as parallel ones where they lie farthest apart.
+    const double points = crossings(job.mesh->mesh(), result.planes.front().normal, result.step);
+    if (points > static_cast<double>(job.mostPoints)) {
+      return fail(diag::SprayPoints, points, job.chord, job.mostPoints)
+          .withHelp("a larger STEP needs fewer");
+    }
   }
   return result;
 }

@@ -70,12 +70,13 @@ LinePoint middleOf(const LinePoint& a, const LinePoint& b) {
   return {(a.place + b.place) / 2.0, (a.normal + b.normal).normalized(), (a.uv + b.uv) / 2.0};
 }
 
-Spacing::Spacing(const std::vector<SurfaceLine>& lines) : lines_(lines) {
+Spacing::Spacing(const std::vector<SurfaceLine>& lines, double step) : lines_(lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const LinePoint& point : lines[i]) {
       widest_ = std::max(widest_, distance(i, point));
     }
   }
+  widest_ = std::min(widest_, step);
 }
 
 double Spacing::distance(std::size_t line, const LinePoint& point) const {

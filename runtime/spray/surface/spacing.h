@@ -10,7 +10,8 @@ namespace arelem::spray {
 /// or of v: the neighbor's nearest place is looked for from the same parameter on.
 class Spacing {
  public:
-  explicit Spacing(const std::vector<SurfaceLine>& lines);
+  /// `step`: how far apart the lines were laid; chords may seem farther.
+  Spacing(const std::vector<SurfaceLine>& lines, double step);
 
   /// In (0, 1]; at least `nearest`. 1 within rounding where the lines are parallel.
   [[nodiscard]] double share(std::size_t line, const LinePoint& point) const;

@@ -17,6 +17,7 @@ namespace {
 constexpr double alike = 0.999;         // radii that are measured to less are the same
 constexpr double alikeOfMesh = 0.95;    // triangles blur them
 constexpr double piecesOfRadius = 4.0;  // of the footprint, over which a mesh's bend is measured
+constexpr double asFast = 1e-6;         // the rounding of normals makes no nozzle faster
 constexpr double bentMost = 0.95;       // of the way: at its sharpest bends the gun slows down
 
 class Planner {
@@ -135,7 +136,7 @@ class Planner {
     const double d = job_.gun.standOff;
     const double length = (b.place - a.place).norm();
     const double way = (b.place + d * b.normal - a.place - d * a.normal).norm();
-    return length > 0.0 ? std::max(1.0, way / length) : 1.0;
+    return length > 0.0 && way / length > 1.0 + asFast ? way / length : 1.0;
   }
 
   /// The same for nearly all of the way.
@@ -164,7 +165,7 @@ class Planner {
   [[nodiscard]] double narrowest() const {
     double least = 1.0;
     if (speedFollowsSpacing()) {
-      const Spacing spacing(laid_.whole);
+      const Spacing spacing(laid_.whole, laid_.step);
       for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
         for (const LinePoint& point : laid_.lines[n]) {
           least = std::min(least, spacing.share(laid_.ranks[n], point));
@@ -221,7 +222,7 @@ class Planner {
     chosen.across = job_.gun.footprint.across;
     chosen.passes = laid_.lines.size();
     const bool follows = speedFollowsSpacing();
-    const Spacing spacing(follows ? laid_.whole : none_);
+    const Spacing spacing(follows ? laid_.whole : none_, laid_.step);
     double seconds = 0.0;
     for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
       const SurfaceLine& line = laid_.lines[n];

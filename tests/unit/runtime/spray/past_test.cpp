@@ -50,24 +50,25 @@ std::size_t beyond(const Sprayed& s, const Inside& inside) {
   return count;
 }
 
-/// A plate of 400 by 300, lines 20 apart where the footprint is 80 wide: every place inside lies
-/// under four passes, those on the edges under half of them, or half as long.
+/// A plate of 400 by 300, lines 20 apart where the footprint is 80 wide: places at the ends are
+/// sprayed half as long, those on the sides lack a pass.
 TEST(Past, EdgesGetTheFilmOfTheMiddle) {
   SurfaceJob job = jobOf(plane, Limits4{0, 400, 0, 300});
   job.step = 20.0;
   const auto filmAt = [&job](double x, double y) {
     return film::Bursts(sprayed(job)).filmAt({x, y, 0.0}, Vec3::UnitZ());
   };
-  const double middle = filmAt(200, 150);
-  EXPECT_NEAR(middle, job.film, 0.03 * job.film);
-  EXPECT_NEAR(filmAt(0, 150) / middle, 0.5, 0.02);
-  // The pass on the edge and what the one beside it adds there, of (p(0) + 2 p(1/2)) in all.
-  const double side = (1.0 + std::sqrt(0.75)) / (1.0 + 2.0 * std::sqrt(0.75));
+  const double middle = filmAt(200, 160);  // under a pass
+  // Of sqrt(1 - u^2) at 0, 1/2 and 1/2, and of the mean of passes half a half width apart.
+  const double under = 1.0 + 2.0 * std::sqrt(0.75);
+  EXPECT_NEAR(middle / job.film, under / M_PI, 0.01);
+  EXPECT_NEAR(filmAt(0, 160) / middle, 0.5, 0.02);
+  const double side = (1.0 + std::sqrt(0.75)) / under;
   EXPECT_NEAR(filmAt(200, 0) / middle, side, 0.02);
   EXPECT_NEAR(filmAt(0, 0) / middle, side / 2.0, 0.02);
   job.past = 40.0;
-  for (const auto& [x, y] : {std::pair{0.0, 150.0},
-                             {400.0, 150.0},
+  for (const auto& [x, y] : {std::pair{0.0, 160.0},
+                             {400.0, 160.0},
                              {200.0, 0.0},
                              {200.0, 300.0},
                              {0.0, 0.0},
