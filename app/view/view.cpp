@@ -168,7 +168,7 @@ bool put(Compilation& job,
 
 /// The kind of an output: of a file by its suffix; standard output has the kind of --to.
 Kind kindOf(const std::string& path, const ViewOptions& options) {
-  return path == standardStream ? *kindOf("." + options.format) : *kindOf(path);
+  return path == standardStream ? *kindOf("picture." + options.format) : *kindOf(path);
 }
 
 void produce(Compilation& job, const ViewOptions& options, const InterruptFlag& interrupted) {
