@@ -211,7 +211,7 @@ void Statements::tool(const cl::Post& post) {
   given.takeNumber();
   const double height = lengthRegister(post, given, *first);
   if (height < 0.0 || !isWhole(height)) {
-    return refuse(post, "the length offset is a whole number");
+    return refuse(post, "ADJUST takes the whole number of a length offset, as OSETNO does");
   }
   // The tool that is in the spindle stays there: its registers change.
   if (std::exchange(loaded_, *first) != *first) {
