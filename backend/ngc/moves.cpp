@@ -41,7 +41,8 @@ void Moves::feed(const cl::Post& post) {
 
 std::optional<Moves::Feed> Moves::readFeed(const cl::Post& post) {
   Parameters given(post);
-  const std::string_view unit = given.take({"IPM", "MMPM", "IPR", "MMPR", "MMPS", "INVERS"});
+  const std::string_view unit =
+      given.take({"IPM", "MMPM", "IPR", "MMPR", "MMPS", "INVERS", "PERMIN"});
   const std::optional<double> value = given.takeNumber();
   if (!value || !given.rest().empty()) {
     report(fail(diag::NgcStatement, written(post),
@@ -53,10 +54,10 @@ std::optional<Moves::Feed> Moves::readFeed(const cl::Post& post) {
   }
   const bool perTurn = unit == "IPR" || unit == "MMPR";
   const bool inverse = unit == "INVERS";
-  const double factor = unit.empty()                 ? unit_
-                        : unit == "MMPS"             ? secondsOfAMinute
-                        : unit[0] == 'I' && !inverse ? millimetersOfAnInch
-                                                     : 1.0;
+  const double factor = unit.empty() || unit == "PERMIN" ? unit_
+                        : unit == "MMPS"                 ? secondsOfAMinute
+                        : unit[0] == 'I' && !inverse     ? millimetersOfAnInch
+                                                         : 1.0;
   return Feed{*value * factor, inverse   ? FeedMode::inverseTime
                                : perTurn ? FeedMode::perTurn
                                          : FeedMode::perMinute};
@@ -75,7 +76,10 @@ void Moves::move(const cl::Motion& motion) {
   if (motion.points() == 0) {
     return;
   }
-  if (motion.kind != cl::Motion::Kind::continuation) {
+  if (motion.kind == cl::Motion::Kind::continuation) {
+    rapid_ = rapidRun_;  // records of one motion go at one speed
+  } else {
+    rapidRun_ = rapid_;
     run_ = std::exchange(surface_, std::nullopt);
     if (run_ && run_->canon.size() == 7) {
       for (const std::size_t i : {0U, 1U, 2U, 6U}) {
@@ -123,8 +127,11 @@ void Moves::points(const cl::Motion& motion) {
   }
 }
 
-/// FROM tells where the tool stands; nothing moves.
+/// The first FROM tells where the tool stands; later ones are moves.
 void Moves::from(const ToolPose& pose) {
+  if (placed_ && sure_) {
+    return line(pose);
+  }
   now_.pose = pose;
   placed_ = true;
   sure_ = false;

@@ -84,6 +84,7 @@ class Moves {
   double turns_ = 0.0;
   Spindle spindle_ = Spindle::off;
   bool rapid_ = false;
+  bool rapidRun_ = false;  // the motion whose records come goes at rapid
   hole::CycleFeed<Feed> feed_;
   hole::Cycles cycles_;
   double share_ = 1.0;  // of a divided move that a line is: it has as much of an inverse time

@@ -1,7 +1,10 @@
 #include "backend/ngc/statements.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "ir/diag/ngc.h"
 
@@ -15,6 +18,17 @@ constexpr double highestCode = 999.0;
 
 bool isWhole(double number) {
   return number == std::floor(number);
+}
+/// G codes of moves and canned cycles: alone in a block they need what is not there, or stay in
+/// force for the moves behind them.
+bool isMotion(double code) {
+  constexpr std::array alone = {5.0, 33.0, 38.0, 73.0, 76.0};  // splines, threads, probes, cycles
+  constexpr double dwell = 4.0;
+  constexpr double firstCycle = 80.0;
+  constexpr double absolute = 90.0;
+  const double whole = std::floor(code);
+  return code < dwell || (code >= firstCycle && code < absolute) ||
+         std::find(alone.begin(), alone.end(), whole) != alone.end();
 }
 }  // namespace
 
@@ -155,27 +169,59 @@ void Statements::function(const cl::Post& post) {
   if (!number || *number < 0.0 || *number > highestCode || !given.rest().empty()) {
     return refuse(post, "it takes one code from 0 to 999");
   }
+  if (post.word == Word::PREFUN && isMotion(*number)) {
+    return refuse(post,
+                  fmt::format("G{:g} moves the tool or changes what later moves are", *number));
+  }
   line(fmt::format("{}{:g}", post.word == Word::AUXFUN ? 'M' : 'G', *number));
   block_.forgetAll();
 }
 
+/// The register of the length: ADJUST or OSETNO; the fourth of four numbers (Fusion: tool, pocket,
+/// length, offset); the second of two or three (CATIA: tool, corrector); else the tool's number.
+double Statements::lengthRegister(const cl::Post& post, Parameters& given, double tool) {
+  const std::optional<double> adjusted = given.takeNumberAfter("ADJUST");
+  const std::optional<double> offset = given.takeNumberAfter("OSETNO");
+  std::vector<double> behind;
+  for (std::size_t i = 1; i < post.arguments.size(); ++i) {
+    const double* number = std::get_if<double>(&post.arguments[i]);
+    if (number == nullptr) {
+      break;
+    }
+    behind.push_back(*number);
+  }
+  constexpr std::size_t ofFusion = 3;
+  std::optional<double> positional;
+  if (!behind.empty()) {
+    positional = behind.size() == ofFusion ? behind.back() : behind.front();
+    for (std::size_t i = 0; i < behind.size(); ++i) {
+      given.takeNumber();
+    }
+  }
+  return adjusted ? *adjusted : offset ? *offset : positional.value_or(tool);
+}
+
 void Statements::tool(const cl::Post& post) {
   Parameters given(post);
-  const std::optional<double> adjusted = given.takeNumberAfter("ADJUST");
-  const auto number = given.takeNumber();
-  if (!number || *number < 1.0 || !isWhole(*number)) {
+  const double* first =
+      post.arguments.empty() ? nullptr : std::get_if<double>(&post.arguments.front());
+  if (first == nullptr || *first < 1.0 || !isWhole(*first)) {
     return refuse(post, "it takes the whole number of a tool first");
   }
-  if (moves_.compensation().isOn()) {
-    return refuse(post, "CUTCOM is on; a control changes tools without it");
-  }
-  moves_.compensation().finish();
-  moves_.compensation().setTool(static_cast<long long>(*number));
-  const double height = adjusted.value_or(*number);
+  given.takeNumber();
+  const double height = lengthRegister(post, given, *first);
   if (height < 0.0 || !isWhole(height)) {
-    return refuse(post, "ADJUST takes the whole number of a length offset");
+    return refuse(post, "ADJUST takes the whole number of a length offset, as OSETNO does");
   }
-  line(fmt::format("T{} M6", static_cast<long long>(*number)));
+  // The tool that is in the spindle stays there: its registers change.
+  if (std::exchange(loaded_, *first) != *first) {
+    if (moves_.compensation().isOn()) {
+      return refuse(post, "CUTCOM is on; a control changes tools without it");
+    }
+    moves_.compensation().finish();
+    moves_.compensation().setTool(static_cast<long long>(*first));
+    line(fmt::format("T{} M6", static_cast<long long>(*first)));
+  }
   if (control_.toolLength) {
     line(fmt::format("G43 H{}", static_cast<long long>(height)));
   }

@@ -33,6 +33,7 @@ class Statements {
   void function(const cl::Post& post);
   void tool(const cl::Post& post);
   void nextTool(const cl::Post& post);
+  static double lengthRegister(const cl::Post& post, Parameters& given, double tool);
   void spray(const cl::Post& post);
 
   BlockWriter& block_;
@@ -40,6 +41,7 @@ class Statements {
   Moves& moves_;
   DiagnosticSink& sink_;
   Span origin_;
+  double loaded_ = 0.0;   // the tool in the spindle, by LOADTL or TURRET; 0: not known
   bool counter_ = false;  // the spindle turns counterclockwise
   std::set<std::string> warned_;
 };

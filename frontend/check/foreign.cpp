@@ -8,6 +8,7 @@
 #include "frontend/read/characters.h"
 #include "frontend/read/encoding.h"
 #include "ir/diag/frontend.h"
+#include "ir/diag/words.h"
 
 namespace arelem::frontend {
 
@@ -190,6 +191,25 @@ std::optional<CatiaArc> catiaArc(std::string_view text) {
   return whole ? std::optional(arc) : std::nullopt;
 }
 
+/// A motion word behind a blank or a comma, or before a number without a slash, as in `RAPID
+/// GOTO/1,2,3` and `GOTO 1,2,3`: a move that would be lost.
+std::optional<std::string_view> hiddenMotion(std::string_view text) {
+  constexpr std::array words = {"GOTO", "FROM", "GODLTA", "CIRCLE", "MOVARC"};
+  for (const std::string_view word : words) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1)) {
+      const std::size_t end = at + word.size();
+      const bool begins = at == 0 || text[at - 1] == ' ' || text[at - 1] == ',';
+      const char next = end < text.size() ? text[end] : '\0';
+      const bool alone = next == ' ' || next == '/' || next == '\0';
+      if (begins && alone && !(at == 0 && next == '/')) {
+        return word;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 /// GOTO/ with five numbers: two of an axis are no axis.
 std::optional<ir::LocateNumbers> fiveNumbers(std::string_view text) {
   std::array<double, 5> numbers{};
@@ -254,6 +274,10 @@ bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {
   const RawText text = joined(statement, context_.sources);
   const std::size_t i = std::min(text.text.find_first_of("/,"), text.text.size());
   const std::string head = upperCase(std::string_view(text.text).substr(0, i), true);
+  if (const auto motion = hiddenMotion(word ? upperCase(text.text, true) : head)) {
+    context_.report(diagnose(statement.span, diag::HiddenMotion, *motion));
+    return true;
+  }
   std::vector<ir::Argument> list = rawArguments(text, i, word.has_value(), buffer_, frame.values);
   while (word == Word::CUTTER && !list.empty() && list.back().span.length == 0) {
     list.pop_back();  // CAMWorks ends CUTTER with a comma

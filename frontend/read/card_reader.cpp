@@ -50,6 +50,17 @@ std::string_view behindSlash(std::string_view text) {
   return text.starts_with(' ') ? text.substr(1) : text;
 }
 
+bool isOfNumber(char c) {
+  return isDigit(c) || c == '.';
+}
+/// A digit or a point behind a blank.
+bool beginsNumber(std::string_view field, std::size_t i) {
+  return i > 0 && isBlank(field[i - 1]) && isOfNumber(field[i]);
+}
+bool endsNumber(std::string_view text) {
+  return !text.empty() && isOfNumber(text.back());
+}
+
 /// True where a list goes on: whatever follows a `$` there is comment.
 bool endsInSeparator(std::string_view text) {
   return !text.empty() && (text.back() == ',' || text.back() == '/');
@@ -315,17 +326,20 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
   statement.span.buffer = buffer_;
   CardEnd ending = CardEnd::done;
   bool lowerCase = false;
+  const bool free = options_.takes(&DialectRules::freeWidth);
   std::size_t i = 0;
   while (i < field.size()) {
     const CharRow& c = classify(field[i]);
     if (c.kind == CharClass::letter || c.kind == CharClass::digit ||
         c.kind == CharClass::punctuation) {
+      if (free && beginsNumber(field, i) && endsNumber(statement.text)) {
+        append(statement, ',', line.offset + i);  // `1.0 2.0`: blanks separate numbers of CL text
+      }
       append(statement, c.upper, line.offset + i);
       lowerCase = lowerCase || c.upper != field[i];
     } else if (c.kind == CharClass::dollar) {
       const std::size_t second = field.find_first_not_of(" \t", i + 1);
       const bool adjacent = second == i + 1;
-      const bool free = options_.takes(&DialectRules::freeWidth);
       const bool dollars = second != std::string_view::npos && field[second] == '$';
       const bool comment = dollars && (adjacent || !free);
       if (free && second != std::string_view::npos && !dollars &&

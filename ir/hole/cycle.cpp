@@ -33,8 +33,9 @@ class Reader {
     }
     for (next_ = 1; next_ < values_.size();) {
       if (!item()) {
-        return fail(diag::NgcCycle,
-                    fmt::format("has something else than a number after `{}`", spelling(next_)));
+        return fail(
+            diag::NgcCycle,
+            fmt::format("has `{}` without a number, which no canned cycle takes", spelling(next_)));
       }
     }
     return checked();
@@ -86,6 +87,12 @@ class Reader {
       return true;
     }
     const double* value = number(next_ + 1);
+    // Creo: a hole through the part; NX: the tool is fed out again, as BORE does.
+    const bool drags = word == "DRAG" && cycle_.kind == Cycle::Kind::bore;
+    if (value == nullptr && (word == "THRU" || drags)) {
+      ++next_;
+      return true;
+    }
     if (word == "RTRCTO" && value == nullptr) {
       cycle_.returns = spelling(next_ + 1) == "AUTO";
       ++next_;

@@ -1,6 +1,7 @@
 #include "runtime/interpret/cl_statement.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ir/diag/curves.h"
 #include "runtime/interpret/command.h"
@@ -55,6 +56,8 @@ class ArcReader {
         }
         if (item.is(Word::ANGLE)) {
           arc.sweepDegrees = *number;
+        } else if (*number != std::floor(*number)) {
+          return false;
         } else {
           constexpr double most = 1e6;  // far beyond what is taken
           arc.turns = static_cast<int>(std::clamp(*number, -1.0, most));

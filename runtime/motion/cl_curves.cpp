@@ -29,7 +29,8 @@ namespace {
 /// What is lost where `next`, null at the end of all, is not the end of an arc; none where the arc
 /// goes on waiting.
 std::optional<Failure> lostBefore(const runtime::Action* next, bool positioned) {
-  constexpr std::string_view otherMotion = "its end is a GOTO, and another motion follows";
+  constexpr std::string_view otherMotion =
+      "its end is a GOTO or GODLTA, and another motion follows";
   if (next == nullptr || std::holds_alternative<runtime::Fini>(next->body)) {
     return fail(diag::ArcOpen);
   }
@@ -37,7 +38,7 @@ std::optional<Failure> lostBefore(const runtime::Action* next, bool positioned) 
     return fail(diag::ArcLost, "another arc follows before its GOTO");
   }
   if (const auto* place = std::get_if<runtime::Locate>(&next->body)) {
-    if (place->word != Word::GOTO) {
+    if (place->word == Word::FROM || place->axial) {
       return fail(diag::ArcLost, otherMotion);
     }
     return positioned ? std::nullopt
@@ -53,26 +54,28 @@ std::optional<Failure> lostBefore(const runtime::Action* next, bool positioned) 
 }  // namespace
 
 void ClCurves::tellLost(const runtime::Action* next) {
+  now_ = next;
   auto lost = waiting_ ? lostBefore(next, state_.positioned) : std::nullopt;
   if (lost) {
     reporter_.report(*std::exchange(waiting_, std::nullopt), *std::move(lost));
   }
 }
 
-/// The turn of a move at one height whose chord stays as near to it as the points of an arc that a
-/// CAM system divided; none of others.
-std::optional<double> ClCurves::fineTurn(const ArcMove& move) const {
+/// The turn of a move of less than a whole one, at one height and on the circle; none of others.
+std::optional<double> ClCurves::levelTurn(const ArcMove& move) const {
   if (move.pieces.size() != 1 || !move.warnings.empty()) {
     return std::nullopt;
   }
   const std::vector<double>& circle = move.pieces[0].circle.surface.canon;
   const Vec3 axis(circle[3], circle[4], circle[5]);
-  const double radius = circle[6];
-  const double turn = move.length / radius;
-  const double rise = radius * (1.0 - std::cos(turn / 2.0));
   const bool level = std::abs((move.pieces[0].end - state_.toolEnd).dot(axis)) <= arcEnd;
-  return level && turn < std::numbers::pi && rise <= dividedRise(unit_) ? std::optional(turn)
-                                                                        : std::nullopt;
+  return level ? std::optional(move.length / circle[6]) : std::nullopt;
+}
+
+/// How far the chord of a move is off its arc.
+double ClCurves::riseOf(const ArcMove& move, double turn) {
+  const double radius = move.pieces[0].circle.surface.canon[6];
+  return turn < std::numbers::pi ? radius * (1.0 - std::cos(turn / 2.0)) : radius;
 }
 
 bool ClCurves::takes(const runtime::Locate& to, std::uint64_t step) {
@@ -85,27 +88,39 @@ bool ClCurves::takes(const runtime::Locate& to, std::uint64_t step) {
     return false;
   }
   const Result<ArcMove> move = arcMove(before->arc, state_.toolEnd, to.point, std::nullopt);
-  const std::optional<double> turn = move ? fineTurn(*move) : std::nullopt;
-  if (!turn || before->turned + *turn > 2.0 * std::numbers::pi) {
+  const std::optional<double> turn = move ? levelTurn(*move) : std::nullopt;
+  const double whole = 2.0 * std::numbers::pi + tolerance::symmetric;
+  if (!turn || (to.point - state_.toolEnd).norm() <= arcEnd || before->turned + *turn > whole) {
     return false;
   }
-  divided_ = before;
-  return true;
+  const double rise = riseOf(*move, *turn);
+  if (before->fine && rise <= dividedRise(unit_)) {
+    divided_ = before;
+    return true;
+  }
+  if (tellsChords_ && rise > arcEnd) {
+    constexpr double degrees = 180.0 / std::numbers::pi;
+    reporter_.report(*now_, fail(diag::ChordOfArc, *turn * degrees, rise));
+    tellsChords_ = false;
+  }
+  return false;
 }
 
 Result<CurveFact> ClCurves::goAlong(const runtime::Locate& to) {
   const double turned = divided_ ? divided_->turned : 0.0;
   const runtime::Arc arc = divided_ ? divided_->arc : std::get<runtime::Arc>(waiting_->body);
+  const Vec3 end = to.word == Word::GODLTA ? Vec3(state_.toolEnd + to.point) : to.point;
   divided_.reset();
   waiting_.reset();
-  Result<ArcMove> move = arcMove(arc, state_.toolEnd, to.point, state_.direction[0]);
+  Result<ArcMove> move = arcMove(arc, state_.toolEnd, end, state_.direction[0]);
   state_.direction = {};  // INDIRV was for this arc
   if (!move) {
     return move.takeFailure();
   }
-  const std::optional<double> turn = arc.axis && !arc.sweepDegrees ? fineTurn(*move) : std::nullopt;
+  const std::optional<double> turn =
+      arc.axis && !arc.sweepDegrees ? levelTurn(*move) : std::nullopt;
   if (turn) {
-    divided_ = Divided{arc, step_, turned + *turn};
+    divided_ = Divided{arc, step_, turned + *turn, riseOf(*move, *turn) <= dividedRise(unit_)};
   }
   for (const ArcMove::Piece& piece : move->pieces) {
     if (state_.output) {
@@ -113,7 +128,7 @@ Result<CurveFact> ClCurves::goAlong(const runtime::Locate& to) {
       writer_.putCurve(cl::Motion::Way::counterclockwise, piece.end, state_.axis, state_.multax);
     }
   }
-  state_.toolEnd = to.point;
+  state_.toolEnd = end;
   state_.forward = state_.lastAcross = move->tangent;
   return CurveFact{"CIRCLE", move->length, std::move(move->warnings)};
 }
@@ -153,6 +168,13 @@ Result<CurveFact> ClCurves::goAlong() {
   state_.toolEnd = end;
   state_.positioned = true;
   return fact;
+}
+
+void endAxes(State& state, const runtime::Toggle& toggle) {
+  if (toggle.word == Word::MULTAX && !toggle.on) {
+    state.axis = Vec3::UnitZ();
+    state.axisRule = {};
+  }
 }
 
 void showAxis(State& state, RecordWriter& writer) {

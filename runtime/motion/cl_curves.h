@@ -19,8 +19,9 @@ struct CurveFact {
 /// waits for the GOTO of its end; a spline ends where another statement than KNOT and CNTRL stands.
 class ClCurves {
  public:
-  ClCurves(State& state, RecordWriter& writer, Reporter& reporter)
-      : state_(state), writer_(writer), reporter_(reporter) {}
+  /// `text`: the program is a CL file, where a chord of an arc may be meant as a part of it.
+  ClCurves(State& state, RecordWriter& writer, Reporter& reporter, bool text)
+      : state_(state), writer_(writer), reporter_(reporter), tellsChords_(text) {}
 
   /// Told of every action before it is performed, null at the end of all. An arc that waits is
   /// forgotten with a warning where that is neither its GOTO nor a statement that moves nothing.
@@ -39,23 +40,30 @@ class ClCurves {
   [[nodiscard]] Result<CurveFact> goAlong();
 
  private:
-  /// The arc of the statement before, where its chord is as fine as those of Creo's POINTS_&_ARC.
+  /// The arc of the statement before.
   struct Divided {
     runtime::Arc arc;
     std::uint64_t step = 0;
     double turned = 0.0;  ///< radians since the arc began
+    bool fine = false;    ///< its chord is as near to it as those of Creo's POINTS_&_ARC
   };
-  [[nodiscard]] std::optional<double> fineTurn(const ArcMove& move) const;
+  [[nodiscard]] std::optional<double> levelTurn(const ArcMove& move) const;
+  [[nodiscard]] static double riseOf(const ArcMove& move, double turn);
 
   State& state_;
   RecordWriter& writer_;
   Reporter& reporter_;
   std::optional<runtime::Action> waiting_;
   std::optional<Divided> divided_;
+  const runtime::Action* now_ = nullptr;
+  bool tellsChords_;
   std::uint64_t step_ = 0;
   std::optional<Word> unit_;
   path::ClSpline spline_;
 };
+
+/// MULTAX/OFF of CAM systems: locations of three numbers behind it have the axis z.
+void endAxes(State& state, const runtime::Toggle& toggle);
 
 /// An axis that is not z is written even without MULTAX: CL files of CAM systems have none.
 void showAxis(State& state, RecordWriter& writer);

@@ -328,6 +328,7 @@ class Motions {
       writer_.put(cl::Switch{t.word});
     } else {
       motion::setToggle(state_, t, writer_);
+      options_.axesFollow ? motion::endAxes(state_, t) : void();
     }
   }
 
@@ -364,7 +365,7 @@ class Motions {
   bool stop_ = false;
   bool warnedNoFrom_ = false;
   State state_;
-  motion::ClCurves curves_{state_, writer_, reporter_};
+  motion::ClCurves curves_{state_, writer_, reporter_, options_.axesFollow};
   EntityPtr lastDrive_;
 };
 }  // namespace

@@ -168,8 +168,9 @@ class Cl(ArelemCase):
         self.assertIn("GOTO / 5.0, 6.0, 0.0", lines)
 
     def test_words_that_a_word_does_not_take(self):
-        wrong = ["SPINDL/FLOOD", "FEDRAT/CLW", "LOADTL/FLOOD", "COOLNT/CLW", "CUTCOM/FLOOD", "DELAY/CLW", "TURRET/IPM", "SELCTL/MIST"]
-        right = ["SPINDL/1000,RPM,CLW", "FEDRAT/MMPM,9", "LOADTL/1,LENGTH,2", "COOLNT/MIST", "CUTCOM/LEFT,XYPLAN", "DELAY/2", "COOLNT/SHOWER"]
+        wrong = ["SPINDL/FLOOD", "FEDRAT/CLW", "LOADTL/FLOOD", "COOLNT/CLW", "CUTCOM/FLOOD", "DELAY/CLW", "TURRET/IPM", "SELCTL/MIST",
+                 "COOLNT/SHOWER"]
+        right = ["SPINDL/1000,RPM,CLW", "FEDRAT/MMPM,9", "LOADTL/1,LENGTH,2", "COOLNT/MIST", "CUTCOM/LEFT,XYPLAN", "DELAY/2"]
         self.write("a.cls", "\n".join(["$$ISO", *wrong, *right, "GOTO/1,2,3", "FINI", ""]))
         self.assertExit(0, "check", "a.cls", "--words")
         self.assertEqual(self.err.count("W0583"), len(wrong))

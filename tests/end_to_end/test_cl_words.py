@@ -33,6 +33,7 @@ class Words(ArelemCase):
             straight = [x for x in lines if x.startswith("GOTO")]
             self.assertEqual(len(straight), len(points))
             self.assertLess(len([x for x in lines if x.startswith("CIRCLE")]), len(points))
+            self.assertEqual("W0585" in self.err, points[-1] > points[-2], self.err)
 
     def test_points_never_go_round_twice(self):
         lines = self.arcs(range(5, 400, 5))
@@ -84,16 +85,31 @@ class Words(ArelemCase):
         lines = self.ngc("FROM/0,0,0\nTOOLNO/4,MILL,1,0\nLOADTL/4\nSELCTL/7\nGOTO/1,0,0\n")
         self.assertEqual([x for x in lines if x.startswith("T")], ["T4", "T4 M6", "T7"])
 
+    def test_words_of_cycles_that_stand_alone(self):
+        for cycle in ("CYCLE/DRILL,THRU,DEPTH,5,MMPM,100,CLEAR,2", "CYCLE/BORE,DRAG,RAPTO,3,FEDTO,-5,MMPM,100"):
+            lines = self.ngc(f"FROM/0,0,9\nSPINDL/500,CLW\n{cycle}\nGOTO/1,0,0\nCYCLE/OFF\n")
+            self.assertTrue([x for x in lines if "G81" in x or "G85" in x], lines)
+        self.compile("UNITS/MM\nFEDRAT/9\nFROM/0,0,9\nCYCLE/BORE,NODRAG,RAPTO,3,FEDTO,-5,MMPM,100\nGOTO/1,0,0\nFINI\n", target="ngc", code=6)
+        self.assertIn("NODRAG", self.err)
+
+    def test_codes_of_motion_are_no_prefun(self):
+        for code in (0, 1, 2, 3, 38.2, 81):
+            self.compile(f"UNITS/MM\nFEDRAT/9\nFROM/0,0,9\nPREFUN/{code}\nGOTO/1,0,0\nFINI\n", target="ngc", code=6)
+            self.assertIn("E0670", self.err)
+        self.assertIn("G64", self.ngc("FROM/0,0,0\nPREFUN/64\nGOTO/1,0,0\n"))
+
     def test_parameters_are_checked_by_one_table(self):
         for statement, codes in (("SPINDL/1000,RPM,CLW", ""), ("COOLNT/FLOOD", ""), ("LOADTL/3,ADJUST,3", ""), ("TURRET/1,SETOOL,0,0,0", ""),
                                  ("CYCLE/DRILL,5,MMPM,100,2", ""), ("CUTCOM/LEFT,XYPLAN", ""), ("AUXFUN/8", ""), ("SEQNO/10,INCR,5", ""),
                                  ("CLEARP/XYPLAN,5", ""), ("ROTABL/ATANGL,90", ""), ("REVERS/LEFT,XAXIS", ""), ("OPSKIP/ON", ""),
                                  ("SPINDL/FLOOD", "W0583"), ("LOADTL/ON", "W0584"), ("COOLNT/1,2,3", "W0584"), ("DELAY/ON", "W0584"),
                                  ("OPSKIP/FLOOD", "W0583"), ("PREFUN/ON", "W0584"), ("MAXDPM/1,2", "W0584"), ("SAFETY/CLW", "W0583"),
-                                 ("AIR/LEFT", "W0583"), ("INDEX/1,2", "E0470")):
+                                 ("AIR/LEFT", "W0583"), ("COOLNT/-7", "W0583"), ("LOADTL/-7", "W0583"), ("DELAY/-7", "W0583"),
+                                 ("CYCLE/FLOOD", "W0583"), ("FEDRAT", "W0584"), ("SPINDL", "W0584"), ("FEDRAT/ON", "W0583 W0584"),
+                                 ("SEQNO/FLOOD", "W0583"), ("TOOLNO/CLW", "W0584"), ("HEAD/IPM", "W0583"), ("INDEX/1,2", "E0470")):
             self.write("a.apt", f"FROM/0,0,0\n{statement}\nGOTO/1,2,3\nFINI\n")
             self.run_arelem("compile", "a.apt", "--to", "cl", "--diagnostics", "gnu")
-            self.assertEqual([w for w in ("W0583", "W0584", "E0470") if w in self.err], [codes] if codes else [], (statement, self.err))
+            self.assertEqual([w for w in ("W0583", "W0584", "E0470") if w in self.err], codes.split(), (statement, self.err))
         self.compile("FROM/0,0,0\nRAPID/5\nGOTO/1,2,3\nFINI\n")
         self.assertEqual(self.err.count("warning["), 1, self.err)
 

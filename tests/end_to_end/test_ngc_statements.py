@@ -23,6 +23,10 @@ WRITTEN = {
     "SPINDL/600\nDELAY/3,REV": ["S600.0 M3", "G4 P0.300"],
     "DELAY/2": ["G4 P2.000"],
     "LOADTL/3,ADJUST,7": ["T3 M6", "G43 H7"],
+    "LOADTL/6,1": ["T6 M6", "G43 H1"],
+    "LOADTL/6,1\nLOADTL/6,2": ["T6 M6", "G43 H1", "G43 H2"],
+    "LOADTL/6\nLOADTL/7\nLOADTL/6": ["T6 M6", "G43 H6", "T7 M6", "G43 H7", "T6 M6", "G43 H6"],
+    "SELCTL/4": ["T4"],
 }
 # Statements, their lines and what the warning W0675 names: it stands in a comment.
 PASSED = {
