@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/geometry/kinds.h"
+#include "runtime/tool/near_triangles.h"
 #include "runtime/tool/profile.h"
 
 /// Contact of a cutter with one side of a surface.
@@ -28,6 +29,13 @@ struct Search {
   Vec3 boundAt = Vec3::Zero();
   double clearance = -1.0;  ///< of the upper shank beyond the gap, when the tool was there:
   Vec3 clearAt = Vec3::Zero(), clearAxis = Vec3::Zero();
+};
+
+/// With a mesh: the last foot or nearest triangle, and what is near on the way.
+template <>
+struct Search<surface::Mesh> {
+  surface::Mesh::Hint hint{};
+  NearTriangles near;
 };
 
 /// The tool end alone: relation ON.
