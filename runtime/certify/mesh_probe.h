@@ -10,9 +10,17 @@ namespace arelem::certify {
 class MeshProbe final : public Probe {
  public:
   MeshProbe(const surface::Mesh& mesh, const Relation& relation)
-      : mesh_(mesh), cutter_(*relation.cutter), body_(cutter_), thick_(relation.thick) {
-    reach_ = std::hypot(cutter_.maxRadius(), std::max(cutter_.h, cutter_.f + cutter_.r));
-  }
+      : MeshProbe(mesh, relation, std::make_unique<Own>(*relation.cutter)) {}
+  /// With a search of one's own, for the same cutter, which must stay where it is.
+  MeshProbe(const surface::Mesh& mesh,
+            const Relation& relation,
+            tool::Search<surface::Mesh>& search)
+      : mesh_(mesh),
+        cutter_(*relation.cutter),
+        body_(cutter_),
+        thick_(relation.thick),
+        reach_(std::hypot(cutter_.maxRadius(), std::max(cutter_.h, cutter_.f + cutter_.r))),
+        search_(search) {}
 
   void take(const Chord& chord) override {
     chord_ = chord;
@@ -54,6 +62,16 @@ class MeshProbe final : public Probe {
   }
 
  private:
+  struct Own {
+    explicit Own(const tool::Profile& profile) : cutter(profile) {}
+    tool::Profile cutter;
+    tool::Search<surface::Mesh> search;
+  };
+  MeshProbe(const surface::Mesh& mesh, Relation relation, std::unique_ptr<Own> own)
+      : MeshProbe(mesh, Relation{&own->cutter, relation.side, relation.thick}, own->search) {
+    own_ = std::move(own);
+  }
+
   /// What a turn of the axis may add or take between two nodes.
   [[nodiscard]] double turning(const Node& a, const Node& b) const {
     return chord_.turn() * (b.s - a.s) * reach_;
@@ -91,12 +109,13 @@ class MeshProbe final : public Probe {
   }
 
   surface::Mesh mesh_;
-  tool::Profile cutter_;
+  std::unique_ptr<Own> own_;
+  const tool::Profile& cutter_;
   tool::Body body_;
   double thick_, reach_;
   Chord chord_;
   double floor_ = -unbounded;  ///< proven for the whole cut vector
-  tool::Search<surface::Mesh> search_;
+  tool::Search<surface::Mesh>& search_;
 };
 
 }  // namespace arelem::certify
