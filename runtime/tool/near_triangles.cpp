@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/tool/gap_above.h"
+
 namespace arelem::tool {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr double growth = 1.5;
 /// Lists reach this much beyond the gap, as a share of the length of the piece of way.
 constexpr double margin = 1.0 / 16.0;
 /// Share of the piece of way that lies behind.
-constexpr double behind = 0.25;
+constexpr double behind = 0.5;
 /// Tools that moved by more lengths of the last piece of way did not go on along it.
 constexpr double jump = 4.0;
 /// Length of the first piece of way, in lengths of an edge.
@@ -131,7 +133,7 @@ TriangleGap NearTriangles::scan(const PlacedBody& body, std::size_t& triangle) {
     if (c.triangle == triangle || c.below(body.te()) - turned > least.gap) {
       continue;
     }
-    const TriangleGap gap = gapOf(body, facetOf(*shape_, c.triangle));
+    const TriangleGap gap = gapOf(body, facetOf(*shape_, c.triangle), least.gap);
     if (turned == 0.0) {
       c.raise(gap, body.te());
     }
@@ -174,13 +176,14 @@ TriangleGap NearTriangles::least(const surface::MeshShape& shape,
 double NearTriangles::lowestOf(Candidate& c, const PlacedBody& a, const PlacedBody& b, double aim) {
   const Facet facet = facetOf(*shape_, c.triangle);
   const Vec3 step = b.te() - a.te();
-  const TriangleGap first = gapOf(a, facet);
+  const double enough = aim + step.norm();
+  const TriangleGap first = gapOf(a, facet, enough);
   c.raise(first, a.te());
   const double rise = first.slope.dot(step);
   if (std::min(first.low, first.low + rise) >= aim) {
     return aim;
   }
-  const TriangleGap last = gapOf(b, facet);
+  const TriangleGap last = gapOf(b, facet, enough);
   const double fall = last.slope.dot(step);
   if (std::min(last.low, last.low - fall) >= aim) {
     c.raise(last, b.te());

@@ -1,10 +1,10 @@
-#include "runtime/tool/triangle_gap.h"
-
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "runtime/geometry/triangle_tree.h"
+#include "runtime/tool/gap_above.h"
 
 namespace arelem::tool {
 
@@ -76,12 +76,18 @@ Vec3 lean(const PlacedBody& body, const PlaneContact& plane) {
   return length > 0.0 ? Vec3(across / length) : Vec3(body.axis().unitOrthogonal());
 }
 
+/// The place of a plane that is deepest inside the cutter, with the contact there.
+struct Deepest {
+  Vec3 place;
+  TriangleGap contact;
+};
+
 /// A plane that cuts the sharp edge between bottom and side off: its deepest place is as far from
 /// one as from the other. None where the deepest place is elsewhere.
-std::optional<TriangleGap> cutEdge(const PlacedBody& body,
-                                   const Facet& t,
-                                   const PlaneContact& plane,
-                                   const Vec3& falls) {
+std::optional<Deepest> cutEdge(const PlacedBody& body,
+                               const Facet& t,
+                               const PlaneContact& plane,
+                               const Vec3& falls) {
   const Profile& p = body.cutter();
   if (!body.isPlain() || plane.nz <= 0.0) {
     return std::nullopt;
@@ -100,24 +106,45 @@ std::optional<TriangleGap> cutEdge(const PlacedBody& body,
     return std::nullopt;
   }
   const Vec3 place = body.te() - rho * falls + z * body.axis();
-  if (std::abs(body.distance(place) + z) > touching || !isInside(t, place)) {
+  if (std::abs(body.distance(place) + z) > touching) {
     return std::nullopt;
   }
   const double rate = 1.0 / (plane.nz + steep * (1.0 - p.sinBeta) / p.cosBeta);
   const Vec3 corner = body.te() - p.sideStart.rho * falls + p.sideStart.z * body.axis();
-  return TriangleGap{-z, plane.normal, corner, -z, rate * plane.normal};
+  return Deepest{place, {-z, plane.normal, corner, -z, rate * plane.normal}};
+}
+
+/// A plane below the signed distance: that of any place p is at least base + slope.p.
+struct Support {
+  double base = 0.0;
+  Vec3 slope = Vec3::Zero();
+
+  static Support at(const Vec3& place, const Away& a) {
+    return {a.distance - a.gradient.dot(place), a.gradient};
+  }
+};
+
+/// A contact at a place of the triangle.
+TriangleGap contactBy(const Away& a, const Support& below, const Facet& t) {
+  return {a.distance, -a.gradient, a.onCutter, below.base + t.lowest(below.slope), -below.slope};
 }
 
 /// The place of a plane that is deepest inside the cutter, where that is more than its corner is
 /// round: by symmetry it lies in the plane of axis and normal. The least of a convex function by
 /// golden sections.
-Vec3 deepestPlace(const PlacedBody& body, const Facet& t) {
+Deepest deepestOf(const PlacedBody& body, const Facet& t, const Vec3& normal) {
   constexpr double golden = 0.6180339887498949;
+  const auto contact = [&](const Vec3& place) {
+    const Away a = body.away(place);
+    Deepest deepest{place, contactBy(a, Support::at(place, a), t)};
+    deepest.contact.normal = normal;
+    return deepest;
+  };
   const Vec3 start = body.te() - t.up.dot(body.te() - t.a) * t.up;
   const Vec3 across = body.axis() - t.up.dot(body.axis()) * t.up;
   const double steep = across.norm();
   if (steep <= tolerance::rounding) {
-    return start;
+    return contact(start);
   }
   const Vec3 along = across / steep;
   const auto at = [&](double s) { return body.distance(start + s * along); };
@@ -142,22 +169,7 @@ Vec3 deepestPlace(const PlacedBody& body, const Facet& t) {
       f2 = at(x2);
     }
   }
-  return start + 0.5 * (low + high) * along;
-}
-
-/// A plane below the signed distance: that of any place p is at least base + slope.p.
-struct Support {
-  double base = 0.0;
-  Vec3 slope = Vec3::Zero();
-
-  static Support at(const Vec3& place, const Away& a) {
-    return {a.distance - a.gradient.dot(place), a.gradient};
-  }
-};
-
-/// A contact at a place of the triangle.
-TriangleGap contactBy(const Away& a, const Support& below, const Facet& t) {
-  return {a.distance, -a.gradient, a.onCutter, below.base + t.lowest(below.slope), -below.slope};
+  return contact(start + 0.5 * (low + high) * along);
 }
 
 /// A place on an edge, as a share of it.
@@ -181,8 +193,8 @@ class EdgeSearch {
     return {share, a, a.gradient.dot(edge_), Support::at(place(share), a)};
   }
 
-  /// Lowers `best` where the edge is nearer.
-  void run(OnEdge low, OnEdge high, TriangleGap& best) const {
+  /// Lowers `best` where the edge is nearer; roughly where it is not nearer than `enough`.
+  void run(OnEdge low, OnEdge high, double enough, TriangleGap& best) const {
     if (low.slope >= 0.0 || high.slope <= 0.0) {
       return;
     }
@@ -197,7 +209,7 @@ class EdgeSearch {
       if (bound >= best.gap) {
         return;
       }
-      if (nearest.distance - bound <= leastOfEdge ||
+      if (bound > enough || nearest.distance - bound <= leastOfEdge ||
           (high.share - low.share) * length_ <= placeOnEdge) {
         break;
       }
@@ -225,7 +237,7 @@ class EdgeSearch {
         kept = 1;
       }
     }
-    if (nearest.distance < best.gap) {
+    if (nearest.distance <= best.gap) {
       best = between(low, high, nearest);
     }
   }
@@ -264,7 +276,7 @@ class EdgeSearch {
 };
 
 /// The nearest corner or place of an edge.
-TriangleGap onBorder(const PlacedBody& body, const Facet& t) {
+TriangleGap onBorder(const PlacedBody& body, const Facet& t, double enough) {
   const std::array<const Vec3*, 3> corners{&t.a, &t.b, &t.c};
   std::array<Away, 3> away;
   std::size_t nearest = 0;
@@ -281,7 +293,7 @@ TriangleGap onBorder(const PlacedBody& body, const Facet& t) {
     for (int part = 1; part <= parts; ++part) {
       const OnEdge high =
           part == parts ? edge.at(1.0, away[next]) : edge.at(static_cast<double>(part) / parts);
-      edge.run(low, high, best);
+      edge.run(low, high, enough, best);
       low = high;
     }
   }
@@ -289,7 +301,11 @@ TriangleGap onBorder(const PlacedBody& body, const Facet& t) {
 }
 }  // namespace
 
-TriangleGap gapOf(const PlacedBody& body, const Facet& t) {
+TriangleGap gapOf(const PlacedBody& body, const Facet& triangle) {
+  return gapOf(body, triangle, std::numeric_limits<double>::infinity());
+}
+
+TriangleGap gapOf(const PlacedBody& body, const Facet& t, double enough) {
   if (const auto ball = ballGap(body, t)) {
     return *ball;
   }
@@ -298,23 +314,19 @@ TriangleGap gapOf(const PlacedBody& body, const Facet& t) {
   const Vec3 onCutter = body.te() + plane.on.z * body.axis() - plane.on.rho * falls;
   const Vec3 place = onCutter - plane.gap * plane.normal;
   // Outside the plane, and inside as far as the cutter is round, the place is the plane's nearest.
-  const bool nearest = plane.gap >= 0.0 || body.distance(place) <= plane.gap + touching;
-  if (nearest && isInside(t, place)) {
-    return {plane.gap, plane.normal, onCutter, plane.gap, plane.normal};
-  }
-  if (!nearest && body.isConvex()) {
-    if (const auto cut = cutEdge(body, t, plane, falls)) {
-      return *cut;
+  // No triangle is nearer than its plane.
+  if (plane.gap >= 0.0 || body.distance(place) <= plane.gap + touching) {
+    if (plane.gap > enough || isInside(t, place)) {
+      return {plane.gap, plane.normal, onCutter, plane.gap, plane.normal};
     }
-    const Vec3 deepest = deepestPlace(body, t);
-    if (isInside(t, deepest)) {
-      const Away a = body.away(deepest);
-      TriangleGap inside = contactBy(a, Support::at(deepest, a), t);
-      inside.normal = plane.normal;
-      return inside;
+  } else if (body.isConvex()) {
+    const auto cut = cutEdge(body, t, plane, falls);
+    const Deepest deepest = cut ? *cut : deepestOf(body, t, plane.normal);
+    if (deepest.contact.gap > enough || isInside(t, deepest.place)) {
+      return deepest.contact;
     }
   }
-  return onBorder(body, t);
+  return onBorder(body, t, enough);
 }
 
 GapTangent tangentBelow(const PlacedBody& body, const Facet& t) {
