@@ -179,6 +179,12 @@ double NearTriangles::lowestOf(Candidate& c, const PlacedBody& a, const PlacedBo
   const double enough = aim + step.norm();
   const TriangleGap first = gapOf(a, facet, enough);
   c.raise(first, a.te());
+  if (first.gap >= enough) {
+    return aim;  // it changes by no more than the way
+  }
+  if (step.isZero(0.0)) {
+    return first.gap;
+  }
   const double rise = first.slope.dot(step);
   if (std::min(first.low, first.low + rise) >= aim) {
     return aim;
