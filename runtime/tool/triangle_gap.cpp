@@ -1,10 +1,11 @@
+#include "runtime/tool/triangle_gap.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 
 #include "runtime/geometry/triangle_tree.h"
-#include "runtime/tool/gap_above.h"
 
 namespace arelem::tool {
 

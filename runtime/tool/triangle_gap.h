@@ -34,6 +34,9 @@ struct TriangleGap {
 /// The contact is searched in the plane of the triangle (closed forms but for cutters that are
 /// deeper inside than their corner is round), at its corners and along its edges.
 [[nodiscard]] TriangleGap gapOf(const PlacedBody& body, const Facet& triangle);
+/// The same, but a gap above `enough` is not told exactly: only that it is above, with a tangent
+/// that is right.
+[[nodiscard]] TriangleGap gapOf(const PlacedBody& body, const Facet& triangle, double enough);
 
 /// A tangent of the gap below it (see TriangleGap) from one measured distance.
 struct GapTangent {
