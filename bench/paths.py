@@ -4,7 +4,6 @@ import pathlib
 import struct
 
 
-
 def polyconic(radius=100.0, half=0.8, growth=-0.1):
     """An arch over y, of arcs of `half` radians to both sides of the top, that grows along y from -45 to 45: z = 30 at the first top."""
     sine, cosine = math.sin(half), math.cos(half)
@@ -18,6 +17,7 @@ def polyconic(radius=100.0, half=0.8, growth=-0.1):
 
 # Part surfaces under the tool; the passes run along x in planes of constant y between -width and width.
 SURFACES = {
+    "plane": ("PLANE/.1,.2,1,0", 40),
     "cylinder": ("CYLNDR/0,0,-60,0,1,0,80", 40),
     "cone": ("CONE/(POINT/0,-300,-60),(VECTOR/0,1,0),15", 40),
     "sphere": ("SPHERE/0,0,-60,80", 40),
@@ -36,8 +36,10 @@ CUTTERS = {
     "bull-nose": "12,1.5",
     "tapered": f"12,1.5,{6 - 1.5 * (1 - math.sin(math.radians(10))) / math.cos(math.radians(10)):.9f},1.5,0,10,20",
 }
-PASSES = 100
-SLOW = ("mesh of 200 000 triangles", "ruled surface", "polyconic")  # a tenth of the passes
+# On a plane the passes run along leaning cylinders: along planes each would be one cut vector.
+DRIVES = {"plane": "(CYLNDR/0,-400,0,0,.1,1,(400+Y))"}
+PASSES = (100, 1000)  # growth: ten times the passes, ten times the cut vectors
+FEW = {"mesh of 200 000 triangles": (10, 100), "ruled surface": (10, 100), "polyconic": (10, 100)}
 MESH_SIDE = 316  # 316 * 316 * 2 triangles
 
 
@@ -57,9 +59,10 @@ def wavy_mesh(path, side=MESH_SIDE):
 
 def program(surface, cutter, passes, tolerance=.0005):
     definition, width = SURFACES[surface]
+    drive = DRIVES.get(surface, "(PLANE/0,1,0,Y)")
     return (f"PARTNO {surface.upper()}\nINTOL/0\nOUTTOL/{tolerance:.10f}\nCUTTER/{CUTTERS[cutter]}\nNUMPTS/100000\n"
             f"{BEFORE.get(surface, '')}PS1={definition}\nXA=PLANE/1,0,0,-40\nXE=PLANE/1,0,0,40\nFROM/-60,0,60\nLOOPST\nY={-width}\n"
-            "A) GOTO/-45,Y,60\nGO/ON,(PLANE/0,1,0,Y),TO,PS1,ON,XA\nINDIRV/1,0,0\nTLON,GOFWD/(PLANE/0,1,0,Y),ON,XE\n"
+            f"A) GOTO/-45,Y,60\nGO/ON,{drive},TO,PS1,ON,XA\nINDIRV/1,0,0\nTLON,GOFWD/{drive},ON,XE\n"
             f"GODLTA/0,0,80\nY=Y+{2 * width / passes:.7f}\nIF(Y-{width})A,A,B\nB) GOTO/-60,0,60\nLOOPND\nFINI\n")
 
 
@@ -74,7 +77,8 @@ def cases(folder):
         rows.append((what, folder / name, "cut vectors"))
     for s, surface in enumerate(SURFACES):
         for cutter in CUTTERS:
-            add(f"{surface}, {cutter}", f"{s}_{cutter}.apt", program(surface, cutter, 10 if surface in SLOW else PASSES))
+            for passes in FEW.get(surface, PASSES):
+                add(f"{surface}, {cutter}, {passes} passes", f"{s}_{cutter}_{passes}.apt", program(surface, cutter, passes))
     for passes in (10, 100, 1000, 10000):
         add(f"sphere, ball, {passes} passes", f"grows{passes}.apt", program("sphere", "ball", passes, .0001))
     for tolerance in (1e-4, 1e-6, 1e-8):

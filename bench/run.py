@@ -207,7 +207,7 @@ def measure(arelem):
         out = str(pathlib.Path(folder) / "out.cltape")
         grown = [(program, what, unit) for what, program, unit in paths.cases(folder)]
         for program, what, unit in CASES + grown:
-            run = median_run([arelem, "compile", str(program), "-o", out])
+            run = median_run([arelem, "compile", str(program), "-o", out], 3)
             count = cut_vectors(Run([arelem, "compile", str(program), "-v", "-o", out]).told)  # -v computes the machining time too
             if run.code != 0:
                 code = re.search(r"error\[(\w+)\]", run.told)
@@ -267,7 +267,7 @@ def main():
         version = subprocess.run([options.arelem, "--version"], capture_output=True, text=True, check=True).stdout.strip()
         (HERE / "results.md").write_text(
             f"# Speed of {version}\n\nMade by `./dev bench --save` on {processor()} with {os.cpu_count()} threads. Wall time of the "
-            f"whole process, median of {REPEATS}\nruns (start-up: of 25), output to a file with fsync; MB is the largest resident memory.\n\n"
+            f"whole process, median of {REPEATS}\nruns (of paths 3, start-up 25), output to a file with fsync; MB is the largest resident memory.\n\n"
             f"{table(rows)}\n")
     sys.exit(1 if any(r[1].startswith("exit") for r in rows) else 0)
 

@@ -4,6 +4,7 @@
 #include "runtime/certify/body_search.h"
 #include "runtime/certify/core_probe.h"
 #include "runtime/tool/contact.h"
+#include "runtime/tool/rounded.h"
 
 namespace arelem::certify {
 
@@ -16,9 +17,6 @@ template <surface::Surface S>
     return std::is_same_v<S, surface::Cylinder> || std::is_same_v<S, surface::Cone>;
   }
 }
-
-/// True where the cutter is a convex body.
-[[nodiscard]] bool isConvex(const tool::Profile& cutter);
 
 /// A cutter against any kind of surface. It takes one of four ways:
 ///   wall     a wall along the axis meets the cutter as a ball of its largest radius

@@ -1,7 +1,6 @@
 #pragma once
 #include "runtime/certify/probe.h"
 #include "runtime/tool/contact.h"
-#include "runtime/tool/mesh_contact.h"
 
 namespace arelem::certify {
 
@@ -11,9 +10,17 @@ namespace arelem::certify {
 class MeshProbe final : public Probe {
  public:
   MeshProbe(const surface::Mesh& mesh, const Relation& relation)
-      : mesh_(mesh), cutter_(*relation.cutter), thick_(relation.thick) {
-    reach_ = std::hypot(cutter_.maxRadius(), std::max(cutter_.h, cutter_.f + cutter_.r));
-  }
+      : MeshProbe(mesh, relation, std::make_unique<Own>(*relation.cutter)) {}
+  /// With a search of one's own, for the same cutter, which must stay where it is.
+  MeshProbe(const surface::Mesh& mesh,
+            const Relation& relation,
+            tool::Search<surface::Mesh>& search)
+      : mesh_(mesh),
+        cutter_(*relation.cutter),
+        body_(cutter_),
+        thick_(relation.thick),
+        reach_(std::hypot(cutter_.maxRadius(), std::max(cutter_.h, cutter_.f + cutter_.r))),
+        search_(search) {}
 
   void take(const Chord& chord) override {
     chord_ = chord;
@@ -55,67 +62,41 @@ class MeshProbe final : public Probe {
   }
 
  private:
+  struct Own {
+    explicit Own(const tool::Profile& profile) : cutter(profile) {}
+    tool::Profile cutter;
+    tool::Search<surface::Mesh> search;
+  };
+  MeshProbe(const surface::Mesh& mesh, Relation relation, std::unique_ptr<Own> own)
+      : MeshProbe(mesh, Relation{&own->cutter, relation.side, relation.thick}, own->search) {
+    own_ = std::move(own);
+  }
+
   /// What a turn of the axis may add or take between two nodes.
   [[nodiscard]] double turning(const Node& a, const Node& b) const {
     return chord_.turn() * (b.s - a.s) * reach_;
   }
 
-  /// Visits the triangles that the cutter may come nearer to than `least` from one node to another.
-  class Lowest final : public geometry::TriangleSearch {
-   public:
-    Lowest(MeshProbe& probe, const Node& a, const Node& b, double aim)
-        : mesh_(probe.mesh_.shape().mesh),
-          first_(probe.cutter_, a.toolEnd, a.axis),
-          last_(probe.cutter_, b.toolEnd, b.axis),
-          between_(
-              probe.cutter_, 0.5 * (a.toolEnd + b.toolEnd), a.axis, 0.5 * (b.toolEnd - a.toolEnd)),
-          chord_(probe.chord_),
-          h_(b.s - a.s),
-          wide_(probe.turning(a, b)),
-          thick_(probe.thick_),
-          least(aim) {}
-
-    bool enters(const Vec3& center, const Vec3& half) override {
-      return between_.mayReach(center, half, least + thick_ + wide_);
-    }
-    void visit(std::size_t i) override {
-      if (!between_.mayReach(mesh_, i, least + thick_ + wide_)) {
-        return;
-      }
-      const tool::TriangleGap p = first_.gapTo(mesh_, i);
-      const tool::TriangleGap q = last_.gapTo(mesh_, i);
-      const double steepest = chord_.length();
-      const double leaves = p.tangent ? p.normal.dot(chord_.step()) : -steepest;
-      const double arrives = q.tangent ? q.normal.dot(chord_.step()) : steepest;
-      const Known left{p.gap - thick_, p.gap - thick_, leaves};
-      const Known right{q.gap - thick_, q.gap - thick_, arrives};
-      const double low = between(left, right, h_, {0.0, unbounded}, chord_.length()).low;
-      least = std::min(least, low - wide_);
-    }
-
-   private:
-    const geometry::TriangleMesh& mesh_;
-    tool::TriangleCutter first_, last_, between_;
-    const Chord& chord_;
-    double h_, wide_, thick_;
-
-   public:
-    double least;
-  };
-
   [[nodiscard]] double lowest(const Node& a, const Node& b, double aim) {
-    Lowest search(*this, a, b, aim);
-    mesh_.shape().tree->search(search);
-    return search.least;
+    const double more = thick_ + turning(a, b);
+    return search_.near.lowest(mesh_.shape(), cutter_, a.toolEnd, b.toolEnd, a.axis, aim + more) -
+           more;
+  }
+
+  [[nodiscard]] double gapAt(const Node& n, std::size_t triangle) const {
+    const geometry::TriangleMesh& mesh = mesh_.shape().mesh;
+    const tool::Facet facet{mesh.corner(triangle, 0), mesh.corner(triangle, 1),
+                            mesh.corner(triangle, 2), mesh_.shape().normals[triangle]};
+    return tool::gapOf(tool::PlacedBody(body_, n.toolEnd, n.axis), facet).gap - thick_;
   }
 
   /// Below the chords of the gaps to the two triangles in contact.
   [[nodiscard]] double highest(const Node& a, const Node& b) const {
-    const geometry::TriangleMesh& mesh = mesh_.shape().mesh;
-    const double otherAtB =
-        tool::TriangleCutter(cutter_, b.toolEnd, b.axis).gapTo(mesh, a.triangle).gap - thick_;
-    const double otherAtA =
-        tool::TriangleCutter(cutter_, a.toolEnd, a.axis).gapTo(mesh, b.triangle).gap - thick_;
+    if (a.triangle == b.triangle) {
+      return std::max(a.high, b.high) + turning(a, b);
+    }
+    const double otherAtB = gapAt(b, a.triangle);
+    const double otherAtA = gapAt(a, b.triangle);
     // a.high .. otherAtB and otherAtA .. b.high: the highest place of the lower line.
     double most = std::max(std::min(a.high, otherAtA), std::min(b.high, otherAtB));
     const double d0 = a.high - otherAtA;
@@ -128,11 +109,13 @@ class MeshProbe final : public Probe {
   }
 
   surface::Mesh mesh_;
-  tool::Profile cutter_;
+  std::unique_ptr<Own> own_;
+  const tool::Profile& cutter_;
+  tool::Body body_;
   double thick_, reach_;
   Chord chord_;
   double floor_ = -unbounded;  ///< proven for the whole cut vector
-  tool::Search<surface::Mesh> search_;
+  tool::Search<surface::Mesh>& search_;
 };
 
 }  // namespace arelem::certify

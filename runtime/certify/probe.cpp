@@ -5,17 +5,6 @@
 
 namespace arelem::certify {
 
-/// The directions of the profile turn one way, from the tool end to the top.
-bool isConvex(const tool::Profile& p) {
-  constexpr double rounding = 1e-9;
-  const double bottom = std::atan2(p.bottomEnd.z, p.bottomEnd.rho);
-  const double side = std::atan2(p.sideEnd.rho - p.sideStart.rho, p.sideEnd.z - p.sideStart.z);
-  const bool hasBottom = p.bottomEnd.rho > 0.0;
-  const bool hasSide = p.sideEnd.z > p.sideStart.z;
-  return !p.ring && (!hasBottom || (bottom >= -rounding && bottom <= p.alpha + rounding)) &&
-         (!hasSide || (side >= -rounding && side <= p.beta + rounding));
-}
-
 namespace {
 /// The tool end alone: relation ON, and tools without size.
 template <surface::Surface S>

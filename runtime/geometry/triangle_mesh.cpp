@@ -1,10 +1,10 @@
 #include "runtime/geometry/triangle_mesh.h"
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numeric>
 
 #include "ir/diag/geometry.h"
+#include "runtime/geometry/mesh_edges.h"
 
 namespace arelem::geometry {
 
@@ -45,68 +45,38 @@ Canon TriangleMesh::canon() const {
 }
 
 namespace {
-/// An edge as it runs in one of its triangles.
-struct Edge {
-  std::uint32_t low, high;
-  bool forward;  ///< from low to high
-
-  friend bool operator<(const Edge& a, const Edge& b) {
-    return a.low != b.low     ? a.low < b.low
-           : a.high != b.high ? a.high < b.high
-                              : a.forward < b.forward;
+/// Of each vertex the first one at the same place, by a table of places.
+std::vector<std::uint32_t> firstAtPlace(const std::vector<Vec3>& vertices) {
+  constexpr auto unused = static_cast<std::uint32_t>(-1);
+  std::size_t size = 16;
+  while (size < 2 * vertices.size()) {
+    size *= 2;
   }
-  [[nodiscard]] bool joins(const Edge& other) const {
-    return low == other.low && high == other.high;
-  }
-};
-
-std::vector<Edge> sortedEdges(const TriangleMesh& mesh) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k];
-      const std::uint32_t b = t[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a < b});
+  std::vector<std::uint32_t> table(size, unused);
+  std::vector<std::uint32_t> first(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    std::uint64_t hash = 0;
+    for (const double x : vertices[i]) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15U;  // no minus zero
+      hash ^= hash >> 32U;
     }
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-/// Calls `use` with the first edge and the number of each group of the same two vertices.
-template <class Use>
-void forEachEdge(const std::vector<Edge>& edges, Use use) {
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end].joins(edges[i])) {
-      ++end;
+    std::size_t slot = hash & (size - 1);
+    while (table[slot] != unused && vertices[table[slot]] != vertices[i]) {
+      slot = (slot + 1) & (size - 1);
     }
-    use(edges[i], end - i, i);
-    i = end;
+    if (table[slot] == unused) {
+      table[slot] = static_cast<std::uint32_t>(i);
+    }
+    first[i] = table[slot];
   }
-}
-
-bool lessByPlace(const Vec3& a, const Vec3& b) {
-  return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+  return first;
 }
 
 /// One vertex for each place, in the order of their first use.
 void join(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> order(mesh.vertices.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3& p = mesh.vertices[a];
-    const Vec3& q = mesh.vertices[b];
-    return p == q ? a < b : lessByPlace(p, q);
-  });
-  std::vector<std::uint32_t> first(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && mesh.vertices[order[i]] == mesh.vertices[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-  }
+  const std::vector<std::uint32_t> first = firstAtPlace(mesh.vertices);
   constexpr auto unused = static_cast<std::uint32_t>(-1);
-  std::vector<std::uint32_t> number(order.size(), unused);
+  std::vector<std::uint32_t> number(first.size(), unused);
   std::vector<Vec3> kept;
   std::vector<TriangleMesh::Triangle> triangles;
   for (TriangleMesh::Triangle t : mesh.triangles) {
@@ -145,17 +115,16 @@ Result<TriangleMesh> checkedMesh(TriangleMesh mesh, std::string_view name) {
     return fail(diag::MeshBroken, name, std::string("it has no triangle with an area"));
   }
   std::optional<Failure> bad;
-  const std::vector<Edge> edges = sortedEdges(mesh);
-  forEachEdge(edges, [&](const Edge& edge, std::size_t count, std::size_t at) {
-    const std::string from = placeText(mesh.vertices[edge.low]);
+  forEachEdge(edgesOf(mesh), [&](std::span<const MeshEdge> edge) {
+    const auto place = [&](std::uint32_t vertex) { return placeText(mesh.vertices[vertex]); };
     if (bad) {
       return;
     }
-    if (count > 2) {
-      bad = fail(diag::MeshNotManifold, name, from, placeText(mesh.vertices[edge.high]),
-                 std::uint64_t{count});
-    } else if (count == 2 && edges[at].forward == edges[at + 1].forward) {
-      bad = fail(diag::MeshTurned, name, from, placeText(mesh.vertices[edge.high]));
+    if (edge.size() > 2) {
+      bad = fail(diag::MeshNotManifold, name, place(edge[0].low), place(edge[0].high),
+                 std::uint64_t{edge.size()});
+    } else if (edge.size() == 2 && edge[0].forward == edge[1].forward) {
+      bad = fail(diag::MeshTurned, name, place(edge[0].low), place(edge[0].high));
     }
   });
   if (bad) {
@@ -166,8 +135,8 @@ Result<TriangleMesh> checkedMesh(TriangleMesh mesh, std::string_view name) {
 
 std::size_t openEdges(const TriangleMesh& mesh) {
   std::size_t open = 0;
-  forEachEdge(sortedEdges(mesh),
-              [&](const Edge&, std::size_t count, std::size_t) { open += count == 1 ? 1 : 0; });
+  forEachEdge(edgesOf(mesh),
+              [&](std::span<const MeshEdge> edge) { open += edge.size() == 1 ? 1 : 0; });
   return open;
 }
 

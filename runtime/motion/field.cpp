@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/certify/mesh_probe.h"
 #include "runtime/certify/prove.h"
+#include "runtime/tool/rounded.h"
 
 namespace arelem::motion {
 
@@ -20,18 +22,20 @@ constexpr bool hasFaces = std::is_same_v<S, surface::Mesh>;
 constexpr double shortest = 0.5;
 constexpr double longest = 0.95;
 
-double judged(certify::Probe& probe, const certify::Chord& chord, double inner, double outer) {
+Judgement judged(certify::Probe& probe, const certify::Chord& chord, double inner, double outer) {
   probe.take(chord);
   certify::Node first = probe.at(0.0);
   const certify::Verdict v =
       certify::prove(probe, {inner, outer, tolerance::facetedSlack, false}, first);
   if (v.good()) {
-    return 1.0;
+    return {tolerance::farAway, 0};
   }
-  // As if the gap bent evenly away from the chord's ends.
-  const double beyond = std::max(-inner - v.least.measured, v.greatest.measured - outer);
-  const double band = inner + outer;
-  return std::clamp(std::sqrt(band / (band + std::max(beyond, 0.0))), shortest, longest);
+  const double near = -inner - v.least.measured;
+  const double far = v.greatest.measured - outer;
+  Judgement result = judgeGap(near >= far ? v.least.measured : v.greatest.measured, inner, outer);
+  result.factor = std::clamp(result.factor, shortest, longest);
+  result.miss = near >= far ? -1 : 1;
+  return result;
 }
 
 template <surface::Surface S>
@@ -41,14 +45,14 @@ class OnField final : public Field {
   tool::Contact at(const Vec3& toolEnd, const Vec3&) override {
     return tool::pointContact(surface_, side_, toolEnd, hint_);
   }
-  double judge(const certify::Chord& chord, double inner, double outer) override {
+  Judgement judge(const certify::Chord& chord, double inner, double outer) override {
     if constexpr (hasFaces<S>) {
       if (!probe_) {
         probe_ = certify::makeProbe(surface_, {nullptr, side_, 0.0});
       }
       return judged(*probe_, chord, inner, outer);
     }
-    return tolerance::farAway;
+    return Field::judge(chord, inner, outer);
   }
 
  private:
@@ -72,14 +76,17 @@ class CutterField final : public Field {
     c.gap -= thick_;
     return c;
   }
-  double judge(const certify::Chord& chord, double inner, double outer) override {
+  Judgement judge(const certify::Chord& chord, double inner, double outer) override {
     if constexpr (hasFaces<S>) {
-      if (!probe_) {
-        probe_ = certify::makeProbe(surface_, {&cutter_, side_, thick_});
+      const certify::Relation relation{&cutter_, side_, thick_};
+      if (!probe_ && tool::isConvex(cutter_)) {
+        probe_ = std::make_unique<certify::MeshProbe>(surface_, relation, search_);
+      } else if (!probe_) {
+        probe_ = certify::makeProbe(surface_, relation);
       }
       return judged(*probe_, chord, inner, outer);
     }
-    return tolerance::farAway;
+    return Field::judge(chord, inner, outer);
   }
 
  private:
@@ -92,8 +99,17 @@ class CutterField final : public Field {
 };
 }  // namespace
 
-double Field::judge(const certify::Chord&, double, double) {
-  return tolerance::farAway;
+Judgement judgeGap(double gap, double inner, double outer) {
+  const double beyond = std::max(-inner - gap, gap - outer);
+  if (beyond <= tolerance::facetedSlack) {
+    return {tolerance::farAway, 0};
+  }
+  const double band = inner + outer;
+  return {std::sqrt(band / (band + beyond)), gap < -inner ? -1 : 1};
+}
+
+Judgement Field::judge(const certify::Chord&, double, double) {
+  return {tolerance::farAway, 0};
 }
 
 std::unique_ptr<Field> makeField(const surface::AnySurface& any, double side, Tool tool) {

@@ -8,6 +8,14 @@
 
 namespace arelem::motion {
 
+/// What a proof says of a cut vector.
+struct Judgement {
+  double factor = 1.0;  ///< 1: it keeps its band; else by which to shorten it
+  int miss = 0;         ///< -1: it is too near to the surface somewhere, 1: too far off
+};
+/// What a gap in the middle of a cut vector says: as if the gap bent evenly away from its ends.
+[[nodiscard]] Judgement judgeGap(double gap, double inner, double outer);
+
 /// The gap between the tool and one side of one surface as a function of where the tool is:
 /// 1-Lipschitz in the tool end, with the contact normal as gradient. Remembers the last contact to
 /// start the next search, so one Field belongs to one motion of one thread.
@@ -17,9 +25,8 @@ class Field {
   /// `axis` is the unit tool axis.
   virtual tool::Contact at(const Vec3& toolEnd, const Vec3& axis) = 0;
   /// Whether the gap stays in [-inner, outer] over the whole straight cut vector between two
-  /// positions: 1 if that is proven, else a factor below 1 by which to shorten it. Smooth surfaces
-  /// set no limit: there the slopes at a few places tell enough.
-  [[nodiscard]] virtual double judge(const certify::Chord& chord, double inner, double outer);
+  /// positions. Smooth surfaces set no limit: there the slopes at a few places tell enough.
+  [[nodiscard]] virtual Judgement judge(const certify::Chord& chord, double inner, double outer);
   /// True where the gap is a linear function of the tool end (planes).
   [[nodiscard]] bool flat() const { return flat_; }
   /// True for meshes: no few places tell about those between them; `judge` does.

@@ -157,7 +157,7 @@ class ChordFit {
     smooth_ = smoothShare * (inner + outer);
     const GapNode middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
-    const int depth = field_.isFaceted() || foretold(first_, last_, middle, smooth_) ? 0 : deepest;
+    const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
     consider(first_, middle, depth);
     consider(middle, last_, depth);
     return factor_;
@@ -203,6 +203,22 @@ class ChordFit {
 };
 }  // namespace
 
+/// One look at the middle, which most chords that are too long do not stand; then the proof.
+double Path::fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b) {
+  const Guide& g = guides[guide];
+  // A start outside its band by the slack allowed there must not stop the motion.
+  const double inner = std::max({g.inner, -a.contacts[guide].gap, -b.contacts[guide].gap});
+  const double outer = std::max({g.outer, a.contacts[guide].gap, b.contacts[guide].gap});
+  const certify::Chord straight(a.toolEnd, b.toolEnd, a.axis, b.axis);
+  const double gap = g.field->at(straight.toolEnd(0.5), straight.axis(0.5)).gap;
+  Judgement judgement = judgeGap(gap, inner, outer);
+  if (judgement.miss == 0) {
+    judgement = g.field->judge(straight, inner, outer);
+  }
+  misses[guide] = judgement.miss;
+  return judgement.factor;
+}
+
 double Path::fit(const PathPoint& a, const PathPoint& b) {
   const Vec3 chord = b.toolEnd - a.toolEnd;
   const double length = chord.norm();
@@ -215,8 +231,13 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   const Vec3 turn = turning ? spin(a.axis, b.axis, scale) : Vec3(Vec3::Zero());
   double factor = tolerance::farAway;
   middle.end = b.toolEnd;
+  misses = {0, 0};
   for (std::size_t i = 0; i < guides.size(); ++i) {
     if (guides[i].field->flat() && !turning) {
+      continue;
+    }
+    if (guides[i].field->isFaceted()) {
+      factor = std::min(factor, fitFacets(i, a, b));
       continue;
     }
     // A start outside its band by the slack allowed there must not stop the motion.
@@ -225,10 +246,6 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     ChordFit chordFit(*guides[i].field, a, b, i, scale, turn);
     factor = std::min(factor, chordFit.run(inner, outer));
     middle.slope[i] = chordFit.middleSlope();
-    if (factor >= 1.0 - tolerance::coincidence) {
-      const certify::Chord straight(a.toolEnd, b.toolEnd, a.axis, b.axis);
-      factor = std::min(factor, guides[i].field->judge(straight, inner, outer));
-    }
   }
   return factor;
 }

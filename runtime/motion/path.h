@@ -55,6 +55,9 @@ class Path {
     std::array<double, 2> slope{0.0, 0.0};
   };
   Middle middle;
+  /// Of facets: -1 where the chord that `fit` looked at last is too near to the surface, 1 where it
+  /// is too far off, else 0.
+  std::array<int, 2> misses{0, 0};
 
   /// Contacts and tangent at a tool position; the tangent goes with `towards`.
   [[nodiscard]] PathPoint look(const Vec3& toolEnd, const Vec3& towards);
@@ -88,6 +91,7 @@ class Path {
   [[nodiscard]] double fitWithTurn(const PathPoint& a, const PathPoint& b);
 
  private:
+  [[nodiscard]] double fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b);
   [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards);
 };
 

@@ -25,6 +25,17 @@ constexpr int patience = 5;
 constexpr double levelChange = 1e-11;
 /// Largest change of curvature over a cut vector that is expected of the next, as a share of it.
 constexpr double mostTrend = 0.5;
+/// Along facets: how much longer than the last one a cut vector is tried first, and how near the
+/// longest that fits and the shortest that does not are brought together.
+constexpr double hopeful = 1.15;
+constexpr double leap = 1.6;
+constexpr double closeEnough = 1.08;
+/// Length of the first cut vector along facets that is tried, in bands.
+constexpr double firstBands = 200.0;
+/// How often one cut vector changes the edge of the band that it aims at.
+constexpr int mostTurns = 2;
+/// A curvature that only tells the side.
+constexpr double leastBend = 1e-12;
 /// Largest turn of the path over one cut vector, as a cosine.
 constexpr double turnCosine = 0.2;
 }  // namespace
@@ -69,12 +80,86 @@ struct Tried {
 };
 }  // namespace
 
-std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
-  double length = std::min(planned(a), cap);
+double Stride::accepted() const {
   double accept = tolerance::farAway;
   for (const Guide& g : path_.guides) {
     accept = std::min(accept, Guide::aimShare * (g.inner + g.outer));
   }
+  return accept;
+}
+
+std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
+  for (const Guide& g : path_.guides) {
+    if (g.field->isFaceted()) {
+      return nextAlongFacets(a, cap);
+    }
+  }
+  return nextAlongCurves(a, cap);
+}
+
+/// Which edge of the band the cut vector that failed should have aimed at: where the surface comes
+/// too near to its middle the outer one. True where that is not the one it did.
+bool Stride::turnAims() {
+  bool turned = false;
+  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
+    Guide& g = path_.guides[i];
+    if (path_.misses[i] != 0 && (path_.misses[i] < 0) != (g.bend >= 0.0)) {
+      g.startAnew(path_.misses[i] < 0 ? leastBend : -leastBend);
+      turned = true;
+    }
+  }
+  return turned;
+}
+
+/// Facets bend the path at their borders only, so that the curvature tells little: lengths are
+/// tried from that of the last cut vector on, and halved between what fits and what does not.
+std::optional<PathPoint> Stride::nextAlongFacets(const PathPoint& a, double cap) {
+  const double most = std::min(cap, longest_);
+  const double accept = accepted();
+  for (Guide& g : path_.guides) {
+    if (g.field->isFaceted() && std::abs(g.bend) > leastBend) {
+      g.startAnew(std::copysign(leastBend, g.bend));
+    }
+  }
+  double length =
+      std::min(most, usual_ > 0.0 ? hopeful * usual_ : firstBands * accept / Guide::aimShare);
+  std::optional<PathPoint> best;
+  Tried tried;
+  int turned = 0;       // how often the other edge of the band was aimed at
+  bool corner = false;  // the shortest that fails cannot be followed
+  for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
+    auto b = path_.step(a, length, path_.vertexGaps(), accept);
+    const bool followed = b && b->tangent.dot(a.tangent) >= turnCosine;
+    const double factor = followed ? path_.fitWithTurn(a, *b) : 0.0;
+    if (factor >= 1.0 - tolerance::coincidence) {
+      tried.fits = length;
+      best = std::move(b);
+    } else if (followed && !best && turned < mostTurns && turnAims()) {
+      ++turned;
+      continue;
+    } else {
+      tried.fails = length;
+      corner = !followed;
+    }
+    if (tried.fits >= most * safety ||
+        (best && tried.fails <= (corner ? tried.fits + nearCorner : closeEnough * tried.fits))) {
+      break;
+    }
+    const bool bounded = tried.fails < tolerance::farAway;
+    length = !best     ? length * std::clamp(factor * safety, 0.3, 0.85)
+             : bounded ? 0.5 * (tried.fits + tried.fails)
+                       : std::min(leap * length, most);
+  }
+  if (tried.fits <= 2.0 * nearCorner) {
+    return std::nullopt;
+  }
+  usual_ = tried.fits;
+  return best;
+}
+
+std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap) {
+  double length = std::min(planned(a), cap);
+  const double accept = accepted();
   std::optional<PathPoint> best;
   double bestLength = 0.0;
   Tried tried;
@@ -167,6 +252,9 @@ void Stride::learn(const PathPoint& a, const PathPoint& b) {
   const double length = (b.toolEnd - a.toolEnd).norm();
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
+    if (g.field->isFaceted()) {
+      continue;
+    }
     if (const auto slope = slopes(i, a, b)) {
       const double bend = curvature(slope->front(), slope->back(), length);
       g.startAnew(bend);

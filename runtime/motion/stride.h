@@ -16,14 +16,20 @@ class Stride {
   void learn(const PathPoint& a, const PathPoint& b);
 
  private:
+  [[nodiscard]] std::optional<PathPoint> nextAlongCurves(const PathPoint& a, double cap);
+  [[nodiscard]] std::optional<PathPoint> nextAlongFacets(const PathPoint& a, double cap);
+  /// How far from the gap aimed at a cut vector may end.
+  [[nodiscard]] double accepted() const;
   [[nodiscard]] double planned(const PathPoint& a) const;
   [[nodiscard]] std::optional<std::array<double, 2>> slopes(std::size_t role,
                                                             const PathPoint& a,
                                                             const PathPoint& b) const;
+  bool turnAims();
   bool learnTurn(const PathPoint& a, const PathPoint& b);
 
   Path& path_;
   double longest_;
+  double usual_ = 0.0;  ///< length of the last cut vector along facets
 };
 
 }  // namespace arelem::motion

@@ -4,7 +4,6 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/tool/contact_search.h"
-#include "runtime/tool/mesh_contact.h"
 #include "runtime/tool/rounded.h"
 
 namespace arelem::tool {
@@ -116,8 +115,7 @@ Contact contactOf(const surface::Mesh& s,
     search.hint.triangle = static_cast<int>(shape.tree->nearest(core, -1));
   }
   auto nearest = static_cast<std::size_t>(search.hint.triangle);
-  const TriangleGap least =
-      leastGap(TriangleCutter(cutter, te, axis), shape.mesh, *shape.tree, nearest);
+  const TriangleGap least = search.near.least(shape, cutter, te, axis, nearest);
   search.hint.triangle = static_cast<int>(nearest);
   return {least.gap, least.normal, least.onCutter};
 }

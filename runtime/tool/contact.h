@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/geometry/kinds.h"
+#include "runtime/tool/near_triangles.h"
 #include "runtime/tool/profile.h"
 
 /// Contact of a cutter with one side of a surface.
@@ -28,6 +29,17 @@ struct Search {
   Vec3 boundAt = Vec3::Zero();
   double clearance = -1.0;  ///< of the upper shank beyond the gap, when the tool was there:
   Vec3 clearAt = Vec3::Zero(), clearAxis = Vec3::Zero();
+  /// Half the lead of the contact over all places of a survey not beside it, and the gap behind it,
+  /// when the tool was there:
+  double lead = -1.0, leadGap = 0.0;
+  Vec3 leadAt = Vec3::Zero(), leadAxis = Vec3::Zero();
+};
+
+/// With a mesh: the last foot or nearest triangle, and what is near on the way.
+template <>
+struct Search<surface::Mesh> {
+  surface::Mesh::Hint hint{};
+  NearTriangles near;
 };
 
 /// The tool end alone: relation ON.

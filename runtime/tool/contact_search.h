@@ -43,7 +43,7 @@ class ContactSearch {
     const bool proven = search_.convex
                             ? supports(local)
                             : bottomIsProven(local, descent_.onCorner()) && shankIsClear(local.gap);
-    if (proven ||
+    if (proven || leads(local) ||
         SectionProof<S>(surface_, side_, cutter_, te_, axis_, search_.hint).holds(local)) {
       return local;
     }
@@ -59,6 +59,10 @@ class ContactSearch {
   /// A bound of the bend is asked for this much more than is needed, to serve the next contacts.
   static constexpr double reserve = 1.5;
   static constexpr int angles = 16;
+  /// Cosine of one and a half steps between the angles of the grid.
+  static constexpr double besideContact = 0.83;
+  /// Share of the lead over the places of the grid that those between them leave.
+  static constexpr double trustedShare = 0.5;
 
   // ---- proofs -----------------------------------------------------------------------------------
 
@@ -138,6 +142,14 @@ class ContactSearch {
     search_.clearAt = te_;
     search_.clearAxis = axis_;
     return clearance >= 0.0;
+  }
+
+  /// True where what the last survey found elsewhere is still farther off: distances change by no
+  /// more than the way of the tool. Places between those of its grid may be nearer than they are.
+  [[nodiscard]] bool leads(const Contact& c) const {
+    const double moved =
+        (te_ - search_.leadAt).norm() + cutter_.h * (axis_ - search_.leadAxis).norm();
+    return search_.lead > 0.0 && c.gap + moved <= search_.leadGap;
   }
 
   // ---- survey -----------------------------------------------------------------------------------
@@ -227,8 +239,9 @@ class ContactSearch {
     Vec3 toward = search_.toward;
     auto hint = search_.hint;
     Grid grid;
+    double skipped = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < all.count; ++r) {
-      fill(grid[r], all.list[r], directions, best.gap);
+      skipped = std::min(skipped, fill(grid[r], all.list[r], directions, best.gap));
     }
     for (std::size_t r = 0; r < all.count; ++r) {
       for (int k = 0; k < angles; ++k) {
@@ -246,24 +259,51 @@ class ContactSearch {
     }
     search_.toward = toward;
     search_.hint = hint;
+    const double others = std::min(skipped, leastBeside(grid, all, directions, toward));
+    search_.lead = trustedShare * (others - best.gap);
+    search_.leadGap = best.gap + search_.lead;
+    search_.leadAt = te_;
+    search_.leadAxis = axis_;
     return best;
   }
 
+  /// The least distance of the grid but for the bottom and the corner next to the contact.
+  static double leastBeside(const Grid& grid,
+                            const Rows& all,
+                            const std::array<Vec3, angles>& directions,
+                            const Vec3& toward) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t r = 0; r < all.count; ++r) {
+      const Row& row = all.list[r];
+      if (row.piece != side && row.q.rho == 0.0) {
+        continue;
+      }
+      for (std::size_t k = 0; k < angles; ++k) {
+        if (row.piece == side || directions[k].dot(toward) < besideContact) {
+          least = std::min(least, grid[r][k]);
+        }
+      }
+    }
+    return least;
+  }
+
   /// Distances around a row; infinite where the surface is so far from the axis there that the row
-  /// cannot get below `bound`.
-  void fill(std::array<double, angles>& values,
-            const Row& row,
-            const std::array<Vec3, angles>& directions,
-            double bound) {
+  /// cannot get below `bound`. What is below them then, else infinity.
+  double fill(std::array<double, angles>& values,
+              const Row& row,
+              const std::array<Vec3, angles>& directions,
+              double bound) {
     values.fill(std::numeric_limits<double>::infinity());
     const double onAxis = descent_.valueAt({0.0, row.q.z}, directions[0]);
-    if (onAxis - std::hypot(row.q.rho, row.halfHeight) - row.ball > bound) {
-      return;
+    const double lowest = onAxis - std::hypot(row.q.rho, row.halfHeight) - row.ball;
+    if (lowest > bound) {
+      return lowest;
     }
     for (std::size_t k = 0; k < angles; ++k) {
       values[k] =
           row.q.rho == 0.0 ? onAxis - row.ball : descent_.valueAt(row.q, directions[k]) - row.ball;
     }
+    return std::numeric_limits<double>::infinity();
   }
 
   const S& surface_;

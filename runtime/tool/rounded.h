@@ -16,6 +16,17 @@ namespace arelem::tool {
          aside <= tolerance::sameSide;
 }
 
+/// True where the directions of the profile turn one way, from the tool end to the top.
+[[nodiscard]] inline bool isConvex(const Profile& p) {
+  constexpr double rounding = 1e-9;
+  const double bottom = std::atan2(p.bottomEnd.z, p.bottomEnd.rho);
+  const double side = std::atan2(p.sideEnd.rho - p.sideStart.rho, p.sideEnd.z - p.sideStart.z);
+  const bool hasBottom = p.bottomEnd.rho > 0.0;
+  const bool hasSide = p.sideEnd.z > p.sideStart.z;
+  return !p.ring && (!hasBottom || (bottom >= -rounding && bottom <= p.alpha + rounding)) &&
+         (!hasSide || (side >= -rounding && side <= p.beta + rounding));
+}
+
 /// True where the lower half of the cutter is a ball.
 [[nodiscard]] inline bool isRoundBall(const Profile& p) {
   return p.isBall() && p.r > 0.0 && isRounded(p);

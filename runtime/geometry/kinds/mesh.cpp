@@ -1,7 +1,8 @@
 #include "runtime/geometry/kinds/mesh.h"
 
 #include <cmath>
-#include <unordered_map>
+
+#include "runtime/geometry/mesh_edges.h"
 
 namespace arelem::surface {
 
@@ -10,10 +11,6 @@ using geometry::Feature;
 namespace {
 /// A place this near to the mesh, as a share of its coordinates' size, is on it.
 constexpr double onMesh = 1e-13;
-
-std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-  return (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
-}
 }  // namespace
 
 MeshShape::MeshShape(geometry::TriangleMesh given)
@@ -22,8 +19,6 @@ MeshShape::MeshShape(geometry::TriangleMesh given)
   normals.reserve(count);
   edgeNormals.resize(count);
   vertexNormals.assign(mesh.vertices.size(), Vec3::Zero());
-  std::unordered_map<std::uint64_t, Vec3> edges;
-  edges.reserve(2 * count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& t = mesh.triangles[i];
     const Vec3 normal = (mesh.corner(i, 1) - mesh.corner(i, 0))
@@ -34,14 +29,17 @@ MeshShape::MeshShape(geometry::TriangleMesh given)
       const Vec3 u = mesh.corner(i, (k + 1) % 3) - mesh.corner(i, k);
       const Vec3 v = mesh.corner(i, (k + 2) % 3) - mesh.corner(i, k);
       vertexNormals[t[k]] += std::atan2(u.cross(v).norm(), u.dot(v)) * normal;
-      edges.try_emplace(key(t[k], t[(k + 1) % 3]), Vec3::Zero()).first->second += normal;
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      edgeNormals[i][k] = edges.at(key(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3]));
+  geometry::forEachEdge(geometry::edgesOf(mesh), [&](std::span<const geometry::MeshEdge> edge) {
+    Vec3 sum = Vec3::Zero();
+    for (const geometry::MeshEdge& e : edge) {
+      sum += normals[e.triangle];
     }
-  }
+    for (const geometry::MeshEdge& e : edge) {
+      edgeNormals[e.triangle][e.corner] = sum;
+    }
+  });
 }
 
 Vec3 MeshShape::normalAt(std::size_t triangle, Feature feature) const {

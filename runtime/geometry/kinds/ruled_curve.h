@@ -106,9 +106,11 @@ class RuledCurve {
     return c;
   }
 
-  /// Heights of the curve over its base line at even fractions: Newton needs few steps from there.
+  /// Heights of the curve over its base line at even fractions, with their slopes: a cubic between
+  /// two is so near that Newton needs a step or two.
   void tabulate() {
     const int count = std::max(2, static_cast<int>((high_ - low_) * rulingsOfASpan) + 1);
+    const Vec3 chord = section_.finish - section_.start;
     for (int i = 0; i < count; ++i) {
       const double f = low_ + (high_ - low_) * i / (count - 1);
       const auto place = section_.at(f);
@@ -116,8 +118,9 @@ class RuledCurve {
         heights_.clear();
         return;
       }
-      heights_.push_back((*place - section_.base(f)).dot(section_.heading) /
-                         section_.heading.squaredNorm());
+      const double squared = section_.heading.squaredNorm();
+      heights_.push_back({(*place - section_.base(f)).dot(section_.heading) / squared,
+                          (derived(*place).first - chord).dot(section_.heading) / squared});
     }
   }
   /// The place between two of the table; none where Newton does not end there.
@@ -129,7 +132,13 @@ class RuledCurve {
     const double x = (f - low_) / (high_ - low_) * (last + 1.0);
     const double floor = std::clamp(std::floor(x), 0.0, last);
     const auto i = static_cast<std::size_t>(floor);
-    double height = heights_[i] + (x - floor) * (heights_[i + 1] - heights_[i]);
+    const Height& a = heights_[i];
+    const Height& b = heights_[i + 1];
+    const double t = x - floor;
+    const double rest = 1.0 - t;
+    const double width = (high_ - low_) / (last + 1.0);
+    double height = a.value + t * t * (3.0 - 2.0 * t) * (b.value - a.value) +
+                    width * t * rest * (rest * a.slope - t * b.slope);
     const Vec3 base = section_.base(f);
     return std::visit(
         [&]<class S>(const S& s) -> std::optional<CurvePlace> {
@@ -196,7 +205,10 @@ class RuledCurve {
   geometry::SectionCurve section_;
   std::unique_ptr<AnySurface> carrier_;
   double low_ = 0.0, high_ = 1.0;
-  std::vector<double> heights_;
+  struct Height {
+    double value, slope;
+  };
+  std::vector<Height> heights_;
 };
 
 }  // namespace arelem::surface

@@ -43,7 +43,8 @@ TEST(MeshContact, TheGapIsTheLeastOfTheTriangle) {
     }
     for (const auto& values : cutters) {
       const Profile cutter = *makeProfile(values);
-      const TriangleCutter body(cutter, Vec3::Zero(), Vec3::UnitZ());
+      const Body shape(cutter);
+      const TriangleCutter body(shape, Vec3::Zero(), Vec3::UnitZ());
       const double gap = body.gapTo(mesh, 0).gap;
       double least = 1e9;
       for (int u = 0; u <= steps; ++u) {
@@ -73,11 +74,12 @@ TEST(MeshContact, TheNormalIsTheGradientOfTheGap) {
     const auto mesh = triangle(corner(), corner(), corner());
     for (const auto& values : cutters) {
       const Profile cutter = *makeProfile(values);
+      const Body shape(cutter);
       constexpr double h = 1e-5;
       const auto gapAt = [&](const Vec3& te) {
-        return TriangleCutter(cutter, te, Vec3::UnitZ()).gapTo(mesh, 0).gap;
+        return TriangleCutter(shape, te, Vec3::UnitZ()).gapTo(mesh, 0).gap;
       };
-      const TriangleGap c = TriangleCutter(cutter, Vec3::Zero(), Vec3::UnitZ()).gapTo(mesh, 0);
+      const TriangleGap c = TriangleCutter(shape, Vec3::Zero(), Vec3::UnitZ()).gapTo(mesh, 0);
       for (int k = 0; k < 3; ++k) {
         const Vec3 step = h * Vec3::Unit(k);
         const double up = (gapAt(step) - c.gap) / h;
@@ -109,12 +111,13 @@ TEST(MeshContact, OnAWayNoNearerPlaceIsMissed) {
     const Vec3 sweep(in(-1, 1), in(-1, 1), in(-0.2, 0.2));
     for (const auto& values : cutters) {
       const Profile cutter = *makeProfile(values);
+      const Body shape(cutter);
       double least = 1e9;
       for (int k = -20; k <= 20; ++k) {
-        const TriangleCutter there(cutter, k / 20.0 * sweep, Vec3::UnitZ());
+        const TriangleCutter there(shape, k / 20.0 * sweep, Vec3::UnitZ());
         least = std::min(least, there.gapTo(mesh, 0).gap);
       }
-      const TriangleCutter body(cutter, Vec3::Zero(), Vec3::UnitZ(), sweep);
+      const TriangleCutter body(shape, Vec3::Zero(), Vec3::UnitZ(), sweep);
       EXPECT_TRUE(body.mayReach(mesh, 0, least + 1e-9)) << i;
       EXPECT_TRUE(body.mayReach(0.5 * (low + high), 0.5 * (high - low), least + 1e-9)) << i;
       excluded += body.mayReach(mesh, 0, least - 0.3) ? 0 : 1;
@@ -129,14 +132,14 @@ TEST(MeshContact, PencilCases) {
   const auto flat = triangle({-9, -9, 0}, {9, -9, 0}, {0, 9, 0});
   const Profile end = *makeProfile(std::vector<double>{2.0});
   const Profile ball = *makeProfile(std::vector<double>{2.0, 1.0});
-  EXPECT_NEAR(TriangleCutter(end, {0, 0, 2}, Vec3::UnitZ()).gapTo(flat, 0).gap, 2.0, 1e-14);
-  EXPECT_NEAR(TriangleCutter(ball, {0, 0, 2}, Vec3::UnitZ()).gapTo(flat, 0).gap, 2.0, 1e-14);
+  EXPECT_NEAR(TriangleCutter(Body(end), {0, 0, 2}, Vec3::UnitZ()).gapTo(flat, 0).gap, 2.0, 1e-14);
+  EXPECT_NEAR(TriangleCutter(Body(ball), {0, 0, 2}, Vec3::UnitZ()).gapTo(flat, 0).gap, 2.0, 1e-14);
   // A wall x = 5 beside the shank of radius 1.
   const auto wall = triangle({5, -9, -9}, {5, 9, -9}, {5, 0, 30});
-  EXPECT_NEAR(TriangleCutter(end, {0, 0, 0}, Vec3::UnitZ()).gapTo(wall, 0).gap, 4.0, 1e-12);
+  EXPECT_NEAR(TriangleCutter(Body(end), {0, 0, 0}, Vec3::UnitZ()).gapTo(wall, 0).gap, 4.0, 1e-12);
   // The corner (2, 0, -1) below the edge of the flat end: 1 across and 1 down.
   const auto point = triangle({2, 0, -1}, {9, -3, -9}, {9, 3, -9});
-  EXPECT_NEAR(TriangleCutter(end, {0, 0, 0}, Vec3::UnitZ()).gapTo(point, 0).gap, std::sqrt(2.0),
+  EXPECT_NEAR(TriangleCutter(Body(end), {0, 0, 0}, Vec3::UnitZ()).gapTo(point, 0).gap, std::sqrt(2.0),
               1e-9);
 }
 

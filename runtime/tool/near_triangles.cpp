@@ -1,0 +1,306 @@
+#include "runtime/tool/near_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "runtime/tool/mesh_contact.h"
+
+namespace arelem::tool {
+
+namespace {
+/// Lists longer than `most` are not made; pieces of way are made longer or shorter until lists are
+/// between `few` and `many`.
+constexpr std::size_t few = 60;
+constexpr std::size_t many = 160;
+constexpr std::size_t most = 1000;
+constexpr double growth = 1.5;
+/// Lists reach this much beyond the gap, as a share of the length of the piece of way.
+constexpr double margin = 1.0 / 16.0;
+/// Share of the piece of way that lies behind.
+constexpr double behind = 0.5;
+/// Tools that moved by more lengths of the last piece of way did not go on along it.
+constexpr double jump = 4.0;
+/// Length of the first piece of way, in lengths of an edge.
+constexpr double firstEdges = 4.0;
+
+Facet facetOf(const surface::MeshShape& shape, std::size_t triangle) {
+  const auto& t = shape.mesh.triangles[triangle];
+  const auto& v = shape.mesh.vertices;
+  return {v[t[0]], v[t[1]], v[t[2]], shape.normals[triangle]};
+}
+}  // namespace
+
+class NearTriangles::List {
+ public:
+  List(const surface::MeshShape& shape, const Profile& cutter)
+      : shape_(shape),
+        body_(cutter),
+        arm_(std::hypot(cutter.maxRadius(), std::max(cutter.h, cutter.f + cutter.r))),
+        ahead_(firstEdges * (shape.mesh.corner(0, 0) - shape.mesh.corner(0, 1)).norm()) {}
+
+  [[nodiscard]] TriangleGap least(const Vec3& te, const Vec3& axis, std::size_t& triangle);
+  [[nodiscard]] double lowest(const Vec3& from, const Vec3& to, const Vec3& axis, double aim);
+
+ private:
+  /// The gap with the tool end at te is at least base + slope.te.
+  struct Tangent {
+    double base = 0.0;
+    Vec3 slope = Vec3::Zero();
+
+    [[nodiscard]] double at(const Vec3& te) const { return base + slope.dot(te); }
+  };
+  /// With the tangents from the last positions, as those are often looked at again.
+  struct Candidate {
+    std::array<Tangent, 3> tangents;
+    std::uint32_t triangle = 0;
+    std::uint32_t count = 1;
+
+    [[nodiscard]] bool isBeyond(const Vec3& te, double gap) const {
+      return tangents[0].at(te) > gap || (count > 1 && tangents[1].at(te) > gap) ||
+             (count > 2 && tangents[2].at(te) > gap);
+    }
+    /// The same on a whole straight way.
+    [[nodiscard]] bool isBeyond(const Vec3& from, const Vec3& to, double gap) const {
+      for (std::uint32_t i = 0; i < count; ++i) {
+        if (std::min(tangents[i].at(from), tangents[i].at(to)) >= gap) {
+          return true;
+        }
+      }
+      return false;
+    }
+    void raise(const TriangleGap& gap, const Vec3& te) {
+      tangents[2] = tangents[1];
+      tangents[1] = tangents[0];
+      tangents[0] = {gap.low - gap.slope.dot(te), gap.slope};
+      count = std::min(count + 1, 3U);
+    }
+  };
+  class Collect;
+
+  /// Distance of a tool end to the piece of way.
+  [[nodiscard]] double toWay(const Vec3& te) const;
+  /// How much a gap may have changed by the turn of the axis.
+  [[nodiscard]] double turnedBy(const Vec3& axis) const;
+  /// No triangle outside the list is nearer than this.
+  [[nodiscard]] double beyond(const Vec3& te, const Vec3& axis) const;
+  [[nodiscard]] TriangleGap scan(const PlacedBody& body, std::size_t& triangle);
+  [[nodiscard]] bool collect(
+      const Vec3& from, const Vec3& to, const Vec3& axis, double ceiling, std::size_t limit);
+  [[nodiscard]] bool collectAround(const Vec3& te, const Vec3& axis, double gap);
+  [[nodiscard]] double lowestOf(Candidate& c, const PlacedBody& a, const PlacedBody& b, double aim);
+
+  const surface::MeshShape& shape_;
+  Body body_;
+  double arm_;  ///< from the tool end to the farthest place of the cutter
+  std::vector<Candidate> near_;
+  bool valid_ = false;
+  Vec3 from_ = Vec3::Zero(), to_ = Vec3::Zero(), axis_ = Vec3::UnitZ();
+  double ceiling_ = 0.0;
+  double ahead_;  ///< length of the piece of way that is looked at next
+};
+
+/// Takes the triangles that a tangent from one measured distance does not exclude.
+class NearTriangles::List::Collect final : public geometry::TriangleSearch {
+ public:
+  Collect(List& near,
+          const Vec3& from,
+          const Vec3& to,
+          const Vec3& axis,
+          double ceiling,
+          std::size_t limit)
+      : near_(near),
+        from_(from),
+        to_(to),
+        middle_(near.body_, 0.5 * (from + to), axis),
+        boxes_(near.body_, 0.5 * (from + to), axis, 0.5 * (to - from)),
+        ceiling_(ceiling),
+        limit_(limit) {}
+
+  bool enters(const Vec3& center, const Vec3& half) override {
+    return !full && boxes_.mayReach(center, half, ceiling_);
+  }
+  void visit(std::size_t i) override {
+    if (full) {
+      return;
+    }
+    const GapTangent tangent = tangentBelow(middle_, facetOf(near_.shape_, i));
+    const Tangent below{tangent.low - tangent.slope.dot(middle_.te()), tangent.slope};
+    if (std::min(below.at(from_), below.at(to_)) <= ceiling_) {
+      near_.near_.push_back({{below}, static_cast<std::uint32_t>(i), 1});
+      full = near_.near_.size() >= limit_;
+    }
+  }
+
+ private:
+  List& near_;
+  const Vec3 &from_, &to_;
+  PlacedBody middle_;
+  TriangleCutter boxes_;
+  double ceiling_;
+  std::size_t limit_;
+
+ public:
+  bool full = false;
+};
+
+double NearTriangles::List::toWay(const Vec3& te) const {
+  const Vec3 along = to_ - from_;
+  const double squared = along.squaredNorm();
+  const double share =
+      squared > 0.0 ? std::clamp((te - from_).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (te - from_ - share * along).norm();
+}
+
+double NearTriangles::List::turnedBy(const Vec3& axis) const {
+  return axis == axis_ ? 0.0 : arm_ * (axis - axis_).norm();
+}
+
+double NearTriangles::List::beyond(const Vec3& te, const Vec3& axis) const {
+  return ceiling_ - toWay(te) - turnedBy(axis);
+}
+
+bool NearTriangles::List::collect(
+    const Vec3& from, const Vec3& to, const Vec3& axis, double ceiling, std::size_t limit) {
+  near_.clear();
+  Collect search(*this, from, to, axis, ceiling, limit);
+  shape_.tree->search(search);
+  valid_ = !search.full;
+  from_ = from;
+  to_ = to;
+  axis_ = axis;
+  ceiling_ = ceiling;
+  ahead_ = near_.size() < few ? growth * ahead_ : near_.size() > many ? ahead_ / growth : ahead_;
+  return valid_;
+}
+
+/// The piece of way goes on from the last one.
+bool NearTriangles::List::collectAround(const Vec3& te, const Vec3& axis, double gap) {
+  const Vec3 gone = te - from_;
+  const double distance = gone.norm();
+  const bool goesOn =
+      valid_ && distance > 0.0 && distance <= jump * (ahead_ + (to_ - from_).norm());
+  const Vec3 way = goesOn ? Vec3(ahead_ / distance * gone) : Vec3(Vec3::Zero());
+  return collect(te - behind * way, te + (1.0 - behind) * way, axis, gap + margin * ahead_, most);
+}
+
+TriangleGap NearTriangles::List::scan(const PlacedBody& body, std::size_t& triangle) {
+  TriangleGap least = gapOf(body, facetOf(shape_, triangle));
+  const double turned = turnedBy(body.axis());
+  for (Candidate& c : near_) {
+    if (c.triangle == triangle || c.isBeyond(body.te(), least.gap + turned)) {
+      continue;
+    }
+    const TriangleGap gap = gapOf(body, facetOf(shape_, c.triangle), least.gap);
+    if (turned == 0.0) {
+      c.raise(gap, body.te());
+    }
+    if (gap.gap < least.gap || (gap.gap == least.gap && c.triangle < triangle)) {
+      least = gap;
+      triangle = c.triangle;
+    }
+  }
+  return least;
+}
+
+TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::size_t& triangle) {
+  if (!body_.isConvex()) {
+    return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, *shape_.tree, triangle);
+  }
+  const PlacedBody body(body_, te, axis);
+  TriangleGap least;
+  if (valid_ && toWay(te) <= ahead_) {
+    least = scan(body, triangle);
+    if (least.gap <= beyond(te, axis)) {
+      return least;
+    }
+  } else {
+    least = gapOf(body, facetOf(shape_, triangle));
+  }
+  if (collectAround(te, axis, least.gap)) {
+    return scan(body, triangle);
+  }
+  least = leastGap(TriangleCutter(body_, te, axis), shape_.mesh, *shape_.tree, triangle);
+  (void)collectAround(te, axis, least.gap);
+  return least;
+}
+
+/// Tangents at both ends, where the one at hand does not do.
+double NearTriangles::List::lowestOf(Candidate& c,
+                                     const PlacedBody& a,
+                                     const PlacedBody& b,
+                                     double aim) {
+  const Facet facet = facetOf(shape_, c.triangle);
+  const Vec3 step = b.te() - a.te();
+  const double enough = aim + step.norm();
+  const TriangleGap first = gapOf(a, facet, enough);
+  c.raise(first, a.te());
+  if (first.gap >= enough) {
+    return aim;  // it changes by no more than the way
+  }
+  if (step.isZero(0.0)) {
+    return first.gap;
+  }
+  const double rise = first.slope.dot(step);
+  if (std::min(first.low, first.low + rise) >= aim) {
+    return aim;
+  }
+  const TriangleGap last = gapOf(b, facet, enough);
+  const double fall = last.slope.dot(step);
+  if (std::min(last.low, last.low - fall) >= aim) {
+    c.raise(last, b.te());
+    return aim;
+  }
+  // The lower envelope of first.low + rise s and last.low - fall (1 - s).
+  double least =
+      std::min(std::max(first.low, last.low - fall), std::max(last.low, first.low + rise));
+  if (rise < 0.0 && fall > 0.0) {
+    const double s = std::clamp((last.low - fall - first.low) / (rise - fall), 0.0, 1.0);
+    least = std::min(least, first.low + rise * s);
+  }
+  return least;
+}
+
+double NearTriangles::List::lowest(const Vec3& from, const Vec3& to, const Vec3& axis, double aim) {
+  const double slack = margin * ahead_;
+  if (!valid_ || axis != axis_ || std::min(beyond(from, axis), beyond(to, axis)) < aim) {
+    if (!collect(from, to, axis, aim + slack, most)) {
+      (void)collect(from, to, axis, aim, shape_.mesh.triangles.size() + 1);
+    }
+  }
+  const PlacedBody a(body_, from, axis_);
+  const PlacedBody b(body_, to, axis_);
+  double least = aim;
+  for (Candidate& c : near_) {
+    if (!c.isBeyond(from, to, least)) {
+      least = std::min(least, lowestOf(c, a, b, least));
+    }
+  }
+  return least;
+}
+
+TriangleGap NearTriangles::least(const surface::MeshShape& shape,
+                                 const Profile& cutter,
+                                 const Vec3& te,
+                                 const Vec3& axis,
+                                 std::size_t& triangle) {
+  if (!list_) {
+    list_ = std::make_shared<List>(shape, cutter);
+  }
+  return list_->least(te, axis, triangle);
+}
+
+double NearTriangles::lowest(const surface::MeshShape& shape,
+                             const Profile& cutter,
+                             const Vec3& from,
+                             const Vec3& to,
+                             const Vec3& axis,
+                             double aim) {
+  if (!list_) {
+    list_ = std::make_shared<List>(shape, cutter);
+  }
+  return list_->lowest(from, to, axis, aim);
+}
+
+}  // namespace arelem::tool

@@ -1,0 +1,141 @@
+#include "runtime/tool/near_triangles.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+// The least gap to a mesh, found with what is remembered of earlier positions, against all
+// triangles one by one.
+namespace arelem::tool {
+namespace {
+
+const std::vector<std::vector<double>> cutters = {{0.75},
+                                                  {0.75, 0.375},
+                                                  {1.0, 0.1875},
+                                                  {0.75, 0.125, 0.266342, 0.125, 0, 8, 3},
+                                                  {1.0, 0, 0.5, 0, 0, 0, 2}};
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double in(double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine_); }
+  Vec3 vector(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A rough square from -2 to 2 under z = 0.
+surface::MeshShape rough(Random& random, int side, double roughness) {
+  geometry::TriangleMesh mesh;
+  for (int i = 0; i <= side; ++i) {
+    for (int k = 0; k <= side; ++k) {
+      const double x = 4.0 * i / side - 2.0;
+      const double y = 4.0 * k / side - 2.0;
+      mesh.vertices.emplace_back(x, y,
+                                 0.3 * std::sin(2 * x) * std::cos(y) - random.in(0, roughness));
+    }
+  }
+  const auto at = [&](int i, int k) { return static_cast<std::uint32_t>(i * (side + 1) + k); };
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < side; ++k) {
+      mesh.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      mesh.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return surface::MeshShape(std::move(mesh));
+}
+
+double leastOfAll(const surface::MeshShape& shape,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis) {
+  const TriangleCutter body(Body(cutter), te, axis);
+  double least = 1e9;
+  for (std::size_t i = 0; i < shape.mesh.triangles.size(); ++i) {
+    least = std::min(least, body.gapTo(shape.mesh, i).gap);
+  }
+  return least;
+}
+
+TEST(NearTriangles, TheLeastGapIsThatOfAllTriangles) {
+  Random random(21);
+  for (const double roughness : {0.0, 0.02, 0.3}) {
+    const surface::MeshShape shape = rough(random, 16, roughness);
+    for (const auto& values : cutters) {
+      const Profile cutter = *makeProfile(values);
+      NearTriangles near;
+      std::size_t triangle = 0;
+      Vec3 te(-1, -0.5, 0.4);
+      Vec3 axis = Vec3::UnitZ();
+      Vec3 way = random.vector(0.05);
+      for (int i = 0; i < 150; ++i) {
+        // On and on, aside a little, and now and then somewhere else or with another axis.
+        way = i % 20 == 0 ? random.vector(0.05) : way;
+        te += way + random.vector(0.004);
+        te = i % 50 == 49 ? random.vector(1.5) : te;
+        te.z() = std::clamp(te.z(), -0.4, 0.8);
+        axis = i % 40 == 39 ? Vec3(Vec3::UnitZ() + random.vector(0.3)).normalized() : axis;
+        const TriangleGap found = near.least(shape, cutter, te, axis, triangle);
+        EXPECT_NEAR(found.gap, leastOfAll(shape, cutter, te, axis), 1e-11) << i;
+        const TriangleCutter there(Body(cutter), te, axis);
+        EXPECT_EQ(there.gapTo(shape.mesh, triangle).gap, found.gap) << i;
+      }
+    }
+  }
+}
+
+TEST(NearTriangles, NoPlaceOfAWayIsNearerThanItsLowest) {
+  Random random(8);
+  const surface::MeshShape shape = rough(random, 16, 0.05);
+  int close = 0;
+  for (const auto& values : cutters) {
+    const Profile cutter = *makeProfile(values);
+    NearTriangles near;
+    for (int i = 0; i < 40; ++i) {
+      const Vec3 from = Vec3(random.in(-1.5, 1.5), random.in(-1.5, 1.5), random.in(-0.2, 0.4));
+      const Vec3 to = from + random.vector(i % 2 == 0 ? 0.02 : 0.3);
+      double least = 1e9;
+      for (int k = 0; k <= 40; ++k) {
+        const Vec3 te = from + k / 40.0 * (to - from);
+        least = std::min(least, leastOfAll(shape, cutter, te, Vec3::UnitZ()));
+      }
+      EXPECT_LE(near.lowest(shape, cutter, from, to, Vec3::UnitZ(), 10.0), least + 1e-11) << i;
+      const double aim = least - 0.25 * (to - from).norm();
+      const double low = near.lowest(shape, cutter, from, to, Vec3::UnitZ(), aim);
+      EXPECT_LE(low, aim) << i;
+      close += low == aim ? 1 : 0;
+    }
+  }
+  EXPECT_GT(close, 150);  // of 200: the bounds are near enough to be of use
+}
+
+TEST(NearTriangles, TheGapLiesAboveItsTangent) {
+  Random random(4);
+  for (int i = 0; i < 400; ++i) {
+    const Vec3 center = Vec3(random.in(-1, 1), random.in(-1, 1), random.in(-0.6, 0.6));
+    const Vec3 a = center + random.vector(0.5);
+    const Vec3 b = center + random.vector(0.5);
+    const Vec3 c = center + random.vector(0.5);
+    const Facet facet = Facet::of(a, b, c);
+    for (const auto& values : cutters) {
+      const Profile cutter = *makeProfile(values);
+      const Body body(cutter);
+      const TriangleGap here = gapOf(PlacedBody(body, Vec3::Zero(), Vec3::UnitZ()), facet);
+      EXPECT_LE(here.low, here.gap + 1e-12) << i;
+      if (here.gap > -0.1) {  // deeper ones may be on the axis, where the tangent is any
+        EXPECT_GE(here.low, here.gap - 1e-6) << i;
+      }
+      const GapTangent rough = tangentBelow(PlacedBody(body, Vec3::Zero(), Vec3::UnitZ()), facet);
+      for (int k = 0; k < 10; ++k) {
+        const Vec3 step = random.vector(k % 2 == 0 ? 0.3 : 0.01);
+        const double gap = gapOf(PlacedBody(body, step, Vec3::UnitZ()), facet).gap;
+        EXPECT_GE(gap, here.low + here.slope.dot(step) - 1e-11) << i;
+        EXPECT_GE(gap, rough.low + rough.slope.dot(step) - 1e-11) << i;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace arelem::tool
