@@ -3,75 +3,25 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <optional>
+#include <future>
+#include <set>
 
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "ir/diag/render_text.h"
+#include "runtime/path/curve_needs.h"
+#include "runtime/path/feed_override.h"
 #include "runtime/path/movnrb.h"
+#include "runtime/path/swarf.h"
 
 namespace arelem::app {
 
 namespace {
-/// Bytes of a piece: some ten thousand statements.
-constexpr std::size_t pieceSize = 1U << 20U;
-/// Smaller files are read at once.
-constexpr std::uintmax_t worthIt = 4U * pieceSize;
 /// What is looked at to find out whether a text is CL text.
 constexpr std::size_t beginning = 1U << 16U;
-
-/// Only whether anything was said: the ordinary way says it again, with its place.
-class Silent : public DiagnosticSink {
- public:
-  void accept(Diagnostic /*diagnostic*/) override { said = true; }
-  bool said = false;
-};
-
-/// Cuts a file at ends of statements.
-class Pieces {
- public:
-  explicit Pieces(const std::string& path) : in_(path, std::ios::binary) {}
-
-  /// The next piece; empty at the end.
-  std::string next() {
-    std::string piece = std::move(rest_);
-    rest_.clear();
-    for (std::size_t wanted = pieceSize;; wanted += pieceSize) {
-      while (piece.size() < wanted && in_) {
-        const std::size_t before = piece.size();
-        piece.resize(wanted);
-        in_.read(piece.data() + before, static_cast<std::streamsize>(wanted - before));
-        piece.resize(before + static_cast<std::size_t>(in_.gcount()));
-      }
-      if (!in_) {
-        return piece;
-      }
-      if (const std::size_t end = statementEnd(piece); end != 0) {
-        rest_ = piece.substr(end);
-        piece.resize(end);
-        return piece;
-      }
-    }
-  }
-  [[nodiscard]] bool atEnd() const { return rest_.empty() && !in_; }
-  [[nodiscard]] bool good() const { return !in_.bad(); }
-
- private:
-  /// Behind the last line feed whose line is not continued; 0 when there is none.
-  static std::size_t statementEnd(const std::string& piece) {
-    for (std::size_t feed = piece.rfind('\n'); feed != std::string::npos && feed > 0;
-         feed = piece.rfind('\n', feed - 1)) {
-      const std::size_t last = piece.find_last_not_of(" \t\r", feed - 1);
-      if (last == std::string::npos || piece[last] != '$') {
-        return feed + 1;
-      }
-    }
-    return 0;
-  }
-
-  std::ifstream in_;
-  std::string rest_;
-};
+/// Texts of so many pieces are there at a time, and those that a message shows.
+constexpr std::uint32_t livePieces = 3;
 
 /// Statements that need nothing but what is carried from piece to piece.
 bool standsAlone(const ir::Statement& statement) {
@@ -82,6 +32,8 @@ bool standsAlone(const ir::Statement& statement) {
       case WordClass::postWithoutParameters:
       case WordClass::arelemValue:
       case WordClass::arelemSwitch:
+      case WordClass::toolPosition:
+      case WordClass::runControl:
       case WordClass::units:
       case WordClass::motion:
         return true;
@@ -101,134 +53,306 @@ bool standsAlone(const ir::Program& program) {
     return false;
   }
   const auto& statements = program.blocks[0].statements;
-  return std::all_of(statements.begin(), statements.end(),
-                     [](const ir::Statement& s) { return standsAlone(s); });
+  return !statements.empty() && std::all_of(statements.begin(), statements.end(),
+                                            [](const ir::Statement& s) { return standsAlone(s); });
 }
 
-/// The pieces of one file, and what they have in common.
-class Stream {
+/// Actions whose motion is rewritten over the whole program, unless a CAM system did so already.
+bool needsAll(const std::vector<runtime::Action>& actions, frontend::Dialect dialect) {
+  return dialect != frontend::Dialect::cl &&
+         (path::overridesFeeds(actions) || path::firstSwarf(actions).has_value() ||
+          path::needsChords(actions));
+}
+}  // namespace
+
+class ClReading::Reader {
  public:
-  Stream(Compilation& job, cl::RecordSink& records, const InterruptFlag& interrupted)
-      : job_(job), interrupted_(interrupted) {
-    runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}};
-    options.axesFollow = true;
-    options.keepsFacts = false;
-    frames_ = frameStage(job.settings, records, silent_);
-    splines_ = path::makeMovnrbCheck(*frames_, silent_);
-    execution_.emplace(options, *splines_, silent_);
+  Reader(Compilation& job,
+         const std::string& path,
+         frontend::Dialect dialect,
+         const InterruptFlag& interrupted,
+         const ClStreamRules& rules)
+      : job_(job),
+        path_(path),
+        dialect_(dialect),
+        interrupted_(interrupted),
+        pieces_(path, rules.piece) {
+    job_.main = nowhere.buffer;  // no piece is read behind the others
   }
 
-  /// False when the file must be read at once.
-  bool take(std::string text, const std::string& path, bool last) {
-    if (objectionToText(path, text) || ended_) {
-      return ended_ && text.find_first_not_of(" \t\r\n") == std::string::npos;
-    }
-    const bool single = compile(std::move(text), path);
-    if (!single || silent_.said || interrupted_) {
+  bool open() {
+    std::optional<ClPieces::Piece> piece = pieces_.next();
+    if (!piece) {
       return false;
     }
-    const auto& statements = program_.blocks[0].statements;
-    statements_ += statements.size();
-    evaluate();
-    ended_ = statements.back().span.length > 0;  // a FINI that was written
-    if (!ended_ && !last) {
-      evaluation_.actions.pop_back();  // that of the end of the piece
-      --statements_;
-      --job_.evaluation.steps;
+    last_ = piece->last;
+    good_ = good_ && !objectionToText(path_, piece->text);
+    places_.push_back({piece->start.bytes, piece->text.size()});
+    buffer_ = job_.sources.addPiece(displayName(path_), std::move(piece->text), piece->start);
+    if (buffer_.index >= livePieces && told_.count(buffer_.index - livePieces) == 0) {
+      job_.sources.release({buffer_.index - livePieces});
     }
-    if (job_.evaluation.steps > job_.settings.limits.steps) {
-      return false;
+    return true;
+  }
+
+  std::unique_ptr<ClPiece> read() {
+    const std::string_view text = job_.sources.text(buffer_);
+    if (!good_ || !pieces_.good() ||
+        (ended_ && text.find_first_not_of(" \t\r\n") != std::string_view::npos)) {
+      return nullptr;
     }
-    {
-      const Stopwatch watch(job_.seconds.execute);
-      execution_->feed(evaluation_.actions);
+    auto piece = std::make_unique<ClPiece>();
+    piece->buffer = buffer_;
+    if (ended_) {
+      return piece;
     }
-    return !silent_.said && !interrupted_;
+    CollectingSink messages;
+    if (!compile(*piece, messages)) {
+      return nullptr;
+    }
+    evaluate(*piece, messages);
+    const bool most = job_.evaluation.steps > job_.settings.limits.steps;
+    return tell(messages.all()) && good_ && !most && !interrupted_ ? std::move(piece) : nullptr;
+  }
+
+  bool take(const std::vector<Diagnostic>& messages) {
+    late_.insert(late_.end(), messages.begin(), messages.end());
+    return check(messages);
   }
 
   bool finish() {
-    job_.motion = execution_->finish();
-    return !silent_.said && job_.motion.complete;
+    CollectingSink messages;
+    runtime::reportIgnored(carried_.ignored, messages);
+    const bool good = pieces_.good() && tell(messages.all());
+    for (Diagnostic& d : late_) {
+      job_.log.accept(std::move(d));
+    }
+    return good;
   }
   [[nodiscard]] std::size_t statements() const { return statements_; }
 
  private:
-  bool compile(std::string text, const std::string& path) {
-    const Stopwatch watch(job_.seconds.parse);
-    frontend::Options options;
-    options.dialect = frontend::Dialect::cl;
-    options.limits = job_.settings.limits;
-    options.interrupted = &interrupted_;
-    SourceMap sources;
-    const BufferId buffer = sources.add(displayName(path), std::move(text));
-    program_ = frontend::compile(sources, buffer, options, silent_);
-    return standsAlone(program_) && !program_.blocks[0].statements.empty();
+  bool tell(const std::vector<Diagnostic>& messages) {
+    for (const Diagnostic& d : messages) {
+      job_.log.accept(d);
+    }
+    return check(messages);
   }
 
-  void evaluate() {
+  /// Keeps the texts that messages show. False for what is not told, or not in the same way, of a
+  /// file in pieces.
+  bool check(const std::vector<Diagnostic>& messages) {
+    for (const Diagnostic& d : messages) {
+      const bool alone = d.calledFrom.empty() &&
+                         std::all_of(d.labels.begin(), d.labels.end(), [&](const Label& label) {
+                           return label.span.buffer == d.at.buffer;
+                         });
+      if (!alone || d.severity() == Severity::error || !keep(d.at.buffer)) {
+        return false;
+      }
+    }
+    // Beyond these some are only counted, and not the same ones as for a text read at once.
+    const std::uint64_t most =
+        std::min<std::uint64_t>(DiagnosticLog::kept, 4 * job_.settings.limits.errors);
+    return job_.log.warnings() + late_.size() <= most;
+  }
+
+  /// Keeps the text of a piece, and brings it back where it is gone.
+  bool keep(BufferId piece) {
+    if (piece.index >= places_.size()) {
+      return false;
+    }
+    const bool there = piece.index + livePieces > buffer_.index || told_.count(piece.index) > 0;
+    told_.insert(piece.index);
+    if (there) {
+      return true;
+    }
+    const auto& [begin, size] = places_[piece.index];
+    std::string text(size, '\0');
+    std::ifstream in(path_, std::ios::binary);
+    in.seekg(static_cast<std::streamoff>(begin));
+    in.read(text.data(), static_cast<std::streamsize>(size));
+    job_.sources.restore(piece, std::move(text));
+    return static_cast<std::size_t>(in.gcount()) == size;
+  }
+
+  bool compile(ClPiece& piece, DiagnosticSink& messages) {
+    const Stopwatch watch(job_.seconds.parse);
+    frontend::Options options;
+    options.dialect = dialect_;
+    options.limits = job_.settings.limits;
+    options.interrupted = &interrupted_;
+    options.extent = last_ ? frontend::Extent::lastPiece : frontend::Extent::piece;
+    const std::size_t texts = job_.sources.size();
+    piece.program = frontend::compile(job_.sources, buffer_, options, messages);
+    return standsAlone(piece.program) && job_.sources.size() == texts;
+  }
+
+  void evaluate(ClPiece& piece, DiagnosticSink& messages) {
     const Stopwatch watch(job_.seconds.evaluate);
+    const auto& statements = piece.program.blocks[0].statements;
+    statements_ += statements.size();
     runtime::Options options{job_.settings.limits, &interrupted_, {}, false, {}, {}};
     options.carried = &carried_;
-    evaluation_ = runtime::evaluate(program_, options, silent_);
-    job_.evaluation.steps += evaluation_.steps;
-    for (runtime::Action& action : evaluation_.actions) {
+    const std::size_t ignored = carried_.ignored.size();
+    piece.evaluation = runtime::evaluate(piece.program, options, messages);
+    for (std::size_t i = ignored; i < carried_.ignored.size(); ++i) {
+      piece.ignored.push_back(carried_.ignored[i].first);
+    }
+    for (runtime::Action& action : piece.evaluation.actions) {
       action.isn += isn_;
-      action.origin = {};  // its text is gone soon
     }
     // The end of a piece has the number of the statement behind it.
-    isn_ += static_cast<int>(program_.blocks[0].statements.back().isn) - 1;
+    isn_ += static_cast<int>(statements.back().isn) - 1;
+    ended_ = statements.back().span.length > 0;  // a FINI that was written
+    job_.evaluation.steps += piece.evaluation.steps;
+    if (!ended_ && !last_) {
+      piece.evaluation.actions.pop_back();  // that of the end of the piece
+      --statements_;
+      --job_.evaluation.steps;
+    }
+    good_ = good_ && piece.evaluation.complete && !needsAll(piece.evaluation.actions, dialect_);
   }
 
   Compilation& job_;
+  std::string path_;
+  frontend::Dialect dialect_;
   const InterruptFlag& interrupted_;
-  Silent silent_;
+  ClPieces pieces_;
+  runtime::Carried carried_;
+  BufferId buffer_;
+  std::vector<std::pair<std::uint64_t, std::size_t>> places_;  ///< of the pieces: begin and size
+  std::set<std::uint32_t> told_;                               ///< pieces that messages show
+  int isn_ = 0;
+  std::vector<Diagnostic> late_;  ///< of the motion: told behind those of Section 1
+  std::size_t statements_ = 0;
+  bool last_ = false, ended_ = false, good_ = true;
+};
+
+ClReading::ClReading(Compilation& job,
+                     const std::string& path,
+                     frontend::Dialect dialect,
+                     const InterruptFlag& interrupted,
+                     const ClStreamRules& rules)
+    : reader_(std::make_unique<Reader>(job, path, dialect, interrupted, rules)) {}
+ClReading::~ClReading() = default;
+bool ClReading::open() {
+  return reader_->open();
+}
+std::unique_ptr<ClPiece> ClReading::read() {
+  return reader_->read();
+}
+bool ClReading::take(const std::vector<Diagnostic>& messages) {
+  return reader_->take(messages);
+}
+bool ClReading::finish() {
+  return reader_->finish();
+}
+std::size_t ClReading::statements() const {
+  return reader_->statements();
+}
+
+namespace {
+/// Sections 2 and 3 of the pieces, each beside the reading of the next one.
+class ClMotion {
+ public:
+  ClMotion(Compilation& job,
+           frontend::Dialect dialect,
+           ClStreamEnd& end,
+           const InterruptFlag& interrupted)
+      : job_(job), messages_(end.messages) {
+    runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}};
+    options.axesFollow = dialect == frontend::Dialect::cl;
+    options.keepsFacts = false;
+    cl::RecordSink* first = &end.records;
+    if (options.axesFollow) {
+      frames_ = frameStage(job.settings, *first, messages_);
+      splines_ = path::makeMovnrbCheck(*frames_, messages_);
+      first = splines_.get();
+    }
+    execution_.emplace(options, *first, messages_);
+  }
+  ~ClMotion() {
+    if (running_.valid()) {
+      running_.wait();
+    }
+  }
+  ClMotion(const ClMotion&) = delete;
+  ClMotion& operator=(const ClMotion&) = delete;
+
+  void begin(std::unique_ptr<ClPiece> piece) {
+    running_ = std::async(std::launch::async, [this, piece = std::move(piece)] {
+      const Stopwatch watch(job_.seconds.execute);
+      execution_->feed(piece->evaluation.actions);
+    });
+  }
+  /// What the piece in work has told.
+  std::vector<Diagnostic> wait() {
+    if (running_.valid()) {
+      running_.get();
+    }
+    std::vector<Diagnostic> told = messages_.all();
+    messages_.clear();
+    return told;
+  }
+  bool finish() {
+    job_.motion = execution_->finish();
+    return job_.motion.complete;
+  }
+
+ private:
+  Compilation& job_;
+  CollectingSink& messages_;
   std::unique_ptr<cl::RecordSink> frames_, splines_;
   std::optional<runtime::Execution> execution_;
-  runtime::Carried carried_;
-  ir::Program program_;
-  runtime::Evaluation evaluation_;
-  int isn_ = 0;
-  std::size_t statements_ = 0;
-  bool ended_ = false;
+  std::future<void> running_;
 };
 }  // namespace
 
-bool isLargeCl(const std::string& path, const Settings& settings) {
+std::optional<frontend::Dialect> streamDialect(const std::string& path,
+                                               const Settings& settings,
+                                               const ClStreamRules& rules) {
   std::error_code error;
   const bool fits = path != "-" && std::filesystem::is_regular_file(path, error) &&
-                    std::filesystem::file_size(path, error) >= worthIt &&
+                    std::filesystem::file_size(path, error) >= rules.smallest &&
                     std::filesystem::file_size(path, error) <= settings.limits.bytes;
   if (!fits || error || !settings.defines.empty()) {
-    return false;
-  }
-  if (settings.dialect != frontend::Dialect::automatic) {
-    return settings.dialect == frontend::Dialect::cl;
+    return std::nullopt;
   }
   std::string begin(beginning, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(in.gcount()));
-  return begin.find('\0') == std::string::npos && frontend::looksLikeCl(begin).has_value();
+  if (begin.find('\0') != std::string::npos || begin.starts_with('{')) {
+    return std::nullopt;
+  }
+  const bool named =
+      settings.dialect == frontend::Dialect::automatic && frontend::looksLikeCl(begin).has_value();
+  return named ? frontend::Dialect::cl : settings.dialect;
 }
 
 Streamed streamCl(Compilation& job,
                   const std::string& path,
-                  cl::RecordSink& records,
-                  std::size_t& statements,
-                  const InterruptFlag& interrupted) {
-  Pieces pieces(path);
-  Stream stream(job, records, interrupted);
-  do {
-    std::string piece = pieces.next();
-    const bool last = pieces.atEnd();
-    if (!pieces.good() || !stream.take(std::move(piece), path, last)) {
+                  frontend::Dialect dialect,
+                  ClStreamEnd& end,
+                  const InterruptFlag& interrupted,
+                  const ClStreamRules& rules) {
+  ClReading reading(job, path, dialect, interrupted, rules);
+  ClMotion motion(job, dialect, end, interrupted);
+  bool more = reading.open();
+  while (more) {
+    std::unique_ptr<ClPiece> piece = reading.read();
+    if (!reading.take(motion.wait()) || piece == nullptr) {
       return Streamed::refused;
     }
-  } while (!pieces.atEnd());
-  if (!stream.finish()) {
+    more = reading.open();  // not beside the motion, which may look at texts
+    motion.begin(std::move(piece));
+  }
+  const bool good = reading.take(motion.wait()) && motion.finish() && (!end.close || end.close());
+  if (!good || !reading.take(motion.wait()) || !reading.finish()) {
     return Streamed::refused;
   }
-  statements = stream.statements();
+  end.statements = reading.statements();
   return Streamed::whole;
 }
 

@@ -141,7 +141,8 @@ void ProgramReader::finish(Frame& frame) {
     context_.report(diagnose(recording_->definition, diag::MacroNotEnded, recording_->name));
   }
   if (!finished_) {
-    if (!context_.options.takes(&DialectRules::missingFini)) {
+    if (!context_.options.takes(&DialectRules::missingFini) &&
+        context_.options.extent != Extent::piece) {
       context_.report(diagnose(end, diag::FiniMissing));
     }
     frame.block.setOrigin({end, isn_, {}});

@@ -1,3 +1,4 @@
+#include "ir/diag/interpret.h"
 #include "runtime/interpret/interpreter.h"
 #include "runtime/run.h"
 
@@ -7,6 +8,12 @@ Evaluation evaluate(const ir::Program& program, const Options& options, Diagnost
   Evaluation result;
   interpret::Interpreter(program, options, sink, result).run();
   return result;
+}
+
+void reportIgnored(const std::vector<Ignored>& ignored, DiagnosticSink& sink) {
+  for (const Ignored& known : ignored) {
+    sink.accept(diagnose(known.first, diag::NoEffect, known.what, known.why, known.times));
+  }
 }
 
 }  // namespace arelem::runtime
