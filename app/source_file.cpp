@@ -3,9 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -14,10 +12,6 @@
 #include "ir/diag/files.h"
 
 namespace arelem::app {
-
-std::string displayName(const std::string& path) {
-  return path == "-" ? "<stdin>" : path;
-}
 
 namespace {
 /// Closes a file descriptor that is not standard input.
@@ -53,40 +47,16 @@ std::optional<std::string> objection(int fd, bool standardInput) {
   return std::nullopt;
 }
 
-Failure unreadable(const std::string& path, const std::string& reason) {
-  return fail(diag::InputUnreadable, displayName(path), reason);
-}
 }  // namespace
 
-Result<std::unique_ptr<std::istream>> openBytes(const std::string& path, const Limits& limits) {
-  if (path == "-") {
-    Result<std::string> bytes = readBytes(path, limits);
-    if (!bytes) {
-      return bytes.takeFailure();
-    }
-    return std::unique_ptr<std::istream>(std::make_unique<std::istringstream>(*std::move(bytes)));
-  }
-  const Descriptor file(path);
-  if (file.get() < 0) {
-    return unreadable(path, std::strerror(errno));
-  }
-  if (const auto reason = objection(file.get(), false)) {
-    return unreadable(path, *reason);
-  }
-  struct stat status {};
-  if (::fstat(file.get(), &status) == 0 &&
-      static_cast<std::uint64_t>(status.st_size) > limits.bytes) {
-    return fail(diag::InputTooLarge, displayName(path), limits.bytes);
-  }
-  auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
-  if (!*in) {
-    return unreadable(path, std::strerror(errno));
-  }
-  return std::unique_ptr<std::istream>(std::move(in));
+std::string displayName(const std::string& path) {
+  return path == "-" ? "<stdin>" : path;
 }
 
 Result<std::string> readBytes(const std::string& path, const Limits& limits) {
-  const auto refuse = [&](const std::string& reason) { return unreadable(path, reason); };
+  const auto refuse = [&](const std::string& reason) {
+    return fail(diag::InputUnreadable, displayName(path), reason);
+  };
   const Descriptor file(path);
   if (file.get() < 0) {
     return refuse(std::strerror(errno));

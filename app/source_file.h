@@ -1,6 +1,4 @@
 #pragma once
-#include <istream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,10 +11,6 @@ namespace arelem::app {
 /// Bytes of an input as they are, `-` for standard input. Folders, devices and fifos are refused,
 /// sizes bounded by `limits.bytes`.
 [[nodiscard]] Result<std::string> readBytes(const std::string& path, const Limits& limits);
-
-/// The same, to be read bit by bit.
-[[nodiscard]] Result<std::unique_ptr<std::istream>> openBytes(const std::string& path,
-                                                              const Limits& limits);
 
 /// Why these bytes are no text at all, or nothing. What is wrong with single characters of a text
 /// is left to the front end, which knows where they stand.

@@ -9,8 +9,7 @@ ir::Program compile(SourceMap& sources,
                     const Options& options,
                     DiagnosticSink& sink) {
   Options chosen = options;
-  if (options.dialect == Dialect::automatic && options.extent == Extent::whole &&
-      looksLikeCl(sources.text(buffer))) {
+  if (options.dialect == Dialect::automatic && looksLikeCl(sources.text(buffer))) {
     chosen.dialect = Dialect::cl;
   }
   Reporter reporter(sink, chosen.limits);

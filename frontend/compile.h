@@ -11,10 +11,6 @@
 
 namespace arelem::frontend {
 
-/// How much of a program a text is. Of a piece the dialect is known, and only the end of the last
-/// one is the end of the program.
-enum class Extent : std::uint8_t { whole, piece, lastPiece };
-
 struct Options {
   Dialect dialect = Dialect::automatic;
   /// Whether this dialect takes (with or without a warning) what a row of dialects.def names.
@@ -29,7 +25,6 @@ struct Options {
   std::map<std::string, double> defines;  ///< --define NAME=VALUE
   std::vector<std::string> libraryPath;   ///< where LIBRY and INCLUDE look
   const InterruptFlag* interrupted = nullptr;
-  Extent extent = Extent::whole;
 };
 
 /// Text to a checked program. Never throws on bad input; every error goes to the sink and the rest

@@ -34,14 +34,6 @@ using ProgressCall = std::function<void(std::string_view what, std::size_t done,
 using DefinitionCall = std::function<void(
     const Entity& result, std::span<const define::Parameter>, const define::Context&)>;
 
-/// Something that the program says and that changes nothing.
-struct Ignored {
-  std::string what;  ///< "CLPRNT"
-  std::string why;
-  Span first;  ///< the first time
-  std::uint64_t times = 0;
-};
-
 /// What CL text says once and what holds for all that follows, from one piece of it to the next.
 struct Carried {
   bool multax = false;
@@ -50,7 +42,6 @@ struct Carried {
   std::optional<Word> unit;                              ///< of UNITS
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();  ///< by ROTABL, places to part
   std::optional<Vec3> partAxis;                          ///< of TLAXIS, in the frame of the part
-  std::vector<Ignored> ignored;                          ///< so far, not told yet
 };
 
 struct Options {
@@ -93,6 +84,14 @@ struct Traced {
   std::string text;
 };
 
+/// Something that the program says and that changes nothing.
+struct Ignored {
+  std::string what;  ///< "CLPRNT"
+  std::string why;
+  Span first;  ///< the first time
+  std::uint64_t times = 0;
+};
+
 /// The result of Section 1.
 struct Evaluation {
   std::vector<Action> actions;
@@ -117,9 +116,6 @@ struct Evaluation {
 [[nodiscard]] Evaluation evaluate(const ir::Program& program,
                                   const Options& options,
                                   DiagnosticSink& sink);
-
-/// Tells of what changes nothing; `evaluate` does so unless something is carried on.
-void reportIgnored(const std::vector<Ignored>& ignored, DiagnosticSink& sink);
 
 /// What one motion statement did. Deviations are of the cut vectors' end points, positive outside.
 struct MotionFact {

@@ -71,6 +71,7 @@ void ProgramReader::readStatement(CardReader& reader,
                                   const StatementText& statement,
                                   Frame& frame) {
   frame.block.setOrigin({statement.span, statement.isn, statement.cardId});
+  anyStatement_ = anyStatement_ || statement.kind != StatementText::Kind::empty;
   switch (statement.kind) {
     case StatementText::Kind::end:
       return;
@@ -141,9 +142,14 @@ void ProgramReader::finish(Frame& frame) {
     context_.report(diagnose(recording_->definition, diag::MacroNotEnded, recording_->name));
   }
   if (!finished_) {
-    if (!context_.options.takes(&DialectRules::missingFini) &&
-        context_.options.extent != Extent::piece) {
-      context_.report(diagnose(end, diag::FiniMissing));
+    if (!context_.options.takes(&DialectRules::missingFini)) {
+      Diagnostic missing = diagnose(end, diag::FiniMissing);
+      if (!anyStatement_) {
+        missing.help =
+            "there is no statement at all; the smallest program with a motion has three lines: "
+            "FROM/0,0,0 then GOTO/10,0,0 then FINI";
+      }
+      context_.report(std::move(missing));
     }
     frame.block.setOrigin({end, isn_, {}});
     frame.block.emit(ir::Fini{});

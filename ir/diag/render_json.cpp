@@ -23,7 +23,7 @@ std::string position(BufferId buffer, std::uint32_t offset, const SourceMap& sou
   const std::string_view line = sources.line(buffer, place.line);
   const auto start = static_cast<std::size_t>(line.data() - sources.text(buffer).data());
   return fmt::format(R"({{"line":{},"column":{},"byte":{},"utf16":{}}})", place.line, place.column,
-                     sources.byteAt(buffer, offset), utf16Units(line.substr(0, offset - start)));
+                     offset, utf16Units(line.substr(0, offset - start)));
 }
 
 /// `"file":...,"range":...` of a span; both null where there is no place.

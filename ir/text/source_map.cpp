@@ -5,27 +5,8 @@
 namespace arelem {
 
 BufferId SourceMap::add(std::string name, std::string text) {
-  return addPiece(std::move(name), std::move(text), {});
-}
-
-BufferId SourceMap::addPiece(std::string name, std::string text, PieceStart start) {
-  buffers_.push_back({std::move(name), std::move(text), start, {}});
+  buffers_.push_back({std::move(name), std::move(text), {}});
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
-}
-
-void SourceMap::release(BufferId piece) {
-  Buffer& buffer = buffers_.at(piece.index);
-  std::string().swap(buffer.text);
-  std::vector<std::uint32_t>().swap(buffer.lineStarts);
-}
-
-void SourceMap::restore(BufferId piece, std::string text) {
-  release(piece);
-  buffers_.at(piece.index).text = std::move(text);
-}
-
-std::uint64_t SourceMap::byteAt(BufferId buffer, std::uint32_t offset) const {
-  return buffers_.at(buffer.index).start.bytes + offset;
 }
 
 std::string_view SourceMap::name(BufferId buffer) const {
@@ -62,7 +43,7 @@ LineColumn SourceMap::locate(BufferId id, std::uint32_t offset) const {
   const Buffer& buffer = buffers_.at(id.index);
   const auto& starts = lineStarts(buffer);
   const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
-  const auto line = buffer.start.lines + static_cast<std::uint32_t>(next - starts.begin());
+  const auto line = static_cast<std::uint32_t>(next - starts.begin());
   const std::uint32_t start = *(next - 1);
   std::uint32_t column = 1;
   const std::size_t end = std::min<std::size_t>(offset, buffer.text.size());
@@ -76,10 +57,9 @@ LineColumn SourceMap::locate(BufferId id, std::uint32_t offset) const {
 std::string_view SourceMap::line(BufferId id, std::uint32_t line) const {
   const Buffer& buffer = buffers_.at(id.index);
   const auto& starts = lineStarts(buffer);
-  if (line <= buffer.start.lines || line - buffer.start.lines > starts.size()) {
+  if (line == 0 || line > starts.size()) {
     return {};
   }
-  line -= buffer.start.lines;
   const std::size_t begin = starts[line - 1];
   std::size_t end = line < starts.size() ? starts[line] : buffer.text.size();
   while (end > begin && (buffer.text[end - 1] == '\n' || buffer.text[end - 1] == '\r')) {

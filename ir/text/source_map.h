@@ -14,31 +14,16 @@ struct LineColumn {
   std::uint32_t column = 1;
 };
 
-/// What stands before a piece of a longer text.
-struct PieceStart {
-  std::uint32_t lines = 0;
-  std::uint64_t bytes = 0;
-};
-
 /// Owns every source text of a run and turns offsets into places.
 /// Texts never move once added, so string_views into them stay valid.
 class SourceMap {
  public:
   BufferId add(std::string name, std::string text);
-  /// A piece of a longer text, cut behind a line end: its lines and bytes count from the beginning
-  /// of the whole.
-  BufferId addPiece(std::string name, std::string text, PieceStart start);
-  /// Forgets the text of a piece; its places are then those of its beginning, until the text is
-  /// there again.
-  void release(BufferId piece);
-  void restore(BufferId piece, std::string text);
 
   [[nodiscard]] std::string_view name(BufferId buffer) const;
   [[nodiscard]] std::string_view text(BufferId buffer) const;
   [[nodiscard]] std::string_view text(const Span& span) const;
   [[nodiscard]] LineColumn locate(BufferId buffer, std::uint32_t offset) const;
-  /// How many bytes of the whole text stand before an offset.
-  [[nodiscard]] std::uint64_t byteAt(BufferId buffer, std::uint32_t offset) const;
   /// The text of one line (counted from 1) without its line end.
   [[nodiscard]] std::string_view line(BufferId buffer, std::uint32_t line) const;
   [[nodiscard]] std::size_t size() const { return buffers_.size(); }
@@ -47,7 +32,6 @@ class SourceMap {
   struct Buffer {
     std::string name;
     std::string text;
-    PieceStart start;
     mutable std::vector<std::uint32_t> lineStarts;  // filled on first use
   };
   [[nodiscard]] const std::vector<std::uint32_t>& lineStarts(const Buffer& buffer) const;

@@ -199,14 +199,13 @@ void Interpreter::finish() {
   state_.out.steps = steps_;
   if (state_.options.carried != nullptr) {
     state_.carried.multax = state_.multax;
-    state_.carried.ignored = std::move(state_.options.carried->ignored);
     *state_.options.carried = state_.carried;
   }
   state_.out.complete = !state_.stopped;
   if (!state_.stopped) {
     state_.endImplied();
   }
-  state_.endIgnored();
+  state_.reportIgnored();
   state_.out.defined = state_.store.defined();
   state_.out.history = state_.store.history();
 }

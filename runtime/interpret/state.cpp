@@ -1,6 +1,5 @@
 #include "runtime/interpret/state.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "ir/diag/interpret.h"
@@ -129,19 +128,9 @@ void State::ignore(std::string what, std::string why) {
   out.ignored.push_back({std::move(what), std::move(why), statement->span, 1});
 }
 
-void State::endIgnored() {
-  if (options.carried == nullptr) {
-    return reportIgnored(out.ignored, sink_);
-  }
-  std::vector<Ignored>& all = options.carried->ignored;
-  for (const Ignored& here : out.ignored) {
-    const auto known = std::find_if(all.begin(), all.end(),
-                                    [&](const Ignored& i) { return i.what == here.what; });
-    if (known == all.end()) {
-      all.push_back(here);
-    } else {
-      known->times += here.times;
-    }
+void State::reportIgnored() {
+  for (const Ignored& known : out.ignored) {
+    sink_.accept(diagnose(known.first, diag::NoEffect, known.what, known.why, known.times));
   }
 }
 

@@ -67,10 +67,9 @@ class State {
   /// made.
   void trace(std::string text);
 
-  /// Counts a statement that has no effect here; `endIgnored` tells of all of them at the end, or
-  /// hands them on with what is carried.
+  /// Counts a statement that has no effect here; `reportIgnored` tells of all of them at the end.
   void ignore(std::string what, std::string why);
-  void endIgnored();
+  void reportIgnored();
 
   /// Implied check surfaces (spec 4.8): `follow` waits for the motion that supplies it.
   void expectImplied() { implied_ = statement; }

@@ -257,7 +257,7 @@ class Cl(ArelemCase):
         for pair in (("a.cls", "b.cls"), ("b.cls", "a.cls")):
             self.assertExit(0, "diff", *pair, "--chords", "0.0031")
             self.assertIn("1 arc of one file is straight moves of the other", self.out)
-        self.write("b.cls", head + chords.replace("GOTO/0.000000000,10", "GOTO/0.000000000,10.1") + "GOTO/0,10,5\nFINI\n")
+        self.write("b.cls", head + chords.replace("GOTO/0.000000000,10.", "GOTO/0.000000000,10.1") + "GOTO/0,10,5\nFINI\n")
         self.assertExit(5, "diff", "a.cls", "b.cls", "--chords", "0.0031")
 
     def test_diff_of_words_and_as_json(self):
