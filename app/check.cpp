@@ -31,18 +31,18 @@ bool checkPieces(Compilation& job,
   if (!dialect) {
     return false;
   }
-  ClReading reading(job, path, *dialect, interrupted);
+  ClTexts texts;
+  ClReading reading(job, texts, path, *dialect, interrupted);
   while (reading.open()) {
-    const std::size_t before = job.log.all().size();
     const std::unique_ptr<ClPiece> piece = reading.read();
     if (piece == nullptr) {
       return false;
     }
-    std::vector<Span> told = piece->ignored;
-    for (std::size_t i = before; i < job.log.all().size(); ++i) {
-      told.push_back(job.log.all()[i].at);
+    std::vector<Span> told;
+    for (const Diagnostic& diagnostic : piece->messages) {
+      told.push_back(diagnostic.at);
     }
-    words.add(piece->program, job.sources, piece->buffer, told);
+    words.add(piece->program, texts.map(), piece->text, told);
   }
   return reading.finish();
 }
@@ -59,7 +59,7 @@ void checkWhole(Compilation& job,
     told.push_back(diagnostic.at);
   }
   if (job.sources.size() > 0) {
-    words.add(job.program, job.sources, job.main, told);
+    words.add(job.program, job.sources, job.sources.text(job.main), told);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/byte_stream.h"
 #include "app/cl_stream.h"
 #include "app/code_file.h"
 #include "app/source_file.h"
@@ -79,7 +80,8 @@ ReadFile readFile(const Settings& settings,
   if (const auto dialect = inPieces ? streamDialect(path, settings) : std::nullopt) {
     ReadFile streamed{std::make_unique<Compilation>(settings), true};
     CollectingSink messages;
-    ClStreamEnd end{*begin(*streamed.job), messages};
+    ClTexts texts;
+    ClStreamEnd end{*begin(*streamed.job, &texts), messages, texts};
     if (streamCl(*streamed.job, path, *dialect, end, interrupted) == Streamed::whole) {
       return streamed;
     }
@@ -88,7 +90,7 @@ ReadFile readFile(const Settings& settings,
   Result<ClFile> file = ClFile::open(path, settings.limits);
   if (!file) {
     read.job->log.accept(file.takeFailure());
-  } else if (cl::RecordSink* records = begin(*read.job)) {
+  } else if (cl::RecordSink* records = begin(*read.job, nullptr)) {
     read.whole = readRecords(*read.job, *file, *records, interrupted);
   }
   return read;

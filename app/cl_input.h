@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/cl_texts.h"
 #include "app/pipeline.h"
 
 /// Files of CL data in any format that can be read: text, CL tape, json.
@@ -42,7 +43,8 @@ class ClFile {
 
 /// Makes a sink for the records of a reading that begins. It is called again where large CL text is
 /// read at once after all: what went to the first sink is void then, and null ends the reading.
-using BeginRecords = std::function<cl::RecordSink*(Compilation& job)>;
+/// `texts` has the places of a reading in pieces, `job.sources` those of another one.
+using BeginRecords = std::function<cl::RecordSink*(Compilation& job, const ClTexts* texts)>;
 
 /// A file that was read: its job, with all messages in the log, and whether all went well.
 struct ReadFile {

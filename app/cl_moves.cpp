@@ -69,9 +69,9 @@ void ClMoves::takeMotion(const cl::Record& record, const cl::Motion& motion) {
     move.center = center_;
     move.normal = motion.way == cl::Motion::Way::clockwise ? Vec3(-normal_) : normal_;
   }
-  if (record.origin.length > 0 && record.origin.buffer.index < sources_.size()) {
+  if (record.origin.length > 0) {
     move.text = record.origin.buffer.index;
-    move.line = sources_.locate(record.origin.buffer, record.origin.begin).line;
+    move.line = lineOf_(record.origin);
   }
   for (std::size_t i = 0; i + motion.stride() <= motion.coordinates.size(); i += motion.stride()) {
     const double* c = motion.coordinates.data() + i;

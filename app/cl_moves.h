@@ -1,11 +1,11 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ir/cl/record.h"
 #include "ir/space/vector.h"
-#include "ir/text/source_map.h"
 
 namespace arelem::app {
 
@@ -35,8 +35,9 @@ class ClMoves : public cl::RecordSink {
   /// Moves of a batch. UNITS behind the first moves, but within the first batch, hold for them too.
   static constexpr std::size_t batch = 4096;
 
-  /// `sources`: to tell lines of.
-  ClMoves(const SourceMap& sources, bool withWords) : sources_(sources), withWords_(withWords) {}
+  /// Where a statement begins: its line, 0 where there is none.
+  using LineOf = std::function<std::uint32_t(const Span&)>;
+  ClMoves(LineOf lineOf, bool withWords) : lineOf_(std::move(lineOf)), withWords_(withWords) {}
   void accept(const cl::Record& record) override;
 
   /// The moves of an ended batch; none while it grows.
@@ -49,7 +50,7 @@ class ClMoves : public cl::RecordSink {
   void takeMotion(const cl::Record& record, const cl::Motion& motion);
   void takePost(const cl::Post& post);
 
-  const SourceMap& sources_;
+  LineOf lineOf_;
   bool withWords_;
   std::vector<ClMove> moves_;
   std::string words_;

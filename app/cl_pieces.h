@@ -6,9 +6,15 @@
 #include <string>
 #include <string_view>
 
-#include "ir/text/source_map.h"
+#include "ir/text/span.h"
 
 namespace arelem::app {
+
+/// What stands before a piece of a text.
+struct PieceStart {
+  std::uint32_t lines = 0;
+  std::uint64_t bytes = 0;
+};
 
 /// Bytes of a piece: some ten thousand statements.
 inline constexpr std::size_t pieceSize = 1U << 19U;

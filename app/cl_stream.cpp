@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
-#include <set>
 
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "ir/diag/interpret.h"
 #include "ir/diag/render_text.h"
 #include "runtime/path/curve_needs.h"
 #include "runtime/path/feed_override.h"
@@ -20,8 +20,6 @@ namespace arelem::app {
 namespace {
 /// What is looked at to find out whether a text is CL text.
 constexpr std::size_t beginning = 1U << 16U;
-/// Texts of so many pieces are there at a time, and those that a message shows.
-constexpr std::uint32_t livePieces = 3;
 
 /// Statements that need nothing but what is carried from piece to piece.
 bool standsAlone(const ir::Statement& statement) {
@@ -68,17 +66,17 @@ bool needsAll(const std::vector<runtime::Action>& actions, frontend::Dialect dia
 class ClReading::Reader {
  public:
   Reader(Compilation& job,
+         ClTexts& texts,
          const std::string& path,
          frontend::Dialect dialect,
          const InterruptFlag& interrupted,
          const ClStreamRules& rules)
       : job_(job),
+        texts_(texts),
         path_(path),
         dialect_(dialect),
         interrupted_(interrupted),
-        pieces_(path, rules.piece) {
-    job_.main = nowhere.buffer;  // no piece is read behind the others
-  }
+        pieces_(path, rules.piece) {}
 
   bool open() {
     std::optional<ClPieces::Piece> piece = pieces_.next();
@@ -86,23 +84,24 @@ class ClReading::Reader {
       return false;
     }
     last_ = piece->last;
+    size_ = piece->text.size();
     good_ = good_ && !objectionToText(path_, piece->text);
-    places_.push_back({piece->start.bytes, piece->text.size()});
-    buffer_ = job_.sources.addPiece(displayName(path_), std::move(piece->text), piece->start);
-    if (buffer_.index >= livePieces && told_.count(buffer_.index - livePieces) == 0) {
-      job_.sources.release({buffer_.index - livePieces});
+    if (!last_ && frontend::rulesOf(dialect_).missingFini == frontend::Leave::refused) {
+      piece->text += "FINI\n";  // the end of a piece is no end of the program
     }
+    buffer_ = texts_.add(displayName(path_), std::move(piece->text), piece->start);
     return true;
   }
 
   std::unique_ptr<ClPiece> read() {
-    const std::string_view text = job_.sources.text(buffer_);
+    const std::string_view text = texts_.map().text(buffer_).substr(0, size_);
     if (!good_ || !pieces_.good() ||
         (ended_ && text.find_first_not_of(" \t\r\n") != std::string_view::npos)) {
       return nullptr;
     }
     auto piece = std::make_unique<ClPiece>();
     piece->buffer = buffer_;
+    piece->text = text;
     if (ended_) {
       return piece;
     }
@@ -112,68 +111,72 @@ class ClReading::Reader {
     }
     evaluate(*piece, messages);
     const bool most = job_.evaluation.steps > job_.settings.limits.steps;
-    return tell(messages.all()) && good_ && !most && !interrupted_ ? std::move(piece) : nullptr;
+    return tell(*piece, messages.all()) && good_ && !most && !interrupted_ ? std::move(piece)
+                                                                           : nullptr;
   }
 
   bool take(const std::vector<Diagnostic>& messages) {
-    late_.insert(late_.end(), messages.begin(), messages.end());
+    for (const Diagnostic& d : messages) {
+      late_.push_back(texts_.inWhole(d));
+    }
     return check(messages);
   }
 
+  /// Messages in the order in which a reading at once tells them.
   bool finish() {
-    CollectingSink messages;
-    runtime::reportIgnored(carried_.ignored, messages);
-    const bool good = pieces_.good() && tell(messages.all());
-    for (Diagnostic& d : late_) {
+    for (const runtime::Ignored& known : ignored_) {
+      told_.push_back(texts_.inWhole(
+          diagnose(known.first, diag::NoEffect, known.what, known.why, known.times)));
+    }
+    told_.insert(told_.end(), late_.begin(), late_.end());
+    if (told_.empty()) {
+      return pieces_.good();
+    }
+    Result<std::string> text = readBytes(path_, job_.settings.limits);
+    if (!text) {
+      return false;
+    }
+    job_.main = job_.sources.add(displayName(path_), *std::move(text));
+    for (Diagnostic& d : told_) {
       job_.log.accept(std::move(d));
     }
-    return good;
+    return pieces_.good();
   }
   [[nodiscard]] std::size_t statements() const { return statements_; }
 
  private:
-  bool tell(const std::vector<Diagnostic>& messages) {
+  /// What has no effect is counted and told at the end.
+  bool tell(ClPiece& piece, const std::vector<Diagnostic>& messages) {
     for (const Diagnostic& d : messages) {
-      job_.log.accept(d);
-    }
-    return check(messages);
-  }
-
-  /// Keeps the texts that messages show. False for what is not told, or not in the same way, of a
-  /// file in pieces.
-  bool check(const std::vector<Diagnostic>& messages) {
-    for (const Diagnostic& d : messages) {
-      const bool alone = d.calledFrom.empty() &&
-                         std::all_of(d.labels.begin(), d.labels.end(), [&](const Label& label) {
-                           return label.span.buffer == d.at.buffer;
-                         });
-      if (!alone || d.severity() == Severity::error || !keep(d.at.buffer)) {
-        return false;
+      if (d.row != diag::NoEffect.row) {
+        piece.messages.push_back(d);
+        told_.push_back(texts_.inWhole(d));
       }
     }
+    for (const runtime::Ignored& here : piece.evaluation.ignored) {
+      const auto known =
+          std::find_if(ignored_.begin(), ignored_.end(),
+                       [&](const runtime::Ignored& i) { return i.what == here.what; });
+      if (known != ignored_.end()) {
+        known->times += here.times;
+        continue;
+      }
+      ignored_.push_back(here);
+      piece.messages.push_back(
+          diagnose(here.first, diag::NoEffect, here.what, here.why, here.times));
+    }
+    return check(piece.messages);
+  }
+
+  /// False for what is not told, or not in the same way, of a file in pieces.
+  bool check(const std::vector<Diagnostic>& messages) {
+    const bool good = std::all_of(messages.begin(), messages.end(), [](const Diagnostic& d) {
+      return d.at.buffer != nowhere.buffer && d.severity() != Severity::error;
+    });
     // Beyond these some are only counted, and not the same ones as for a text read at once.
     const std::uint64_t most =
         std::min<std::uint64_t>(DiagnosticLog::kept, 4 * job_.settings.limits.errors);
-    return job_.log.warnings() + late_.size() <= most;
-  }
-
-  /// Keeps the text of a piece, and brings it back where it is gone.
-  bool keep(BufferId piece) {
-    if (piece.index >= places_.size()) {
-      return false;
-    }
-    const bool there = piece.index + livePieces > buffer_.index || told_.count(piece.index) > 0;
-    told_.insert(piece.index);
-    if (there) {
-      return true;
-    }
-    const auto& [begin, size] = places_[piece.index];
-    std::string text(size, '\0');
-    std::ifstream in(path_, std::ios::binary);
-    in.seekg(static_cast<std::streamoff>(begin));
-    in.read(text.data(), static_cast<std::streamsize>(size));
-    job_.sources.restore(piece, std::move(text));
-    return static_cast<std::size_t>(in.gcount()) == size;
+    return good && told_.size() + late_.size() <= most;
   }
 
   bool compile(ClPiece& piece, DiagnosticSink& messages) {
@@ -182,32 +185,32 @@ class ClReading::Reader {
     options.dialect = dialect_;
     options.limits = job_.settings.limits;
     options.interrupted = &interrupted_;
-    options.extent = last_ ? frontend::Extent::lastPiece : frontend::Extent::piece;
-    const std::size_t texts = job_.sources.size();
-    piece.program = frontend::compile(job_.sources, buffer_, options, messages);
-    return standsAlone(piece.program) && job_.sources.size() == texts;
+    SourceMap& map = texts_.map();
+    const std::size_t texts = map.size();
+    piece.program = frontend::compile(map, buffer_, options, messages);
+    // A piece may look like the text of a CAM system where the beginning of the file does not.
+    return standsAlone(piece.program) && map.size() == texts &&
+           (piece.program.dialect == frontend::spell(dialect_));
   }
 
   void evaluate(ClPiece& piece, DiagnosticSink& messages) {
     const Stopwatch watch(job_.seconds.evaluate);
-    const auto& statements = piece.program.blocks[0].statements;
-    statements_ += statements.size();
+    auto& statements = piece.program.blocks[0].statements;
     runtime::Options options{job_.settings.limits, &interrupted_, {}, false, {}, {}};
     options.carried = &carried_;
-    const std::size_t ignored = carried_.ignored.size();
     piece.evaluation = runtime::evaluate(piece.program, options, messages);
-    for (std::size_t i = ignored; i < carried_.ignored.size(); ++i) {
-      piece.ignored.push_back(carried_.ignored[i].first);
-    }
     for (runtime::Action& action : piece.evaluation.actions) {
       action.isn += isn_;
     }
+    const ir::Statement& end = statements.back();
     // The end of a piece has the number of the statement behind it.
-    isn_ += static_cast<int>(statements.back().isn) - 1;
-    ended_ = statements.back().span.length > 0;  // a FINI that was written
+    isn_ += static_cast<int>(end.isn) - 1;
+    ended_ = end.span.length > 0 && end.span.begin < size_;  // a FINI that was written
+    statements_ += statements.size();
     job_.evaluation.steps += piece.evaluation.steps;
     if (!ended_ && !last_) {
       piece.evaluation.actions.pop_back();  // that of the end of the piece
+      statements.pop_back();
       --statements_;
       --job_.evaluation.steps;
     }
@@ -215,26 +218,29 @@ class ClReading::Reader {
   }
 
   Compilation& job_;
+  ClTexts& texts_;
   std::string path_;
   frontend::Dialect dialect_;
   const InterruptFlag& interrupted_;
   ClPieces pieces_;
   runtime::Carried carried_;
   BufferId buffer_;
-  std::vector<std::pair<std::uint64_t, std::size_t>> places_;  ///< of the pieces: begin and size
-  std::set<std::uint32_t> told_;                               ///< pieces that messages show
+  std::size_t size_ = 0;  ///< of the piece as it stands in the file
   int isn_ = 0;
+  std::vector<Diagnostic> told_;  ///< of Section 1
   std::vector<Diagnostic> late_;  ///< of the motion: told behind those of Section 1
+  std::vector<runtime::Ignored> ignored_;
   std::size_t statements_ = 0;
   bool last_ = false, ended_ = false, good_ = true;
 };
 
 ClReading::ClReading(Compilation& job,
+                     ClTexts& texts,
                      const std::string& path,
                      frontend::Dialect dialect,
                      const InterruptFlag& interrupted,
                      const ClStreamRules& rules)
-    : reader_(std::make_unique<Reader>(job, path, dialect, interrupted, rules)) {}
+    : reader_(std::make_unique<Reader>(job, texts, path, dialect, interrupted, rules)) {}
 ClReading::~ClReading() = default;
 bool ClReading::open() {
   return reader_->open();
@@ -337,7 +343,7 @@ Streamed streamCl(Compilation& job,
                   ClStreamEnd& end,
                   const InterruptFlag& interrupted,
                   const ClStreamRules& rules) {
-  ClReading reading(job, path, dialect, interrupted, rules);
+  ClReading reading(job, end.texts, path, dialect, interrupted, rules);
   ClMotion motion(job, dialect, end, interrupted);
   bool more = reading.open();
   while (more) {

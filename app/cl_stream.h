@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/cl_pieces.h"
+#include "app/cl_texts.h"
 #include "app/pipeline.h"
 
 /// CL text piece by piece, so that its size does not matter: text, program, actions and records of
@@ -27,24 +27,27 @@ struct ClStreamRules {
 /// A compiled piece, with the actions of its statements.
 struct ClPiece {
   BufferId buffer;
+  std::string_view text;  ///< valid until two more pieces were opened
   ir::Program program;
   runtime::Evaluation evaluation;
-  /// Places of statements that have no effect (told at the end of the file).
-  std::vector<Span> ignored;
+  std::vector<Diagnostic>
+      messages;  ///< told of it; of statements without effect the first of a kind
 };
 
-/// The pieces of one file up to Section 1. Texts go to `job.sources`, times to `job.seconds`, steps
-/// to `job.evaluation`.
+/// The pieces of one file up to Section 1. Texts go to `texts`, times to `job.seconds`, steps to
+/// `job.evaluation`; at the end messages to `job.log` and, where there are any, the text to
+/// `job.sources`.
 class ClReading {
  public:
   ClReading(Compilation& job,
+            ClTexts& texts,
             const std::string& path,
             frontend::Dialect dialect,
             const InterruptFlag& interrupted,
             const ClStreamRules& rules = {});
   ~ClReading();
 
-  /// Takes the text of the next piece into `job.sources`; false behind the last one.
+  /// Takes the text of the next piece; false behind the last one.
   [[nodiscard]] bool open();
   /// Compiles it. None when the file must be read at once: nothing may be kept of what was read.
   [[nodiscard]] std::unique_ptr<ClPiece> read();
@@ -67,8 +70,9 @@ enum class Streamed : std::uint8_t {
 
 /// What a piecewise reading goes to.
 struct ClStreamEnd {
-  cl::RecordSink& records;   ///< they may look at `job.sources`, and at nothing else of the job
+  cl::RecordSink& records;   ///< they may look at `texts`, and at nothing of the job
   CollectingSink& messages;  ///< of the records; those of the motion come in between
+  ClTexts& texts;
   std::function<bool()> close = {};  ///< behind the last record; false refuses
   std::size_t statements = 0;
 };

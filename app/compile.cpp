@@ -263,7 +263,8 @@ std::optional<ExitCode> stream(const PlannedJob& plan,
     return std::nullopt;  // and then with a message
   }
   Delivery delivery(outputs, nullptr, options);
-  ClStreamEnd end{delivery.first(), messages};
+  ClTexts texts;
+  ClStreamEnd end{delivery.first(), messages, texts};
   end.close = [&] {
     delivery.finish(job);
     return outputs.close(false);

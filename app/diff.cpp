@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/comparison.h"
 #include "app/diff_side.h"
+#include "app/number_check.h"
 #include "app/options.h"
 
 namespace arelem::app {
@@ -20,13 +21,13 @@ void addOptions(CLI::App& app, DiffOptions& options) {
   app.add_option("B", options.second, "another one")->required();
   app.add_option("--tolerance", options.allowed.distance,
                  "largest distance of ends and centers, part unit of A (1e-6)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFromZero());
   app.add_option("--degrees", options.allowed.degrees, "largest angle between tool axes (1e-4)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFromZero());
   app.add_option("--chords", options.allowed.chords,
                  "straight moves of one file that leave an arc of the other by at most so much "
                  "are that arc, part unit of A (0: never)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFromZero());
   app.add_flag("--words", options.allowed.words,
                "the words for the machine between the moves are compared too");
   app.add_flag("--json", options.json, "one JSON object instead of sentences");

@@ -32,8 +32,8 @@ bool MoveChannel::pop(std::vector<ClMove>& moves) {
 /// Sends the moves of a reading.
 class DiffSide::Sender : public cl::RecordSink {
  public:
-  Sender(MoveChannel& channel, const SourceMap& sources, bool withWords)
-      : channel_(channel), moves_(sources, withWords) {}
+  Sender(MoveChannel& channel, ClMoves::LineOf lineOf, bool withWords)
+      : channel_(channel), moves_(std::move(lineOf), withWords) {}
 
   void accept(const cl::Record& record) override {
     moves_.accept(record);
@@ -75,9 +75,15 @@ DiffSide::DiffSide(const Settings& settings,
     : name_(displayName(path)) {
   reading_ = std::async(std::launch::async, [this, &settings, path, how, &interrupted] {
     const Closer closer(channel_);
-    const auto begin = [&](Compilation& job) -> cl::RecordSink* {
+    const auto begin = [&](Compilation& job, const ClTexts* texts) -> cl::RecordSink* {
       stale_ = sender_ != nullptr && sender_->sent();
-      sender_ = stale_ ? nullptr : std::make_unique<Sender>(channel_, job.sources, how.withWords);
+      inPieces_ = texts != nullptr;
+      const auto lineOf = [&job, texts](const Span& at) {
+        return texts != nullptr                       ? texts->line(at)
+               : at.buffer.index < job.sources.size() ? job.sources.locate(at.buffer, at.begin).line
+                                                      : 0;
+      };
+      sender_ = stale_ ? nullptr : std::make_unique<Sender>(channel_, lineOf, how.withWords);
       return sender_.get();
     };
     read_ = readFile(settings, path, begin, interrupted, how.inPieces);
@@ -125,8 +131,8 @@ std::string DiffSide::place(const ClMove& move) const {
     return fmt::format("{} statement {}", name_, move.isn);
   }
   const SourceMap& sources = read_.job->sources;
-  return fmt::format("{}:{}", move.text < sources.size() ? sources.name({move.text}) : name_,
-                     move.line);
+  const bool other = !inPieces_ && move.text < sources.size();
+  return fmt::format("{}:{}", other ? sources.name({move.text}) : name_, move.line);
 }
 
 }  // namespace arelem::app

@@ -79,7 +79,7 @@ class DiffSide {
   std::string wordsBehind_;
   std::deque<ClMove> window_;
   std::size_t index_ = 0;
-  bool stale_ = false;
+  bool stale_ = false, inPieces_ = false;
   std::future<void> reading_;
 };
 

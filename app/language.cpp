@@ -14,6 +14,7 @@
 #include "ir/define/matcher.h"
 #include "ir/diag/render_json.h"
 #include "ir/program/feature.h"
+#include "ir/words/post_forms.h"
 
 namespace arelem::app {
 
@@ -93,6 +94,21 @@ void printTables() {
     }
   }
   {
+    JsonRows rows("postWords");
+    for (const PostForm& form : postForms()) {
+      const WordRow& word = row(form.word);
+      rows.row({{"word", std::string(word.text)},
+                {"form", std::string(form.form)},
+                {"least", std::to_string(form.least)},
+                {"most", std::to_string(form.most)},
+                {"words", std::string(form.words)},
+                {"acts", form.acts ? "yes" : ""},
+                {"bare", word.wordClass == WordClass::postWithoutParameters ? "yes" : ""},
+                {"code", std::to_string(word.code)},
+                {"meaning", std::string(form.meaning)}});
+    }
+  }
+  {
     JsonRows rows("dialects");
     for (const frontend::DialectRow& d : frontend::dialectTable()) {
       rows.row({{"what", std::string(d.what)},
@@ -147,6 +163,11 @@ bool printFeatures(std::ostream& out, std::string_view word) {
     if (const frontend::StatementForm* form = frontend::statementForm(*known)) {
       out << fmt::format("        {}/ {}\n        {}\n", word, form->pattern, form->meaning);
       any = true;
+    } else if (const PostForm* post = postForm(*known)) {
+      const bool bare = post->form == word;
+      out << fmt::format("        {}{}\n        {}\n", bare ? "" : fmt::format("{}/ ", word),
+                         post->form, post->meaning);
+      any = true;
     }
   }
   for (const ir::FeatureRow& feature : ir::featureTable()) {
@@ -196,6 +217,11 @@ int runLanguage(const Invocation& invocation) {
     std::vector<std::string> known;
     for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
       known.emplace_back(spell(static_cast<Word>(i)));
+    }
+    if (const std::optional<Word> found = findWord(word)) {
+      std::cout << fmt::format("{} is a word ({}) of other statements and has no form of its own\n",
+                               word, className(row(*found).wordClass));
+      return static_cast<int>(ExitCode::ok);
     }
     const std::string guess = nearest(word, known);
     printUsageError("language", "there is no form or statement of `" + word + "`" +

@@ -8,6 +8,7 @@
 #include "app/stopwatch.h"
 #include "app/view/curves.h"
 
+#include "runtime/path/arc_start.h"
 #include "runtime/path/chords.h"
 #include "runtime/path/curve_needs.h"
 #include "runtime/path/feed_override.h"
@@ -91,7 +92,8 @@ bool execute(Compilation& job,
   const Stopwatch watch(job.seconds.execute);
   const auto transformer =
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
-  const auto smoother = path::makeSmoother(*transformer, job.log, &interrupted);
+  const auto starts = path::makeArcStart(*transformer);
+  const auto smoother = path::makeSmoother(*starts, job.log, &interrupted);
   const bool text = job.program.dialect == spell(frontend::Dialect::cl);
   const std::vector<runtime::Action>& actions = job.evaluation.actions;
   cl::RecordSink* first = smoother.get();

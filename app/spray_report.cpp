@@ -98,6 +98,7 @@ backend::ReportedSpray reported(const Compilation& job,
   report.edgeFilm = s.edge.atEdge;
   report.edgeMean = s.edge.mean;
   report.radiusAlong = s.radiusAlong;
+  report.past = s.past;
   report.radiusAcross = s.radiusAcross;
   report.advice = s.advice;
   addPath(report, s);

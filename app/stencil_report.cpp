@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ir/space/stencil_tolerance.h"
 #include "runtime/stencil/overlap.h"
 
 namespace arelem::app {
@@ -133,8 +134,7 @@ AreaUnit areaUnitOf(double area) {
 
 /// Four digits, as they are read best: 0.0123, 12.34, 1234.
 std::string fourDigits(double value) {
-  constexpr double nothing = 1e-9;
-  return value < nothing ? "0" : fmt::format("{:.4g}", value);
+  return value < tolerance::printedNothing ? "0" : fmt::format("{:.4g}", value);
 }
 
 void printLetter(std::ostream& out, const Letter& letter, const AreaUnit& unit) {

@@ -1,10 +1,10 @@
 #include "app/time.h"
 
-#include <cmath>
 #include <iostream>
 
 #include "app/cl_input.h"
 #include "app/machine.h"
+#include "app/number_check.h"
 #include "app/options.h"
 #include "app/path_options.h"
 #include "app/pipeline.h"
@@ -34,22 +34,13 @@ void addOptions(CLI::App& app, TimeOptions& options) {
                          const CLI::Validator& check) {
     app.add_option(name, value, help)->check(check)->type_name("NUMBER");
   };
-  const CLI::Validator positive(
-      [](const std::string& word) {
-        double value = 0.0;
-        return CLI::detail::lexical_cast(word, value) && std::isfinite(value) && value > 0.0
-                   ? std::string()
-                   : "`" + word + "` is no positive number";
-      },
-      "POSITIVE");
+  const CLI::Validator positive = positiveNumber();
   limit("--velocity", options.velocity, "largest speed, also of rapid moves, mm/s (400)", positive);
   limit("--acceleration", options.acceleration, "largest acceleration, mm/s2 (4000)", positive);
   limit("--jerk", options.jerk, "largest jerk, mm/s3 (20000)", positive);
   limit("--deviation", options.deviation,
-        "mm by which corners may be rounded; 0: the tool stops in each (0.01)",
-        CLI::NonNegativeNumber);
-  limit("--tool-change", options.toolChange, "seconds of a tool change (10)",
-        CLI::NonNegativeNumber);
+        "mm by which corners may be rounded; 0: the tool stops in each (0.01)", numberFromZero());
+  limit("--tool-change", options.toolChange, "seconds of a tool change (10)", numberFromZero());
   app.add_flag("--statements", options.statements, "the time of each statement too");
   app.add_flag("--json", options.json, "the result as JSON");
   addFitOption(app, options.fitShare);

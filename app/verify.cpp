@@ -7,6 +7,7 @@
 #include "app/code_file.h"
 #include "app/command.h"
 #include "app/machine.h"
+#include "app/number_check.h"
 #include "app/options.h"
 #include "app/pipeline.h"
 #include "app/rewritten.h"
@@ -176,15 +177,15 @@ int runVerify(const Invocation& invocation) {
   addMachineOptions(app, comparison.machine);
   app.add_option("--tolerance", comparison.allowed.distance,
                  "with --with: largest distance of a location, part unit (1e-6)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFromZero());
   app.add_option("--fit", comparison.fitShare,
                  "with --with: the share of INTOL + OUTTOL that the output was made with; its path "
                  "may be so far from the program's")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(shareOfOne())
       ->type_name("SHARE");
   app.add_option("--slack", request.slack,
                  "what rounding may add to each tolerance, part unit (1e-6)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFromZero());
   app.add_flag("--json", request.json, "one object a statement instead of a table");
   addSourceOptions(app, settings);
   addMessageOptions(app, settings);

@@ -10,7 +10,7 @@
 namespace arelem::app {
 
 namespace {
-using backend::hole::Cycle;
+using hole::Cycle;
 
 class HoleReader {
  public:

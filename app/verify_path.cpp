@@ -11,6 +11,7 @@
 #include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/verify.h"
+#include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 
 namespace arelem::app {
@@ -46,21 +47,34 @@ void Path::accept(const cl::Record& record) {
     }
     const bool isFrom = motion->kind == cl::Motion::Kind::from;
     if (cycles_.now() != nullptr && !isFrom) {
-      location.hole = *cycles_.now();
+      location.hole = holeAt(location.point, location.axis.value_or(Vec3::UnitZ()));
     }
     location.rapid = isFrom || rapid_;
-    location.speed = isFrom || (rapid_ && !location.hole) ? 0.0 : speed_;
+    location.speed = isFrom || (rapid_ && !location.hole) ? 0.0 : speed_.now();
     rapid_ = false;
     locations.push_back(location);
   }
+}
+
+/// The cycle in force, which may return to the height where the tool is now.
+hole::Cycle Path::holeAt(const Vec3& point, const Vec3& axis) const {
+  if (locations.empty()) {
+    return *cycles_.now();
+  }
+  const Location& last = locations.back();
+  const Vec3 before = last.axis.value_or(Vec3::UnitZ());
+  if ((before - axis).norm() > tolerance::symmetric) {
+    return hole::cycleFrom(*cycles_.now(), std::nullopt);
+  }
+  const double over = last.hole ? last.hole->retract : 0.0;
+  return hole::cycleFrom(*cycles_.now(), (last.point - point).dot(axis) + over);
 }
 
 void Path::word(const cl::Post& post) {
   if (post.word == Word::CYCLE) {
     cycle(post);
   } else if (post.word == Word::FEDRAT) {
-    speed_ = robot::speedOf(post, millimeters, turns_).value_or(0.0);
-    outside_ = outside_ ? std::optional(speed_) : std::nullopt;
+    speed_.set(robot::speedOf(post, millimeters, turns_).value_or(0.0));
     rapid_ = false;
   } else if (post.word == Word::RAPID) {
     rapid_ = true;
@@ -77,14 +91,13 @@ void Path::word(const cl::Post& post) {
 
 void Path::cycle(const cl::Post& post) {
   const auto change = cycles_.read(post);
-  if (!change || *change == backend::hole::Cycles::Change::none) {
+  if (!change || *change == hole::Cycles::Change::none) {
     return;
   }
-  speed_ = std::exchange(outside_, std::nullopt).value_or(speed_);
-  const backend::hole::Cycle* begun = cycles_.now();
-  if (const auto own = begun != nullptr ? backend::hole::feedOf(*begun) : std::nullopt) {
-    outside_ = speed_;
-    speed_ = robot::speedOf(*own, millimeters, turns_).value_or(0.0);
+  speed_.endCycle();
+  const hole::Cycle* begun = cycles_.now();
+  if (const auto own = begun != nullptr ? hole::feedOf(*begun) : std::nullopt) {
+    speed_.beginCycle(robot::speedOf(*own, millimeters, turns_).value_or(0.0));
   }
 }
 

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "backend/hole/cycle.h"
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
+#include "ir/hole/cycle.h"
+#include "ir/hole/cycle_feed.h"
 #include "ir/space/vector.h"
 
 namespace arelem::app {
@@ -21,9 +22,9 @@ struct Location {
   std::set<int> on;    ///< outputs that are on when the tool leaves it
   double speed = 0.0;  ///< of the move to it, mm/s; 0: rapid, or unknown
   double wait = 0.0;   ///< of DELAY behind it, s
-  std::optional<backend::hole::Cycle> hole = std::nullopt;  ///< drilled there
-  bool rapid = false;  ///< the tool comes to it by RAPID or FROM
-  double band = 0.0;   ///< INTOL + OUTTOL on the way there, part unit
+  std::optional<hole::Cycle> hole = std::nullopt;  ///< drilled there
+  bool rapid = false;                              ///< the tool comes to it by RAPID or FROM
+  double band = 0.0;                               ///< INTOL + OUTTOL on the way there, part unit
 };
 
 /// Keeps the locations of a stream of records and forgets the rest.
@@ -36,12 +37,12 @@ class Path : public cl::RecordSink {
  private:
   void word(const cl::Post& post);
   void cycle(const cl::Post& post);
+  [[nodiscard]] hole::Cycle holeAt(const Vec3& point, const Vec3& axis) const;
   void switchOutput(const cl::Post& post);
 
-  backend::hole::Cycles cycles_;
+  hole::Cycles cycles_;
   std::set<int> on_;
-  double speed_ = 0.0;
-  std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own
+  hole::CycleFeed<double> speed_;
   double turns_ = 0.0;
   bool rapid_ = false;
   double inner_ = 0.0;

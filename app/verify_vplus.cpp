@@ -17,14 +17,12 @@
 namespace arelem::app {
 
 namespace {
-constexpr double digit = 1.0e-3;  // mm and degrees of V+ programs
-
 /// What three decimals, and the steps of a tilt axis, take away: half a digit of each coordinate
 /// and angle.
 Allowed rounding(const Allowed& given, double millimeters, const robot::Machine& machine) {
   const double step = machine.tilt ? 0.5 * machine.tilt->step : 0.0;
-  return {std::max(given.distance, digit / millimeters),
-          std::max(given.degrees, 2.0 * digit + 1.001 * step)};
+  return {std::max(given.distance, tolerance::writtenDigit / millimeters),
+          std::max(given.degrees, 2.0 * tolerance::writtenDigit + 1.001 * step)};
 }
 
 double degreesOf(const robot::Matrix3& turn) {
@@ -41,7 +39,7 @@ bool standsAsMachine(const robot::Machine& machine,
                      const vplus::ProgramText& program,
                      const std::string& name,
                      DiagnosticLog& log) {
-  constexpr double allowed = 2.0 * digit;  // three numbers
+  constexpr double allowed = 2.0 * tolerance::writtenDigit;  // three numbers
   const robot::Frame& frame = machine.frame;
   const auto& angles = frame.angles;
   const double far = (program.frameShift - frame.shift).norm();

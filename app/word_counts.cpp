@@ -7,15 +7,12 @@
 
 #include "app/statement_word.h"
 
+#include "ir/words/post_forms.h"
+
 namespace arelem::app {
 
 namespace {
-/// Post words that change what later moves are; backends and times act on them.
-constexpr std::array stateWords = {
-    Word::RAPID,  Word::FEDRAT, Word::SPINDL, Word::COOLNT, Word::LOADTL, Word::TURRET,
-    Word::CUTCOM, Word::CYCLE,  Word::DELAY,  Word::STOP,   Word::OPSTOP, Word::END,
-    Word::TRACUT, Word::COPY,   Word::INDEX,  Word::CLRSRF, Word::SELCTL, Word::ROTABL};
-/// The same of words of CAM systems.
+/// Words of CAM systems that outputs, times or the reading of places act on.
 constexpr std::array<std::string_view, 16> stateOfSystems = {
     "CIRCLE", "MOVARC", "NURBS", "KNOT",   "CNTRL", "CSYS",   "TRNTYP",       "TLDATA",
     "SMOOTH", "MACHLM", "LOAD",  "SELECT", "MSYS",  "CATIA0", "LOCAL_ORIGIN", "MOVNRB"};
@@ -32,8 +29,8 @@ bool isPost(Word word) {
 
 bool isUnderstood(const ir::Body& body) {
   if (const auto* command = std::get_if<ir::Command>(&body)) {
-    return !isPost(command->word) ||
-           std::find(stateWords.begin(), stateWords.end(), command->word) != stateWords.end();
+    const PostForm* form = postForm(command->word);
+    return !isPost(command->word) || (form != nullptr && form->acts);
   }
   if (const auto* foreign = std::get_if<ir::ForeignCommand>(&body)) {
     return std::find(stateOfSystems.begin(), stateOfSystems.end(), foreign->word) !=
@@ -116,7 +113,7 @@ WordCounts::~WordCounts() = default;
 
 void WordCounts::add(const ir::Program& program,
                      const SourceMap& sources,
-                     BufferId main,
+                     std::string_view text,
                      const std::vector<Span>& told) {
   Reported reported(told);
   for (const ir::Block& block : program.blocks) {
@@ -132,7 +129,7 @@ void WordCounts::add(const ir::Program& program,
   for (const auto& [buffer, offset] : reported.rest()) {
     ++counts_->words[wordAt(sources.text(BufferId{buffer}), offset)].reported;
   }
-  counts_->comments += commentsOf(sources.text(main));
+  counts_->comments += commentsOf(text);
 }
 
 void WordCounts::print(std::ostream& out) const {

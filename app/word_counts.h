@@ -15,10 +15,10 @@ class WordCounts {
  public:
   WordCounts();
   ~WordCounts();
-  /// Adds a program or a piece of one. `told` are the places of all diagnostics that lie in it.
+  /// Adds a program or a piece of one, with its text and the places of all diagnostics in it.
   void add(const ir::Program& program,
            const SourceMap& sources,
-           BufferId main,
+           std::string_view text,
            const std::vector<Span>& told);
   void print(std::ostream& out) const;
 

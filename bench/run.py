@@ -162,6 +162,33 @@ def sprays(arelem):
     return rows
 
 
+def noisy(path, count, method):
+    """A wave of noisy cut vectors half a millimeter apart, to be smoothed."""
+    random = 1
+    with path.open("w") as file:
+        file.write(f"CUTTER/6\nFEDRAT/6000\nFROM/0,0,0\nSMOOTH/.05,METHOD,{method}\n")
+        for i in range(1, count + 1):
+            random = (1664525 * random + 1013904223) % 2 ** 32
+            x = 0.5 * i
+            file.write(f"GOTO/{x:.4f},{3 * math.sin(x / 7) + 0.2 * (random / 2 ** 32 - 0.5):.4f},0\n")
+        file.write("SMOOTH/NOMORE\nFINI\n")
+
+
+def smoothed(arelem, out):
+    """SMOOTH as a user has it: cut vectors in, fit, smoothing and chords, cut vectors out."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        source = pathlib.Path(folder) / "noisy.apt"
+        for method in (1, 2, 3):
+            for count in (10_000, 100_000, 1_000_000):
+                noisy(source, count, method)
+                run = median_run([arelem, "compile", str(source), "-o", out], 1 if count > 100_000 else 3)
+                rate = f"{count / run.seconds:,.0f}" if run.code == 0 else ""
+                work = f"{count} cut vectors" if run.code == 0 else f"exit {run.code}"
+                rows.append((f"SMOOTH METHOD, {method}", work, f"{run.seconds:.3f}", rate, f"{run.megabytes:.0f}"))
+    return rows
+
+
 def certified(arelem):
     """`arelem verify` of a program: its path is computed and proven."""
     rows = []
@@ -188,6 +215,7 @@ def measure(arelem):
                 continue
             rows.append((what, f"{count} {unit}", f"{run.seconds:.3f}", f"{count / run.seconds:,.0f}", f"{run.megabytes:.0f}"))
         rows += certified(arelem)
+        rows += smoothed(arelem, out)
         lines = 1_000_000
         source = pathlib.Path(folder) / "bench.cls"
         cl_file(source, lines)

@@ -28,14 +28,24 @@ struct Console {
   void report(Failure failure);
 };
 
+/// What the last word of a command may be.
+enum class Completes : std::uint8_t {
+  nothing,
+  name,
+  typeOrName,
+  setting,
+  help,     ///< what there is help on
+  program,  ///< files that may be part programs, and folders
+  picture,
+  page
+};
+
 /// A command that begins with a colon.
 struct ConsoleCommand {
   std::string_view name;       ///< ":help"
   std::string_view arguments;  ///< "[WORD]"
   std::string_view summary;
-  /// What the last word may be: 'n' names, 't' names and types, 'f' files, 's' settings, 'h' what
-  /// there is help on.
-  char completes = ' ';
+  Completes completes = Completes::nothing;
   /// What is wrong, or "".
   std::string (*run)(Console& console, const std::string& rest);
 };
@@ -49,8 +59,12 @@ void obey(Console& console, const std::string& line);
 /// The names of :set.
 [[nodiscard]] std::vector<std::string> settingNames();
 
-/// Prints diagnostics of a run as the other commands do.
-void printDiagnostics(const Console& console, const Run& run, const std::vector<Diagnostic>& found);
+/// Prints diagnostics of a run as the other commands do. `inserted`: what nobody typed, the name of
+/// an unnamed result; text and columns are shown without it.
+void printDiagnostics(const Console& console,
+                      const Run& run,
+                      std::vector<Diagnostic> found,
+                      const std::optional<Span>& inserted = {});
 
 // Commands, by the file that has them.
 std::string showEntity(Console& console, const std::string& rest);  // look.cpp

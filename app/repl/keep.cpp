@@ -59,17 +59,6 @@ std::string picture(Console& console, const std::string& path, std::string_view 
 }
 }  // namespace
 
-void printDiagnostics(const Console& console,
-                      const Run& run,
-                      const std::vector<Diagnostic>& found) {
-  DiagnosticLog log;
-  for (const Diagnostic& d : found) {
-    log.accept(d);
-  }
-  console.out.flush();
-  log.print(run.job.sources, run.job.main, console.settings);
-}
-
 std::string save(Console& console, const std::string& rest) {
   if (rest.empty()) {
     return "the name of a file is missing; - shows the program";
@@ -119,7 +108,7 @@ std::string loadFile(Console& console, const std::string& rest) {
   if (answer.verdict.state == Verdict::State::interrupted) {
     return "interrupted; the session is as it was";
   }
-  printDiagnostics(console, *answer.run, answer.verdict.found);
+  printDiagnostics(console, *answer.run, answer.verdict.found, answer.inserted);
   console.stepped = 0;
   const bool good = answer.verdict.state == Verdict::State::good;
   const Run& run = *console.session.run();

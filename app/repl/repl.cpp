@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 
 #include "app/command.h"
 #include "app/manual_pages.h"
 #include "app/options.h"
+#include "app/repl/completion.h"
 #include "app/repl/console.h"
 #include "app/repl/highlight.h"
 #include "app/repl/line_source.h"
@@ -40,103 +40,6 @@ std::string promptOf(const Console& console, bool goesOn) {
                                    : fmt::format("apt({})> ", unitOf(*console.session.run()));
   // The line editor must not count the colors.
   return console.style.color ? "\001\033[1;32m\002" + text + "\001\033[0m\002" : text;
-}
-
-std::vector<std::string> filesBeside(const std::string& begin) {
-  std::vector<std::string> found;
-  const std::size_t slash = begin.find_last_of('/');
-  const std::string folder = slash == std::string::npos ? "" : begin.substr(0, slash + 1);
-  std::error_code error;
-  const std::filesystem::directory_iterator end;
-  for (std::filesystem::directory_iterator i(folder.empty() ? "." : folder, error);
-       !error && i != end && found.size() < 500; i.increment(error)) {
-    std::error_code kind;
-    const std::string name = folder + i->path().filename().string();
-    found.push_back(i->is_directory(kind) ? name + "/" : name);
-  }
-  return found;
-}
-
-std::vector<std::string> wordsOfCommand(const Session& session,
-                                        char kind,
-                                        const std::string& begin) {
-  std::vector<std::string> all;
-  if (kind == 'f') {
-    all = filesBeside(begin);
-  } else if (kind == 's') {
-    all = settingNames();
-  } else if (kind == 'n' || kind == 't') {
-    for (const auto& name : session.names()) {
-      all.push_back(name.name);
-    }
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
-    const Word word = static_cast<Word>(i);
-    if (kind == 'h' || (kind == 't' && row(word).wordClass == WordClass::geometry)) {
-      all.emplace_back(spell(word));
-    }
-  }
-  if (kind == 'h') {
-    all.emplace_back("topics");
-    for (const ManualPage& page : manualTopics()) {
-      all.emplace_back(page.code);
-    }
-    for (const Command& command : app::commands()) {
-      all.emplace_back(command.name);
-    }
-  }
-  return all;
-}
-
-bool beginsWith(std::string_view word, std::string_view begin) {
-  return word.size() >= begin.size() &&
-         std::equal(begin.begin(), begin.end(), word.begin(), [](unsigned char a, unsigned char b) {
-           return std::toupper(a) == std::toupper(b);
-         });
-}
-
-frontend::Completion completeCommand(const Session& session, const std::string& line) {
-  frontend::Completion found;
-  const std::size_t blank = line.find(' ');
-  std::vector<std::string> all;
-  char kind = ' ';
-  if (blank == std::string::npos) {
-    for (const ConsoleCommand& c : consoleCommands()) {
-      all.emplace_back(c.name);
-    }
-  } else {
-    for (const ConsoleCommand& c : consoleCommands()) {
-      kind = line.substr(0, blank) == c.name ? c.completes : kind;
-    }
-    found.begin = line.find_last_of(kind == 'f' ? " " : " ,") + 1;
-    all = wordsOfCommand(session, kind, line.substr(found.begin));
-  }
-  const std::string begin = line.substr(found.begin);
-  const bool exact = kind == 'f';
-  for (const std::string& word : all) {
-    if (exact ? word.starts_with(begin) : beginsWith(word, begin)) {
-      found.candidates.push_back(word);
-    }
-  }
-  std::sort(found.candidates.begin(), found.candidates.end());
-  found.candidates.erase(std::unique(found.candidates.begin(), found.candidates.end()),
-                         found.candidates.end());
-  return found;
-}
-
-/// INCLUDE/'file: the quote was opened and not closed.
-std::optional<frontend::Completion> completeQuoted(const std::string& line) {
-  if (std::count(line.begin(), line.end(), '\'') % 2 == 0) {
-    return std::nullopt;
-  }
-  frontend::Completion found;
-  found.begin = line.rfind('\'') + 1;
-  for (const std::string& file : filesBeside(line.substr(found.begin))) {
-    if (file.starts_with(line.substr(found.begin))) {
-      found.candidates.push_back(file);
-    }
-  }
-  return found;
 }
 
 class Loop {
@@ -207,7 +110,7 @@ class Loop {
     } else if (answer.verdict.state == State::open) {
       pending_ = entry;
     } else if (answer.verdict.state == State::refused) {
-      printDiagnostics(console_, *answer.run, answer.verdict.found);
+      printDiagnostics(console_, *answer.run, answer.verdict.found, answer.inserted);
       refuse(answer);
       if (pending_.empty()) {
         return;
@@ -237,7 +140,7 @@ class Loop {
     } else if (!answer.shown.empty()) {
       static_cast<void>(showEntity(console_, answer.shown));
     } else if (answer.run) {
-      printDiagnostics(console_, *answer.run, answer.verdict.found);
+      printDiagnostics(console_, *answer.run, answer.verdict.found, answer.inserted);
       printNews(console_.out, *answer.run, *answer.before, console_.style);
     }
   }
@@ -261,11 +164,8 @@ ExitCode converse(Console& console, const std::string& file, bool quiet) {
   History history(::isatty(STDIN_FILENO) == 1 ? History::usualPath() : "");
   std::string pending;
   const auto complete = [&](const std::string& line) {
-    if (!line.empty() && line.front() == ':') {
-      return completeCommand(console.session, line);
-    }
-    if (auto quoted = completeQuoted(line)) {
-      return *std::move(quoted);
+    if (auto found = completeCommandOrFile(console.session, line)) {
+      return *std::move(found);
     }
     frontend::Completion found = frontend::complete(pending + line, console.session.names());
     found.begin -= std::min(found.begin, pending.size());

@@ -171,8 +171,13 @@ Session::Answer Session::submit(const std::string& text, const InterruptFlag& in
     entry.insert(first.begin, name + "=");
   }
   auto run = std::make_shared<Run>(settings_);
-  answer.verdict = carryOut(*run, run_.get(), name_, this->text() + entry, interrupted);
+  const std::string before = this->text();
+  answer.verdict = carryOut(*run, run_.get(), name_, before + entry, interrupted);
   answer.run = run;
+  if (unnamed) {
+    const auto begin = static_cast<std::uint32_t>(before.size() + first.begin);
+    answer.inserted = Span{run->job.main, begin, static_cast<std::uint32_t>(name.size()) + 1};
+  }
   if (answer.verdict.state == Verdict::State::good) {
     entries_.push_back({entry, name, unnamed});
     undone_.clear();

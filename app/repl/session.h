@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ class Session {
     std::string shown;                  ///< name that was only asked for
     std::string objection;              ///< why nothing was tried
     bool ended = false;                 ///< the entry is FINI, which :save adds
+    std::optional<Span> inserted;       ///< the name that an unnamed statement was given, with `=`
   };
 
   /// Statements as they were typed, with their line ends. `ANS` in them is the last unnamed result;

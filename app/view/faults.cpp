@@ -42,26 +42,33 @@ std::map<std::uint32_t, std::uint32_t> wrongMotions(const Compilation& job) {
 }
 }  // namespace
 
-std::vector<backend::FaultMark> faultsOf(const Compilation& job, const cl::Recording& records) {
+void FaultTrace::accept(const cl::Record& record) {
+  const auto* motion = std::get_if<cl::Motion>(&record.body);
+  if (motion == nullptr || motion->points() == 0) {
+    return;
+  }
+  const auto place = [&](std::size_t i) {
+    return Vec3(&motion->coordinates[i * motion->stride()]);
+  };
+  if (job_.log.errors() == 0) {
+    ways_.clear();
+  }
+  ways_.push_back({record.origin.buffer == job_.main, record.origin.begin, place(0),
+                   place(motion->points() - 1)});
+}
+
+std::vector<backend::FaultMark> FaultTrace::marks() const {
   std::vector<backend::FaultMark> marks;
-  std::map<std::uint32_t, std::uint32_t> wrong = wrongMotions(job);
+  std::map<std::uint32_t, std::uint32_t> wrong = wrongMotions(job_);
   std::optional<Vec3> last;
-  for (const cl::Record& record : records.records) {
-    const auto* motion = std::get_if<cl::Motion>(&record.body);
-    if (motion == nullptr || motion->points() == 0) {
-      continue;
-    }
-    const auto place = [&](std::size_t i) {
-      return Vec3(&motion->coordinates[i * motion->stride()]);
-    };
-    const bool here = record.origin.buffer == job.main;
-    while (here && !wrong.empty() && wrong.begin()->first < record.origin.begin) {
+  for (const Way& way : ways_) {
+    while (way.here && !wrong.empty() && wrong.begin()->first < way.begin) {
       if (last && marks.size() < mostFaults) {
-        marks.push_back({wrong.begin()->second, *last, place(0)});
+        marks.push_back({wrong.begin()->second, *last, way.first});
       }
       wrong.erase(wrong.begin());
     }
-    last = place(motion->points() - 1);
+    last = way.last;
   }
   for (const auto& [begin, line] : wrong) {
     if (last && marks.size() < mostFaults) {

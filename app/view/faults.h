@@ -8,10 +8,26 @@
 
 namespace arelem::app {
 
-/// The motion statements of the program itself that have errors, at most `mostFaults`, in the order
-/// of the path. `records`: what could be computed.
-[[nodiscard]] std::vector<backend::FaultMark> faultsOf(const Compilation& job,
-                                                       const cl::Recording& records);
+/// Finds the motion statements of the program itself that have errors, in the order of the path,
+/// while the records of what could be computed pass by. Errors stand in the log of the job before
+/// the records of later statements come.
+class FaultTrace : public cl::RecordSink {
+ public:
+  explicit FaultTrace(const Compilation& job) : job_(job) {}
+  void accept(const cl::Record& record) override;
+  /// At most `mostFaults`, after the last record.
+  [[nodiscard]] std::vector<backend::FaultMark> marks() const;
+
+ private:
+  /// The places of one record.
+  struct Way {
+    bool here = false;        ///< of a statement of the program itself
+    std::uint32_t begin = 0;  ///< of that statement
+    Vec3 first, last;
+  };
+  const Compilation& job_;
+  std::vector<Way> ways_;  ///< the last one, and all from the first error on
+};
 
 inline constexpr std::size_t mostFaults = 60;
 

@@ -55,6 +55,7 @@ void PathTrace::command(const cl::Post& post) {
   for (const cl::Value& value : post.arguments) {
     number = number == nullptr ? std::get_if<double>(&value) : number;
   }
+  changed_ = changed_ || post.word == Word::RAPID || post.word == Word::FEDRAT;
   if (post.word == Word::RAPID) {
     rapid_ = true;
   } else if (post.word == Word::FEDRAT && number != nullptr) {
@@ -103,6 +104,10 @@ void PathTrace::move(const cl::Motion& motion, const cl::Record& record) {
   isn_ = record.isn;
   if (!continues) {
     beginStretch(record);
+  }
+  if (!continues || changed_) {  // in a hole a statement has several kinds
+    changed_ = false;
+    scene_.stretches.back().feed = feed_;
     kind_ = rapid_ || cycle_ ? SceneMove::rapid : arc_ ? SceneMove::arc : SceneMove::feed;
     rapid_ = false;
     arc_ = false;

@@ -34,6 +34,7 @@ class PathTrace : public cl::RecordSink {
   int isn_ = 0;
   backend::SceneMove kind_ = backend::SceneMove::feed;  ///< of the motion at present
   float feed_ = 0.0F;
+  bool changed_ = false;  ///< RAPID or FEDRAT came since the last motion
   bool rapid_ = false, cycle_ = false, arc_ = false, gun_ = false, multax_ = false;
 };
 

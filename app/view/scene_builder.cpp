@@ -9,6 +9,7 @@
 #include "app/view/path_trace.h"
 #include "app/view/scene_surfaces.h"
 
+#include "ir/hole/drilled.h"
 #include "runtime/certify/certificate.h"
 #include "runtime/path/chords.h"
 
@@ -91,20 +92,28 @@ void addBounds(const certify::Certificate& certificate,
   }
 }
 
-/// Hands records to one or two sinks.
-class Pair : public cl::RecordSink {
+/// Hands records to all that look at them; of a path that is too long to be proven, not all to the
+/// certificate.
+class Fan : public cl::RecordSink {
  public:
-  Pair(cl::RecordSink& first, cl::RecordSink* second) : first_(first), second_(second) {}
+  Fan(cl::RecordSink& path, FaultTrace& faults, certify::Certificate& certificate)
+      : path_(path), faults_(faults), certificate_(certificate) {}
   void accept(const cl::Record& record) override {
-    first_.accept(record);
-    if (second_ != nullptr) {
-      second_->accept(record);
+    path_.accept(record);  // with the moves of holes
+    faults_.accept(record);
+    const auto* motion = std::get_if<cl::Motion>(&record.body);
+    vectors_ += motion == nullptr ? 0 : motion->points();
+    if (isShort()) {
+      certificate_.accept(record);
     }
   }
+  [[nodiscard]] bool isShort() const { return vectors_ <= mostProven; }
 
  private:
-  cl::RecordSink& first_;
-  cl::RecordSink* second_;
+  cl::RecordSink& path_;
+  FaultTrace& faults_;
+  certify::Certificate& certificate_;
+  std::uint64_t vectors_ = 0;
 };
 
 /// The way over motions that are missing is none of the program's: it counts neither as length nor
@@ -138,21 +147,17 @@ backend::Scene buildScene(Compilation& job, const InterruptFlag& interrupted) {
   options.interrupted = &interrupted;
   CollectingSink faults;  // what the certificate finds is shown as bounds, not as an error
   const auto certificate = certify::makeCertificate(job.evaluation.actions, options, faults);
-  cl::Recording records;
-  static_cast<void>(execute(job, records, interrupted));
-  const bool proven = job.motion.cutVectors <= mostProven && job.motion.complete;
-  Pair both(trace, proven ? certificate.get() : nullptr);
-  const auto chords = path::makeChordStage(both, faults);
-  for (const cl::Record& record : records.records) {
-    chords->accept(record);
-  }
+  FaultTrace missing(job);
+  hole::Drilled drilled(trace);
+  Fan all(drilled, missing, *certificate);
+  static_cast<void>(execute(job, *path::makeChordStage(all, faults), interrupted));
   trace.finish();
-  scene.faults = faultsOf(job, records);
+  scene.faults = missing.marks();
   breakAtFaults(job, scene);
-  if (proven && !interrupted) {
+  if (all.isShort() && job.motion.complete && !interrupted) {
     certificate->finish();
     addBounds(*certificate, trace.isns(), scene);
-  } else if (job.motion.cutVectors > mostProven) {
+  } else if (!all.isShort()) {
     addNote(scene, fmt::format("deviations of more than {} cut vectors are not proven here: use "
                                "arelem verify",
                                mostProven));

@@ -11,6 +11,7 @@
 #include "app/view/faults.h"
 #include "app/view/raster.h"
 #include "app/view/scene_builder.h"
+#include "app/view/scene_surfaces.h"
 #include <fmt/ranges.h>
 
 #include "backend/svg/writer.h"
@@ -21,12 +22,15 @@ namespace arelem::app {
 
 namespace {
 enum class Kind : std::uint8_t { svg, png, html };
+constexpr std::string_view standardStream = "-";
 
 struct ViewOptions {
   Settings settings;
   std::string input;
   std::vector<std::string> outputs;
   std::string views = "auto";
+  std::string format = "svg";
+  bool part = false;  ///< without TRACUT
   int width = 1600;
 };
 
@@ -43,10 +47,16 @@ std::optional<Kind> kindOf(const std::string& path) {
 void addOptions(CLI::App& app, ViewOptions& options) {
   app.add_option("FILE", options.input, "a part program; - is standard input")->required();
   app.add_option("-o,--output", options.outputs,
-                 ".svg or .png: a picture; .html: a page for a browser; may be repeated")
+                 ".svg or .png: a picture; .html: a page for a browser; - is standard output, see "
+                 "--to; may be "
+                 "repeated")
       ->type_name("FILE")
       ->required()
       ->allow_extra_args(false);
+  app.add_option("--to", options.format, "what -o - writes to standard output: svg, png or html")
+      ->check(CLI::IsMember({"svg", "png", "html"}))
+      ->capture_default_str();
+  app.add_flag("--part", options.part, "the path in the system of the part: without TRACUT");
   app.add_option("--view", options.views, "what a picture shows: auto, plan, front, side or all")
       ->check(CLI::IsMember({"auto", "plan", "front", "side", "all"}))
       ->capture_default_str();
@@ -89,16 +99,46 @@ std::string warningOf(const Compilation& job) {
                      fmt::join(lines, ", "), many ? ", ..." : "");
 }
 
+bool isTracut(const runtime::Action& action) {
+  const auto* record = std::get_if<runtime::Pass>(&action.body);
+  const auto* post = record == nullptr ? nullptr : std::get_if<cl::Post>(&record->body);
+  return post != nullptr && post->word == Word::TRACUT;
+}
+
+/// What a picture tells below its title beside the extents, or "".
+std::string remarkOf(const Compilation& job) {
+  const auto& actions = job.evaluation.actions;
+  return std::any_of(actions.begin(), actions.end(), isTracut)
+             ? "moved by TRACUT: --part shows it in the part"
+             : "";
+}
+
+class Both : public cl::RecordSink {
+ public:
+  Both(cl::RecordSink& first, cl::RecordSink& second) : first_(first), second_(second) {}
+  void accept(const cl::Record& record) override {
+    first_.accept(record);
+    second_.accept(record);
+  }
+
+ private:
+  cl::RecordSink& first_;
+  cl::RecordSink& second_;
+};
+
 /// What has errors is left out of a picture; the rest is shown.
-std::string pictureOf(Compilation& job, const ViewOptions& options, const cl::Recording& records) {
+std::string pictureOf(Compilation& job,
+                      const ViewOptions& options,
+                      const InterruptFlag& interrupted) {
   std::ostringstream out;
   const backend::Context context = backendContext(job);
-  const auto writer = backend::makePictureWriter(out, context, viewsOf(options.views),
-                                                 {warningOf(job), faultsOf(job, records)});
-  const auto chords = path::makeChordStage(*writer, job.log);
-  for (const cl::Record& record : records.records) {
-    chords->accept(record);
-  }
+  backend::Shortcomings shortcomings;  // known when all records have passed
+  const auto writer =
+      backend::makePictureWriter(out, context, viewsOf(options.views), shortcomings);
+  FaultTrace missing(job);
+  Both both(*writer, missing);
+  static_cast<void>(execute(job, *path::makeChordStage(both, job.log), interrupted));
+  shortcomings = {warningOf(job), missing.marks(), remarkOf(job)};
   writer->finish();
   return out.str();
 }
@@ -126,30 +166,43 @@ bool put(Compilation& job,
   return true;
 }
 
+/// The kind of an output: of a file by its suffix; standard output has the kind of --to.
+Kind kindOf(const std::string& path, const ViewOptions& options) {
+  return path == standardStream ? *kindOf("." + options.format) : *kindOf(path);
+}
+
 void produce(Compilation& job, const ViewOptions& options, const InterruptFlag& interrupted) {
+  const auto wants = [&](bool page) {
+    return std::any_of(options.outputs.begin(), options.outputs.end(), [&](const auto& path) {
+      return (kindOf(path, options) == Kind::html) == page;
+    });
+  };
+  std::string picture;
   std::optional<backend::Scene> scene;
-  std::optional<std::string> picture;
+  if (wants(false)) {
+    picture = pictureOf(job, options, interrupted);
+  }
+  if (wants(true) && !interrupted) {
+    scene = buildScene(job, interrupted);
+    if (const std::string remark = remarkOf(job); !remark.empty()) {
+      addNote(*scene, "the path is " + remark);
+    }
+  }
+  job.evaluation.actions = {};  // a page is written beside them no longer: they take much room
   for (const std::string& path : options.outputs) {
     if (interrupted) {
       return;
     }
-    const Kind kind = *kindOf(path);
-    if (kind == Kind::html && !scene) {
-      scene = buildScene(job, interrupted);
-    } else if (kind != Kind::html && !picture) {
-      cl::Recording records;
-      static_cast<void>(execute(job, records, interrupted));
-      picture = pictureOf(job, options, records);
-    }
+    const Kind kind = kindOf(path, options);
     static_cast<void>(put(job, path, [&](std::ostream& out) {
       if (kind == Kind::html) {
         backend::writePage(out, *scene);
         return true;
       }
       if (kind == Kind::png) {
-        return writePng(out, *picture, options.width);
+        return writePng(out, picture, options.width);
       }
-      out << *picture;
+      out << picture;
       return true;
     }));
   }
@@ -167,7 +220,7 @@ int runView(const Invocation& invocation) {
     return *code;
   }
   for (const std::string& path : options.outputs) {
-    if (!kindOf(path)) {
+    if (path != standardStream && !kindOf(path)) {
       printUsageError("view", "a view is written as .svg, .png or .html, not as `" + path + "`");
       return static_cast<int>(ExitCode::wrongUse);
     }
@@ -176,6 +229,10 @@ int runView(const Invocation& invocation) {
   Compilation job(options.settings);
   if (load(job, options.input, interrupted)) {
     static_cast<void>(evaluate(job, interrupted));
+    job.program.blocks = {};  // of no use from here on
+    if (options.part) {
+      std::erase_if(job.evaluation.actions, isTracut);
+    }
     produce(job, options, interrupted);
   }
   job.log.print(job.sources, job.main, options.settings);

@@ -7,15 +7,13 @@
 
 #include "backend/cltext/statement.h"
 #include "backend/text/clean.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/output.h"
 
 namespace arelem::backend {
 
 namespace {
-bool isAppliedAlready(Word word) {
-  return word == Word::TRACUT || word == Word::COPY || word == Word::INDEX ||
-         word == Word::SMOOTH || word == Word::VTLAXS || word == Word::WCORN;
-}
+constexpr std::size_t ringValues = 3;  // CUTTER / OPTION on a tape; a cutter has 1, 2 or 7
 
 class TextWriter : public Writer {
  public:
@@ -66,7 +64,7 @@ class TextWriter : public Writer {
       return;
     }
     line_.begin(foreign ? statementText(post.foreign) : std::string(spell(post.word)),
-                !foreign && isAppliedAlready(post.word));
+                cl::isApplied(post));
     for (const cl::Value& value : post.arguments) {
       argument(value);
     }
@@ -75,7 +73,7 @@ class TextWriter : public Writer {
   /// The text as it is, after `WORD / `; a blank less each side where that keeps it within the
   /// columns.
   void operator()(const cl::Text& body) {
-    const std::string clean = statementText(body.text);
+    const std::string clean = restOfLine(body.text);
     std::string_view text = trimmed(clean);
     if (body.word != Word::INSERT && text.starts_with('/')) {
       text = trimmed(text.substr(1));  // `PARTNO / PLATE` in the source too: one slash is enough
@@ -93,7 +91,11 @@ class TextWriter : public Writer {
   void operator()(const cl::Switch& body) { bare(spell(body.word), true); }
   void operator()(const cl::Values& body) {
     line_.begin(spell(body.word));
-    lengths(body.values);
+    if (body.word == Word::CUTTER && body.values.size() == ringValues) {
+      ring(body.values);
+    } else {
+      lengths(body.values);
+    }
   }
   void operator()(const cl::Multax& body) { switched("MULTAX", body.on, false); }
   void operator()(const cl::Units& body) {
@@ -141,6 +143,22 @@ class TextWriter : public Writer {
     }
     buffer_.append(lines);
     return true;
+  }
+
+  /// CUTTER / OPTION: the surface (1 part, 2 drive), radius and height of a ring, or 3: back to the
+  /// cutter. Three values are always that.
+  void ring(const std::vector<double>& values) {
+    constexpr double back = 3.0;
+    const bool off = values[0] == back;
+    ringSurface_ = off ? ringSurface_ : values[0];
+    line_.text(spell(Word::OPTION));
+    line_.parameter(ringSurface_);
+    if (off) {
+      line_.text(spell(Word::OFF));
+      line_.end();
+    } else {
+      lengths({values[1], values[2]});
+    }
   }
 
   /// The surface that cut vectors run along is a comment.
@@ -247,6 +265,7 @@ class TextWriter : public Writer {
   DiagnosticSink& sink_;
   const cl::Record* record_ = nullptr;
   std::optional<cl::SurfaceValue> circle_;  ///< read and not written yet
+  double ringSurface_ = 2.0;                ///< of the last CUTTER / OPTION
   bool refused_ = false;
 };
 }  // namespace

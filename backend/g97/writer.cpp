@@ -5,11 +5,13 @@
 #include <set>
 
 #include "backend/g97/divide.h"
-#include "backend/hole/cycle.h"
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
+#include "backend/robot/objections.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/robot.h"
+#include "ir/hole/cycle.h"
 #include "ir/words/units.h"
 
 namespace arelem::backend {
@@ -37,8 +39,9 @@ class G97Writer : public Writer {
 
   void finish() override {
     switchOffAtEnd();
+    objections_.report(location_, sink_);
     if (steps_.empty()) {
-      if (reported_ == 0) {
+      if (reported_ == 0 && objections_.empty()) {
         sink_.accept(diagnose(nowhere, diag::G97NoBlock));
       }
       return;
@@ -69,6 +72,9 @@ class G97Writer : public Writer {
     }
   }
   void operator()(const cl::Post& post) {
+    if (cl::isApplied(post)) {
+      return;
+    }
     if (!post.foreign.empty()) {
       return without(post.foreign);
     }
@@ -80,12 +86,9 @@ class G97Writer : public Writer {
         return;
       case Word::SPRAY:
         return spray(post);
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
       case Word::MACHIN:
       case Word::END:
-        return;  // done already, or said by the program's end
+        return;  // for others, or said by the program's end
       default:
         other(post);
     }
@@ -101,6 +104,10 @@ class G97Writer : public Writer {
   }  // what tells of surfaces, tolerances and the cutter moves nothing
 
  private:
+  /// What the robot cannot do is told once of a kind, with its worst location.
+  void object(Failure failure, double excess) {
+    objections_.add({std::move(failure), excess}, location_, record_->origin);
+  }
   void report(Failure failure) {
     if (reported_++ < mostReports) {
       sink_.accept(at(record_->origin, std::move(failure)));
@@ -126,8 +133,8 @@ class G97Writer : public Writer {
   void other(const cl::Post& post) {
     const auto found = machine_.g97.words.find(std::string(spell(post.word)));
     const bool known = found != machine_.g97.words.end() && !steps_.empty();
-    if (auto lost = known || post.word != Word::CYCLE ? std::nullopt
-                                                      : backend::hole::objectionToDrilling(post)) {
+    if (auto lost =
+            known || post.word != Word::CYCLE ? std::nullopt : hole::objectionToDrilling(post)) {
       return report(*std::move(lost));
     }
     if (!known) {
@@ -196,12 +203,12 @@ class G97Writer : public Writer {
     if (machine_.envelope) {
       if (auto objection = robot::objectionToPlace(*machine_.envelope,
                                                    robot::inBase(machine_.frame, pose), place)) {
-        return report(std::move(objection->failure));
+        return objections_.add(*std::move(objection), location_, record_->origin);
       }
     }
     Result<BlockPose> written = blockOf(machine_, pose, place);
     if (!written) {
-      return report(written.takeFailure());
+      return object(written.takeFailure(), pose.point.cwiseAbs().maxCoeff());
     }
     if (machine_.g97.robopaint) {
       const Vec3 axis = poseOf(machine_, *written).axis;
@@ -225,11 +232,11 @@ class G97Writer : public Writer {
   int speedOf(double speed, std::string_view place) {
     const double rounded = std::round(speed);
     if (!(rounded >= 1.0 && rounded <= fastest)) {
-      report(fail(diag::G97Feed, place, speed));
+      object(fail(diag::G97Feed, place, speed), std::max(speed, 1.0 / speed));
       return 1;
     }
     if (machine_.speed > 0.0 && rounded > machine_.speed) {
-      report(fail(diag::RobotSpeed, place, speed, machine_.speed, machine_.speed / speed));
+      object(fail(diag::RobotSpeed, place, speed, machine_.speed, machine_.speed / speed), speed);
     }
     return static_cast<int>(rounded);
   }
@@ -256,6 +263,7 @@ class G97Writer : public Writer {
   bool rapid_ = false;
   std::size_t location_ = 0;
   std::size_t reported_ = 0;
+  robot::Objections objections_;
   double worstOff_ = 0.0;
 };
 }  // namespace

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "backend/hole/cycle.h"
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/hole/cycle.h"
 #include "ir/space/robot_tolerance.h"
 #include "ir/words/units.h"
 
@@ -131,6 +131,9 @@ void KnotReader::spray(const cl::Post& post) {
 }
 
 void KnotReader::post(const cl::Post& post, const Span& origin) {
+  if (cl::isApplied(post)) {
+    return;
+  }
   switch (post.foreign.empty() ? post.word : Word::INSERT) {
     case Word::FEDRAT:
       if (Result<double> speed = robot::neededSpeed(post, millimeters_, turns_)) {
@@ -153,7 +156,7 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
       }
       return;
     case Word::CYCLE:
-      if (auto failure = backend::hole::objectionToDrilling(post)) {
+      if (auto failure = hole::objectionToDrilling(post)) {
         refuse(*std::move(failure), origin);
       }
       return;
@@ -163,12 +166,9 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
     case Word::STOP:
     case Word::OPSTOP:
       return stopHere(0.0);
-    case Word::TRACUT:
-    case Word::COPY:
-    case Word::INDEX:
     case Word::MACHIN:
     case Word::END:
-      return;  // done already, or said by the end of the table
+      return;  // for others, or said by the end of the table
     default:
       break;
   }

@@ -22,10 +22,12 @@ EntityType surfaceType(std::string_view name) {
   return EntityType::cylinder;
 }
 
-/// Null unless all points have three or six numbers.
+/// False unless all points have three numbers, all six or all nine.
 bool readPoints(const json& points, cl::Motion& motion) {
   motion.coordinates.clear();
-  motion.withAxis = !points.empty() && points.front().size() == 6;
+  const std::size_t numbers = points.empty() ? 3 : points.front().size();
+  motion.withAxis = numbers == 6 || numbers == 9;
+  motion.withSide = numbers == 9;
   for (const json& point : points) {
     if (point.size() != motion.stride()) {
       return false;
@@ -79,7 +81,9 @@ cl::Body command(const std::string& kind, const json& row) {
   if (word && row.contains("values")) {
     return cl::Values{*word, row["values"].get<std::vector<double>>()};
   }
-  const bool isSwitch = word && (*word == Word::CUT || *word == Word::DNTCUT);
+  const bool isSwitch =
+      word && (*word == Word::CUT || *word == Word::DNTCUT || *word == Word::W_2DCALC ||
+               *word == Word::W_3DCALC || *word == Word::NDTEST);
   return isSwitch ? cl::Body(cl::Switch{*word}) : cl::Body(cl::Card{});
 }
 
@@ -95,6 +99,7 @@ bool hand(const json& row, cl::RecordSink& records) {
                                    : cl::Motion::Kind::continuation;
     if (row.contains("name") && row["name"].is_string()) {
       motion.name = row["name"].get<std::string>();
+      motion.subscript = row.value("subscript", 0);
     }
     if (!readPoints(row.at("points"), motion)) {
       return false;
@@ -124,7 +129,7 @@ bool readJsonRecords(std::istream& in,
                      cl::RecordSink& records,
                      DiagnosticSink& sink) {
   const auto object = [&](const std::string& part, std::uint64_t line) {
-    std::string reason = "a point has neither three nor six numbers";
+    std::string reason = "the points have not all three, all six or all nine numbers";
     try {
       const json row = json::parse(part);
       bool good = true;

@@ -2,11 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
-#include "backend/hole/steps.h"
 #include "backend/ngc/moves.h"
 #include "ir/diag/ngc.h"
+#include "ir/hole/steps.h"
 #include "ir/limits.h"
 #include "ir/space/tolerance.h"
 
@@ -34,10 +33,7 @@ void Moves::closeCycle() {
 /// The cycle is over, and so is its feed.
 void Moves::endCycle() {
   closeCycle();
-  if (outside_) {
-    std::tie(feed_, feedMode_) = *outside_;
-    outside_.reset();
-  }
+  feed_.endCycle();
 }
 
 void Moves::cycle(const cl::Post& post) {
@@ -51,20 +47,30 @@ void Moves::cycle(const cl::Post& post) {
   endCycle();
   const Cycle* begun = cycles_.now();
   if (const auto own = begun != nullptr ? hole::feedOf(*begun) : std::nullopt) {
-    const auto before = std::pair(feed_, feedMode_);
-    feed(*own);
-    outside_ = before;
+    if (const auto feed = readFeed(*own)) {
+      feed_.beginCycle(*feed);
+    }
   }
 }
 
 /// One location under a cycle: drilled along the tool axis, back to the height of RTRCTO or else
 /// the clearance, not higher.
 void Moves::drill(const ToolPose& at) {
-  const Cycle& cycle = *cycles_.now();
+  if (compensation_.isOn()) {
+    return report(fail(diag::NgcCycle, std::string("stands while CUTCOM is on; CUTCOM/OFF first")));
+  }
+  compensation_.finish();
+  const bool along = placed_ && (now_.pose.axis - at.axis).norm() <= tolerance::symmetric;
+  const std::optional<double> height =
+      along ? std::optional((now_.pose.end - at.end).dot(at.axis) / unit_) : std::nullopt;
+  drill(at, hole::cycleFrom(*cycles_.now(), height));
+}
+
+void Moves::drill(const ToolPose& at, const Cycle& cycle) {
   if (!feedIsKnown(at.end)) {
     return;
   }
-  if (feedMode_ == FeedMode::inverseTime) {
+  if (feed_.now().mode == FeedMode::inverseTime) {
     return report(fail(diag::NgcCycle, std::string("needs a feed; an inverse time is none")));
   }
   const bool turned = (at.axis - now_.pose.axis).norm() > tolerance::symmetric;
@@ -76,18 +82,18 @@ void Moves::drill(const ToolPose& at) {
     closeCycle();
   }
   if (!cycleOpen_) {
-    approach(between);
+    approach(between, cycle);
   }
-  const Vec3 along = onMachine(at.end + at.axis) - onMachine(at.end);
-  const bool upright = (along - Vec3::UnitZ()).norm() <= tolerance::symmetric;
+  const Vec3 upwards = onMachine(at.end + at.axis) - onMachine(at.end);
+  const bool upright = (upwards - Vec3::UnitZ()).norm() <= tolerance::symmetric;
   const bool canned = control_.cycles && upright;
   if (!cycleAllowed(canned)) {
     return;
   }
   if (canned) {
-    cannedHole(at);
+    cannedHole(at, cycle);
   } else {
-    drilledHole(at);
+    drilledHole(at, cycle);
   }
 }
 
@@ -106,8 +112,7 @@ bool Moves::cycleAllowed(bool canned) {
 
 /// The way to the first hole: across at the height where the tool is, or at the clearance if that
 /// is higher; straight where the tool turns.
-void Moves::approach(const ToolPose& clear) {
-  const Cycle& cycle = *cycles_.now();
+void Moves::approach(const ToolPose& clear, const Cycle& cycle) {
   const bool wasRapid = std::exchange(rapid_, true);
   if (placed_ && (now_.pose.axis - clear.axis).norm() <= tolerance::symmetric) {
     for (const Vec3& end : hole::wayOver(now_.pose.end, clear.end, clear.axis)) {
@@ -122,8 +127,7 @@ void Moves::approach(const ToolPose& clear) {
   rapid_ = wasRapid;
 }
 
-void Moves::cannedHole(const ToolPose& at) {
-  const Cycle& cycle = *cycles_.now();
+void Moves::cannedHole(const ToolPose& at, const Cycle& cycle) {
   const bool counter = spindle_ == Spindle::counterclockwise;
   const std::array codes = {"G81", "G82", "G83", "G73", "G85", "G89", counter ? "G74" : "G84"};
   const Vec3 place = onMachine(at.end);
@@ -151,8 +155,8 @@ void Moves::cannedHole(const ToolPose& at) {
   placed_ = sure_ = true;
 }
 
-void Moves::drilledHole(const ToolPose& at) {
-  const Result<std::vector<hole::Step>> steps = hole::stepsOf(*cycles_.now());
+void Moves::drilledHole(const ToolPose& at, const Cycle& cycle) {
+  const Result<std::vector<hole::Step>> steps = hole::stepsOf(cycle);
   if (!steps) {
     return report(steps.failure());
   }

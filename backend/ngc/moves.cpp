@@ -34,15 +34,22 @@ void Moves::report(Failure failure) {
 }
 
 void Moves::feed(const cl::Post& post) {
+  if (const auto feed = readFeed(post)) {
+    feed_.set(*feed);
+  }
+}
+
+std::optional<Moves::Feed> Moves::readFeed(const cl::Post& post) {
   Parameters given(post);
   const std::string_view unit = given.take({"IPM", "MMPM", "IPR", "MMPR", "MMPS", "INVERS"});
   const std::optional<double> value = given.takeNumber();
   if (!value || !given.rest().empty()) {
-    return report(fail(diag::NgcStatement, written(post),
-                       value ? fmt::format("`{}` has no meaning here; a feed and one of IPM, MMPM, "
-                                           "IPR, MMPR, MMPS and INVERS have",
-                                           given.rest())
-                             : std::string("it has no number")));
+    report(fail(diag::NgcStatement, written(post),
+                value ? fmt::format("`{}` has no meaning here; a feed and one of IPM, MMPM, "
+                                    "IPR, MMPR, MMPS and INVERS have",
+                                    given.rest())
+                      : std::string("it has no number")));
+    return std::nullopt;
   }
   const bool perTurn = unit == "IPR" || unit == "MMPR";
   const bool inverse = unit == "INVERS";
@@ -50,11 +57,9 @@ void Moves::feed(const cl::Post& post) {
                         : unit == "MMPS"             ? secondsOfAMinute
                         : unit[0] == 'I' && !inverse ? millimetersOfAnInch
                                                      : 1.0;
-  feed_ = *value * factor;
-  feedMode_ = inverse ? FeedMode::inverseTime : perTurn ? FeedMode::perTurn : FeedMode::perMinute;
-  if (outside_) {
-    outside_ = {feed_, feedMode_};  // it stays when the cycle is over
-  }
+  return Feed{*value * factor, inverse   ? FeedMode::inverseTime
+                               : perTurn ? FeedMode::perTurn
+                                         : FeedMode::perMinute};
 }
 
 bool Moves::turnsAllowed(const Vec3& axis) {
@@ -160,7 +165,7 @@ void Moves::putAxes(const TurnedPlace& to) {
 }
 
 bool Moves::feedIsKnown(const Vec3& to) {
-  const bool known = feed_ && *feed_ > 0.0;
+  const bool known = feed_.now().value > 0.0;
   if (!known) {
     report(fail(diag::NgcFeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_));
   }
@@ -169,27 +174,28 @@ bool Moves::feedIsKnown(const Vec3& to) {
 
 /// The feed of a move; with a `length` above 0 as the time of this move alone.
 void Moves::putFeed(double length) {
-  if (feedMode_ == FeedMode::perTurn && !(turns_ > 0.0)) {
+  const auto& [value, mode] = feed_.now();
+  if (mode == FeedMode::perTurn && !(turns_ > 0.0)) {
     report(fail(diag::NgcSpindle));
   }
-  const bool timed = feedMode_ == FeedMode::inverseTime || length > 0.0;
+  const bool timed = mode == FeedMode::inverseTime || length > 0.0;
   if (timed) {
-    const double perMinute = feedMode_ == FeedMode::perTurn ? *feed_ * turns_ : *feed_;
+    const double perMinute = mode == FeedMode::perTurn ? value * turns_ : value;
     block_.modal('f', "G93");
-    const bool inverse = feedMode_ == FeedMode::inverseTime;
-    block_.number('F', inverse ? *feed_ / share_ : perMinute / length, feedDecimals);
+    const bool inverse = mode == FeedMode::inverseTime;
+    block_.number('F', inverse ? value / share_ : perMinute / length, feedDecimals);
     block_.forget('F');
     return;
   }
-  block_.modal('f', feedMode_ == FeedMode::perTurn ? "G95" : "G94");
+  block_.modal('f', mode == FeedMode::perTurn ? "G95" : "G94");
   const double scale = control_.inches ? 1.0 / millimetersOfAnInch : 1.0;
-  if (*feed_ * scale < 0.5 * std::pow(10.0, -feedDecimals)) {
+  if (value * scale < 0.5 * std::pow(10.0, -feedDecimals)) {
     report(fail(
         diag::NgcValue,
         fmt::format("a feed of {:.3g} a minute or turn is 0 with the {} decimals of the output",
-                    *feed_ * scale, feedDecimals)));
+                    value * scale, feedDecimals)));
   }
-  block_.modal('F', fmt::format("F{:.{}f}", *feed_ * scale, feedDecimals));
+  block_.modal('F', fmt::format("F{:.{}f}", value * scale, feedDecimals));
 }
 
 /// The places of a move; none where it is refused.
@@ -264,6 +270,11 @@ void Moves::straight(const TurnedPlace& to) {
     now_ = to;
     return;
   }
+  if (compensation_.isOn() && turned > tolerance::nullDirection) {
+    report(fail(diag::NgcValue, std::string("the turning axes move while CUTCOM is on; a control "
+                                            "offsets in one plane")));
+  }
+  compensation_.put();
   block_.modal('m', rapid_ ? "G0" : "G1");
   putAxes(to);
   if (!rapid_) {
@@ -278,7 +289,8 @@ void Moves::straight(const TurnedPlace& to) {
 /// Puts out an arc from here through the first of `rest` and tells how many it replaces.
 std::size_t Moves::arc(std::span<const Vec3> rest) {
   const bool possible = control_.arcs && run_ && run_->canon.size() == 7 && !rapid_ && placed_ &&
-                        feed_ && *feed_ > 0.0 && feedMode_ != FeedMode::inverseTime;
+                        feed_.now().value > 0.0 && feed_.now().mode != FeedMode::inverseTime &&
+                        !compensation_.isPending();
   if (!possible || rest.empty()) {
     return 0;
   }
@@ -297,8 +309,8 @@ std::size_t Moves::arc(std::span<const Vec3> rest) {
                  [&](const Vec3& place) { return onMachine(place); });
   const Vec3 from = onMachine(now_.pose.end);
   const auto found = arcThrough(round, from, places, control_.arcTolerance, band_);
-  if (!found) {
-    return 0;
+  if (!found || (compensation_.isOn() && found->axis != 2)) {
+    return 0;  // a control does not change planes while it offsets the path
   }
   constexpr std::array planes = {"G19", "G18", "G17"};
   constexpr std::array offsets = {'I', 'J', 'K'};

@@ -4,10 +4,12 @@
 #include <span>
 #include <string>
 
-#include "backend/hole/cycle.h"
 #include "backend/ngc/block.h"
+#include "backend/ngc/compensation.h"
 #include "backend/robot/turned_move.h"
 #include "ir/diag/diagnostic.h"
+#include "ir/hole/cycle.h"
+#include "ir/hole/cycle_feed.h"
 
 namespace arelem::backend::ngc {
 
@@ -19,7 +21,7 @@ class Moves {
         const Control& control,
         const robot::Turning* turning,
         DiagnosticSink& sink)
-      : block_(block), control_(control), turning_(turning), sink_(sink) {}
+      : block_(block), control_(control), turning_(turning), sink_(sink), compensation_(block) {}
 
   void setRecord(const cl::Record& record) { record_ = &record; }
   void setUnit(double millimeters) { unit_ = millimeters; }
@@ -29,6 +31,9 @@ class Moves {
   enum class Spindle { off, clockwise, counterclockwise };
   void setSpindle(Spindle spindle) { spindle_ = spindle; }
   [[nodiscard]] double spindle() const { return turns_; }  ///< turns a minute
+  void setCutter(double diameter) { cutter_ = diameter; }
+  [[nodiscard]] double cutter() const { return cutter_; }  ///< diameter, part unit
+  [[nodiscard]] Compensation& compensation() { return compensation_; }
   void rapid() { rapid_ = true; }
   void feed(const cl::Post& post);
   void cycle(const cl::Post& post);
@@ -36,7 +41,13 @@ class Moves {
 
  private:
   enum class FeedMode { perMinute, perTurn, inverseTime };
+  struct Feed {
+    double value = 0.0;  ///< mm a minute or a turn, or moves a minute; 0 where none was given
+    FeedMode mode = FeedMode::perMinute;
+  };
 
+  /// What FEDRAT says; none where it is refused.
+  [[nodiscard]] std::optional<Feed> readFeed(const cl::Post& post);
   void points(const cl::Motion& motion);
   void from(const robot::ToolPose& pose);
   void line(const robot::ToolPose& to);
@@ -45,10 +56,11 @@ class Moves {
   [[nodiscard]] std::optional<std::vector<robot::TurnedPlace>> way(const robot::ToolPose& to);
   std::size_t arc(std::span<const Vec3> rest);
   void drill(const robot::ToolPose& at);
-  void approach(const robot::ToolPose& clear);
+  void drill(const robot::ToolPose& at, const hole::Cycle& cycle);
+  void approach(const robot::ToolPose& clear, const hole::Cycle& cycle);
   [[nodiscard]] bool cycleAllowed(bool canned);
-  void cannedHole(const robot::ToolPose& at);
-  void drilledHole(const robot::ToolPose& at);
+  void cannedHole(const robot::ToolPose& at, const hole::Cycle& cycle);
+  void drilledHole(const robot::ToolPose& at, const hole::Cycle& cycle);
   void endCycle();
   void closeCycle();
   void putFeed(double length);
@@ -64,16 +76,15 @@ class Moves {
   const Control& control_;
   const robot::Turning* turning_;
   DiagnosticSink& sink_;
+  Compensation compensation_;
+  double cutter_ = 0.0;
   const cl::Record* record_ = nullptr;
   double unit_ = 1.0;
   double band_ = 0.0;  // mm
   double turns_ = 0.0;
   Spindle spindle_ = Spindle::off;
   bool rapid_ = false;
-  std::optional<double> feed_;  // mm a minute or a turn, or moves a minute
-  FeedMode feedMode_ = FeedMode::perMinute;
-  /// What they are outside of a cycle that has a feed of its own.
-  std::optional<std::pair<std::optional<double>, FeedMode>> outside_;
+  hole::CycleFeed<Feed> feed_;
   hole::Cycles cycles_;
   double share_ = 1.0;  // of a divided move that a line is: it has as much of an inverse time
   bool cycleOpen_ = false;

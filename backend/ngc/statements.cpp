@@ -25,9 +25,14 @@ void Statements::accept(const cl::Post& post, const Span& origin) {
       return spindle(post);
     case Word::COOLNT:
       return coolant(post);
+    case Word::CUTCOM:
+      return compensation(post);
     case Word::LOADTL:
     case Word::TURRET:
       return tool(post);
+    case Word::SELCTL:
+    case Word::TOOLNO:
+      return nextTool(post);
     case Word::DELAY:
       return delay(post);
     case Word::AUXFUN:
@@ -130,6 +135,19 @@ void Statements::coolant(const cl::Post& post) {
   passed("COOLNT/" + rest);
 }
 
+/// The path is what the CL says: that of the tool end, offset by CUTTER already, or the contour.
+void Statements::compensation(const cl::Post& post) {
+  Compensation& control = moves_.compensation();
+  const bool wasOn = control.isOn();
+  if (auto failure = control.accept(post)) {
+    sink_.accept(at(origin_, *std::move(failure)));
+  } else if (!wasOn && control.isOn() && moves_.cutter() > 0.0) {
+    sink_.accept(diagnose(origin_, diag::NgcOffsetTwice, moves_.cutter(), control.reg()));
+    block_.comment(fmt::format("D{}: WEAR ONLY, THE PATH IS OF CUTTER {:.6g}", control.reg(),
+                               moves_.cutter()));
+  }
+}
+
 /// AUXFUN/n and PREFUN/n: the codes Mn and Gn of the control, as the program says.
 void Statements::function(const cl::Post& post) {
   Parameters given(post);
@@ -148,6 +166,11 @@ void Statements::tool(const cl::Post& post) {
   if (!number || *number < 1.0 || !isWhole(*number)) {
     return refuse(post, "it takes the whole number of a tool first");
   }
+  if (moves_.compensation().isOn()) {
+    return refuse(post, "CUTCOM is on; a control changes tools without it");
+  }
+  moves_.compensation().finish();
+  moves_.compensation().setTool(static_cast<long long>(*number));
   const double height = adjusted.value_or(*number);
   if (height < 0.0 || !isWhole(height)) {
     return refuse(post, "ADJUST takes the whole number of a length offset");
@@ -159,6 +182,16 @@ void Statements::tool(const cl::Post& post) {
   // Where the changer leaves the axes is not known.
   block_.forgetAxes();
   passed(std::string(spell(post.word)) + "/" + given.rest());
+}
+
+/// The tool of the next change; LOADTL or TURRET changes it. What follows the number describes it.
+void Statements::nextTool(const cl::Post& post) {
+  Parameters given(post);
+  const auto number = given.takeNumber();
+  if (!number || *number < 1.0 || !isWhole(*number)) {
+    return refuse(post, "it takes the whole number of a tool first");
+  }
+  line(fmt::format("T{}", static_cast<long long>(*number)));
 }
 
 void Statements::delay(const cl::Post& post) {

@@ -28,9 +28,11 @@ class Statements {
   void passed(std::string text);
   void spindle(const cl::Post& post);
   void coolant(const cl::Post& post);
+  void compensation(const cl::Post& post);
   void delay(const cl::Post& post);
   void function(const cl::Post& post);
   void tool(const cl::Post& post);
+  void nextTool(const cl::Post& post);
   void spray(const cl::Post& post);
 
   BlockWriter& block_;

@@ -65,6 +65,9 @@ class NgcWriter : public Writer {
     const double value = body.values.empty() ? 0.0 : std::abs(body.values.front()) * unit_;
     inner_ = body.word == Word::INTOL ? value : inner_;
     outer_ = body.word == Word::OUTTOL ? value : outer_;
+    if (body.word == Word::CUTTER) {
+      moves_.setCutter(value / unit_);
+    }
     toleranceRead_ = toleranceRead_ || body.word != Word::CUTTER;
     moves_.setBand(inner_ + outer_);
   }
@@ -88,9 +91,8 @@ class NgcWriter : public Writer {
   }
   void operator()(const cl::Post& post) {
     start();
-    const std::string_view name = cl::nameOf(post);
-    if (name == "SMOOTH" || name == "MACHLM") {
-      return;  // done before, or for others
+    if (cl::isApplied(post) || cl::nameOf(post) == "MACHLM") {
+      return;  // the time law has read the limits
     }
     if (const auto apt = cl::inApt(post)) {
       return word(*apt);
@@ -143,6 +145,7 @@ class NgcWriter : public Writer {
     if (ended_) {
       return;
     }
+    moves_.compensation().finish();
     line(control_.end);
     ended_ = true;
   }
@@ -188,13 +191,8 @@ class NgcWriter : public Writer {
         return moves_.cycle(post);
       case Word::END:
         return end();
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
-      case Word::VTLAXS:
-      case Word::WCORN:
       case Word::MACHIN:
-        return;  // done before, or for others
+        return;  // for others
       default:
         return statements_.accept(post, record_->origin);
     }

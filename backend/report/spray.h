@@ -56,12 +56,13 @@ struct ReportedSpray {
   std::vector<Trial> trials;
   /// Of a surface.
   std::optional<double> radiusAlong, radiusAcross;
+  double past = 0.0;  ///< how far lines go on beyond the edges
   std::string advice;
 };
 
 /// A paragraph for people.
 void writeSprayText(std::ostream& out, const ReportedSpray& spray);
-/// The trials as a table, the cheapest marked.
+/// The trials as a table, the cheapest marked; one row where nothing is searched.
 void writeSprayTable(std::ostream& out, const ReportedSpray& spray);
 /// A JSON array of all statements.
 void writeSprayJson(std::ostream& out, const std::vector<ReportedSpray>& all);

@@ -63,6 +63,7 @@ Json sprayJson(const ReportedSpray& s) {
           {"angle", number(s.degrees)},
           {"passes", s.passes},
           {"interval", number(s.interval)},
+          {"past", number(s.past)},
           {"Xi", number(s.painted)},
           {"Xo", number(s.unpainted)},
           {"Ti", number(s.paintingTime)},

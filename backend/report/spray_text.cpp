@@ -45,6 +45,36 @@ void filmRow(std::ostream& out, const ReportedSpray& s) {
                     f.uniformity[2]));
   }
 }
+
+/// A line of the table; `mark`: * the least cost, + a preferred size. Without prices the costs are
+/// dashes.
+void trialRow(std::ostream& out, const ReportedSpray::Trial& t, char mark, bool priced) {
+  out << fmt::format("{}{:8.3f} {:7.2f} {:6} {:8.1f} {:8.1f} {:7.2f} {:7.2f} {:7.1f} {:7.4f}", mark,
+                     t.across, t.degrees, t.passes, t.painted, t.unpainted, t.paintingTime,
+                     t.travelTime, t.speed, t.flow);
+  if (priced) {
+    const auto& p = t.cost.parts;
+    out << fmt::format(" {:9.4f} {:7.4f} {:7.4f} {:7.4f} {:7.4f} {:7.4f}{}\n", t.cost.total, p[0],
+                       p[1], p[2], p[3], p[4], mark == '*' ? "  least" : "");
+  } else {
+    out << fmt::format(" {:>9} {:>7} {:>7} {:>7} {:>7} {:>7}\n", "-", "-", "-", "-", "-", "-");
+  }
+}
+
+/// The one row of a statement that searches nothing.
+ReportedSpray::Trial chosenOf(const ReportedSpray& s) {
+  return {s.across,
+          s.degrees,
+          false,
+          s.passes,
+          s.painted,
+          s.unpainted,
+          s.paintingTime,
+          s.travelTime,
+          s.speed,
+          s.flow,
+          s.cost.value_or(ReportedSpray::Cost{})};
+}
 }  // namespace
 
 void writeSprayText(std::ostream& out, const ReportedSpray& s) {
@@ -55,8 +85,13 @@ void writeSprayText(std::ostream& out, const ReportedSpray& s) {
                   "{:.5g} mm/s, {:.4g} l/min",
                   s.along, s.across, s.standOff, s.speed, s.flow));
   row(out, "passes",
-      fmt::format("{}, {:.5g} mm apart, at {:.5g} degrees; overlap {:.5g}, inset {:.5g} mm",
-                  s.passes, s.interval, s.degrees, s.overlap, s.inset));
+      s.planar
+          ? fmt::format("{}, {:.5g} mm apart, at {:.5g} degrees; overlap {:.5g}, inset {:.5g} mm",
+                        s.passes, s.interval, s.degrees, s.overlap, s.inset)
+          : fmt::format("{}, {:.5g} mm apart; overlap {:.5g}; {}", s.passes, s.interval, s.overlap,
+                        s.past > 0.0 ? fmt::format("{:.5g} mm past the edges", s.past)
+                                     : std::string("as far as the edges, which get less film: "
+                                                   "PAST, d goes beyond")));
   row(out, "path",
       fmt::format("{:.7g} mm painted in {:.5g} s, {:.6g} mm besides in {:.4g} s{}", s.painted,
                   s.paintingTime, s.unpainted, s.travelTime,
@@ -89,23 +124,15 @@ void writeSprayText(std::ostream& out, const ReportedSpray& s) {
 }
 
 void writeSprayTable(std::ostream& out, const ReportedSpray& s) {
-  if (s.trials.empty()) {
-    return;
-  }
   out << head(s) << '\n'
       << "       b   angle passes       Xi       Xo      Ti      To       v       q      cost    "
          "time   other  oversp sprayby    film\n";
   for (const ReportedSpray::Trial& t : s.trials) {
     const bool best = t.across == s.across && t.degrees == s.degrees;
-    const auto& p = t.cost.parts;
-    out << fmt::format(
-        "{}{:8.3f} {:7.2f} {:6} {:8.1f} {:8.1f} {:7.2f} {:7.2f} {:7.1f} {:7.4f} {:9.4f} {:7.4f} "
-        "{:7.4f} {:7.4f} {:7.4f} {:7.4f}{}\n",
-        best          ? '*'
-        : t.preferred ? '+'
-                      : ' ',
-        t.across, t.degrees, t.passes, t.painted, t.unpainted, t.paintingTime, t.travelTime,
-        t.speed, t.flow, t.cost.total, p[0], p[1], p[2], p[3], p[4], best ? "  least" : "");
+    trialRow(out, t, best ? '*' : t.preferred ? '+' : ' ', true);
+  }
+  if (s.trials.empty()) {
+    trialRow(out, chosenOf(s), ' ', s.cost.has_value());
   }
 }
 

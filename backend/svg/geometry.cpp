@@ -128,7 +128,11 @@ void GeometryDrawer::cross(const Vec3& place) {
 bool GeometryDrawer::point(const Entity& entity) {
   const Vec3 place = vectorAt(entity.canon, 0);
   cross(place);
-  labels_.add(nameOf(entity), {view_(place)});
+  if (entity.subscript == 0) {
+    labels_.add(nameOf(entity), {view_(place)});
+  } else {
+    labels_.addElement(entity.name, nameOf(entity), view_(place));
+  }
   return true;
 }
 

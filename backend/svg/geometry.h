@@ -23,7 +23,7 @@ class GeometryDrawer {
   bool draw(const Entity& entity, const Curves& curves);
   /// Where the names will stand.
   Labels& labels() { return labels_; }
-  void drawNames() { labels_.draw(canvas_); }
+  std::vector<std::string> drawNames() { return labels_.draw(canvas_); }
 
  private:
   bool point(const Entity& entity);

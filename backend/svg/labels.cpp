@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <map>
 
 namespace arelem::backend::svg {
 
@@ -11,8 +11,12 @@ namespace {
 constexpr double letterWidth = 6.6;
 constexpr double letterHeight = 11.0;
 constexpr std::size_t longest = 24;
-constexpr double cell = 4.0;        // pixels
-constexpr std::size_t places = 12;  // along a curve
+constexpr double cell = 4.0;         // pixels
+constexpr std::size_t places = 12;   // along a curve
+constexpr double elementGap = 90.0;  // pixels between two named elements of an array
+constexpr double clearance = 1.5;    // pixels round a name
+/// What a name may cover, for each pixel of its width: about two lines that cross it.
+constexpr double mostCovered = 0.55;
 
 bool overlap(const Box& a, const Box& b) {
   return a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height &&
@@ -74,10 +78,14 @@ unsigned Labels::cost(const Box& box) const {
   return sum;
 }
 
-void Labels::add(const std::string& words, std::vector<Pixel> anchors, bool wrong) {
+void Labels::add(const std::string& words, std::vector<Pixel> anchors) {
   if (!words.empty() && words.size() <= longest && requests_.size() < most) {
-    requests_.push_back({words, std::move(anchors), wrong});
+    requests_.push_back({words, std::move(anchors), false, ""});
   }
+}
+
+void Labels::addFirst(const std::string& words, const Pixel& anchor) {
+  requests_.insert(requests_.begin(), {words, {anchor}, true, ""});
 }
 
 void Labels::addAlong(const std::string& words, const std::vector<Pixel>& curve) {
@@ -89,30 +97,65 @@ void Labels::addAlong(const std::string& words, const std::vector<Pixel>& curve)
   add(words, std::move(anchors));
 }
 
-void Labels::draw(Canvas& canvas) const {
-  std::vector<Box> taken;
-  for (const Request& request : requests_) {
-    const double width = letterWidth * static_cast<double>(request.words.size());
-    unsigned least = std::numeric_limits<unsigned>::max();
-    Pixel best;
-    for (const Pixel& anchor : request.anchors) {
-      for (const Pixel& at : besides(anchor, width)) {
-        const Box box = boxOf(at, width);
-        const bool free = inside(box, area_) &&
-                          std::none_of(taken.begin(), taken.end(),
-                                       [&](const Box& other) { return overlap(other, box); });
-        const unsigned covered = free ? cost(box) : least;
-        if (covered < least) {
-          least = covered;
-          best = at;
-        }
+void Labels::addElement(const std::string& array, const std::string& words, const Pixel& anchor) {
+  const std::size_t before = requests_.size();
+  add(words, {anchor});
+  if (requests_.size() > before) {
+    requests_.back().array = array;
+  }
+}
+
+std::optional<Labels::Place> Labels::placeOf(const Request& request,
+                                             const std::vector<Box>& taken) const {
+  const double width = letterWidth * static_cast<double>(request.words.size());
+  std::optional<Place> best;
+  for (const Pixel& anchor : request.anchors) {
+    for (const Pixel& at : besides(anchor, width)) {
+      const Box box = boxOf(at, width);
+      if (!inside(box, area_) || std::any_of(taken.begin(), taken.end(), [&](const Box& other) {
+            return overlap(other, box);
+          })) {
+        continue;
+      }
+      const unsigned covered = cost(box);
+      if (!best || covered < best->cost) {
+        best = Place{at, covered};
       }
     }
-    if (least < std::numeric_limits<unsigned>::max()) {
-      taken.push_back(boxOf(best, width));
-      canvas.text(best, request.words, request.wrong ? "class=\"name wrong\"" : "class=\"name\"");
-    }
   }
+  return best;
+}
+
+std::vector<std::string> Labels::draw(Canvas& canvas) {
+  std::vector<std::string> left;
+  std::vector<Box> taken;
+  std::multimap<std::string, Pixel> elements;
+  for (const Request& request : requests_) {
+    const auto [first, last] = elements.equal_range(request.array);
+    const Pixel anchor = request.anchors.empty() ? Pixel() : request.anchors.front();
+    const bool thinned = !request.array.empty() && std::any_of(first, last, [&](const auto& other) {
+      return std::hypot(other.second.x - anchor.x, other.second.y - anchor.y) < elementGap;
+    });
+    if (thinned) {
+      continue;
+    }
+    const std::optional<Place> place = placeOf(request, taken);
+    const double width = letterWidth * static_cast<double>(request.words.size());
+    if (!place || (!request.wrong && place->cost > mostCovered * width)) {
+      left.push_back(request.words);
+      continue;
+    }
+    const Box box = boxOf(place->at, width);
+    taken.push_back({box.left - clearance, box.top - clearance, box.width + 2 * clearance,
+                     box.height + 2 * clearance});
+    if (!request.array.empty()) {
+      elements.emplace(request.array, anchor);
+    }
+    drawn_.push_back(request.words);
+    canvas.text(place->at, request.words,
+                request.wrong ? "class=\"name wrong\"" : "class=\"name\"");
+  }
+  return left;
 }
 
 }  // namespace arelem::backend::svg

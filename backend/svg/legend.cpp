@@ -1,5 +1,6 @@
 #include "backend/svg/legend.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ constexpr double columnWidth = 250.0;
 constexpr double longestBar = 140.0;
 constexpr double negligible = 1e-9;  // part unit
 
-/// Hands out places row by row, and column by column where the box is low.
+/// Hands out places row by row, and column by column.
 class Rows {
  public:
   explicit Rows(const Box& box) : box_(box) {}
@@ -27,7 +28,7 @@ class Rows {
   }
 
  private:
-  int rowsOfAColumn() const { return box_.width >= 2 * columnWidth ? 4 : 100; }
+  static int rowsOfAColumn() { return 4; }
   Box box_;
   int row_ = 0;
   int column_ = 0;
@@ -82,6 +83,26 @@ std::string shortNumber(double value) {
                                     : fmt::format("{:.4g}", size < negligible ? 0.0 : value);
 }
 
+std::string rangeText(double low, double high) {
+  constexpr double told = 1e-3;  // of a number, by shortNumber
+  constexpr int most = 9;
+  const double range = high - low;
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (!(range > negligible) || range > 100.0 * told * size) {
+    return fmt::format("{} to {}", shortNumber(low), shortNumber(high));
+  }
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(range))), 0, most);
+  const auto text = [&](double value) {
+    std::string digits = fmt::format("{:.{}f}", value, decimals);
+    if (decimals > 0) {
+      digits.erase(digits.find_last_not_of('0') + 1);
+      digits.erase(digits.find_last_not_of('.') + 1);
+    }
+    return digits;
+  };
+  return fmt::format("{} to {}", text(low), text(high));
+}
+
 void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {
   Rows rows(box);
   const PathCollector& path = shown.path;
@@ -117,6 +138,12 @@ void drawLegend(Canvas& canvas, const Box& box, const Shown& shown) {
   }
   if (!shown.notDrawn.empty()) {
     canvas.text(rows.next(), "not drawn: " + shown.notDrawn, "class=\"soft\"");
+  }
+  if (shown.namesLeft > 0) {
+    canvas.text(rows.next(),
+                shown.namesLeft == 1 ? "1 name finds no room"
+                                     : fmt::format("{} names find no room", shown.namesLeft),
+                "class=\"soft\"");
   }
   if (shown.vertices < path.locations()) {
     canvas.text(rows.next(), fmt::format("{} of {} locations,", shown.vertices, path.locations()),

@@ -66,8 +66,9 @@ void PathCollector::accept(const cl::Record& record) {
   } else if (const auto* along = std::get_if<cl::Surface>(&record.body)) {
     surface(along->surface);
   } else if (const auto* values = std::get_if<cl::Values>(&record.body)) {
+    constexpr std::size_t ringValues = 3;  // CUTTER / OPTION: no diameter
     if (values->word == Word::CUTTER && !values->values.empty() &&
-        std::isfinite(values->values[0])) {
+        values->values.size() != ringValues && std::isfinite(values->values[0])) {
       diameter_ = std::abs(values->values[0]);
     }
   } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
@@ -105,6 +106,7 @@ void PathCollector::command(const cl::Post& post) {
     return;
   }
   rapid_ = rapid_ || post.word == Word::RAPID;
+  changed_ = changed_ || post.word == Word::RAPID || post.word == Word::FEDRAT;
   const auto* word = post.arguments.empty() ? nullptr : std::get_if<Word>(&post.arguments[0]);
   if (post.word == Word::SPRAY) {
     gun_ = word != nullptr && *word == Word::ON;
@@ -119,6 +121,9 @@ void PathCollector::move(const cl::Motion& motion, int isn) {
   isn_ = isn;
   if (!continues) {
     addStop();
+  }
+  if (!continues || changed_) {  // in a hole a statement has several kinds
+    changed_ = false;
     kind_ = rapid_ || cycle_ ? MoveKind::rapid
             : gun_           ? MoveKind::gun
             : arc_           ? MoveKind::arc

@@ -34,11 +34,11 @@ struct Bounds {
 /// Collects the tool path from the records in bounded memory: when there are too many locations,
 /// those that lie within a small distance of the line through their neighbors go, and the distance
 /// grows as needed.
-class PathCollector {
+class PathCollector : public cl::RecordSink {
  public:
   explicit PathCollector(std::size_t mostVertices) : most_(mostVertices) {}
 
-  void accept(const cl::Record& record);
+  void accept(const cl::Record& record) override;
   /// After the last record.
   void finish() { addStop(); }
 
@@ -94,10 +94,11 @@ class PathCollector {
   std::string partName_;
   std::string unit_;
   int isn_ = 0;
-  bool rapid_ = false;  ///< RAPID was read and not used yet
-  bool cycle_ = false;  ///< a drilling cycle is on: the tool goes from place to place at rapid
-  bool gun_ = false;    ///< SPRAY/ON was read, and no SPRAY/OFF since
-  bool arc_ = false;    ///< a circle or a path spline was read for the next motion
+  bool changed_ = false;  ///< RAPID or FEDRAT came since the last motion
+  bool rapid_ = false;    ///< RAPID was read and not used yet
+  bool cycle_ = false;    ///< a drilling cycle is on: the tool goes from place to place at rapid
+  bool gun_ = false;      ///< SPRAY/ON was read, and no SPRAY/OFF since
+  bool arc_ = false;      ///< a circle or a path spline was read for the next motion
   bool circles_ = false, splines_ = false;
   int about_ = -1;  ///< of the circle that was read, see Vertex
   int along_ = -1;  ///< of the motion at present

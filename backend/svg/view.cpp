@@ -9,11 +9,11 @@ namespace arelem::backend::svg {
 namespace {
 constexpr double pageWidth = 800.0;
 constexpr double margin = 24.0;
-constexpr double titleHeight = 60.0;
-constexpr double gap = 40.0;  // between views; holds their captions
-constexpr double legendWidth = 210.0;
-constexpr double legendHeight = 190.0;    // in one column
-constexpr double lowLegendHeight = 92.0;  // in three columns of four rows
+constexpr double titleHeight = 68.0;
+constexpr double gap = 40.0;           // between views; holds their captions
+constexpr double legendHeight = 92.0;  // in three columns of four rows
+constexpr double narrowest = 210.0;    // of the corner that shows the path at an angle
+constexpr double lowest = 170.0;
 constexpr double tallestDrawing = 900.0;
 constexpr double smallestCell = 60.0;
 /// A path thinner than this part of its size lies in a plane.
@@ -68,13 +68,13 @@ Layout single(View view, const Bounds& bounds) {
   Layout page;
   const Vec3 size = bounds.size();
   const double width = pageWidth - 2 * margin;
-  const double tall = tallestDrawing - lowLegendHeight;
+  const double tall = tallestDrawing - legendHeight;
   const double scale = std::min(width / size[view.across], tall / size[view.up]);
   const double height = std::max(size[view.up] * scale, 2 * smallestCell);
   view.box = {margin, titleHeight + margin, width, height};
   center(view, bounds, scale);
-  page.legend = {margin, view.box.top + height + 0.4 * gap, width, lowLegendHeight};
-  page.height = page.legend.top + lowLegendHeight;
+  page.legend = {margin, view.box.top + height + 0.4 * gap, width, legendHeight};
+  page.height = page.legend.top + legendHeight;
   page.views = {view};
   return page;
 }
@@ -83,14 +83,14 @@ Layout three(const Bounds& bounds) {
   Layout page;
   const Vec3 size = bounds.size();
   const double width = pageWidth - 2 * margin - gap;
-  // Both columns and both rows must fit; the upper right cell holds the legend.
+  // Both columns and both rows must fit.
   double scale = std::min(width / (size.x() + size.y()), tallestDrawing / (size.y() + size.z()));
-  if (size.y() * scale < legendWidth) {
-    scale = std::min(scale, (width - legendWidth) / size.x());
+  if (size.y() * scale < narrowest) {
+    scale = std::min(scale, (width - narrowest) / size.x());
   }
-  const double left = std::min(std::max(size.x() * scale, smallestCell), width - legendWidth);
+  const double left = std::min(std::max(size.x() * scale, smallestCell), width - narrowest);
   const double right = width - left;
-  const double upper = std::max(size.y() * scale, legendHeight);
+  const double upper = std::max(size.y() * scale, lowest);
   const double lower = std::max(size.z() * scale, smallestCell);
   const double top = titleHeight + margin;
   page.views = {xy(), xz(), yz()};
@@ -100,8 +100,9 @@ Layout three(const Bounds& bounds) {
   for (View& view : page.views) {
     center(view, bounds, scale);
   }
-  page.legend = {margin + left + gap, top, right, upper};
-  page.height = top + upper + gap + lower + margin;
+  page.solid = Box{margin + left + gap, top, right, upper};
+  page.legend = {margin, top + upper + gap + lower + 0.4 * gap, width + gap, legendHeight};
+  page.height = page.legend.top + legendHeight;
   return page;
 }
 }  // namespace

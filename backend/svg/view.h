@@ -47,10 +47,12 @@ struct Layout {
   double height = 600.0;
   std::vector<View> views;  ///< the plan first
   Box legend;
+  std::optional<Box> solid;  ///< where three views leave room for the path seen at an angle
 };
 
 /// One view for a path in a plane, else plan, front and side with one scale (third-angle order:
-/// front below the plan, side to the right of the front). `bounds` is what has to be seen.
+/// front below the plan, side to the right of the front; the corner between them shows the path at
+/// an angle). `bounds` is what has to be seen.
 /// `views` asks for one of them, or for all.
 [[nodiscard]] Layout arrange(const Bounds& path,
                              const Bounds& bounds,

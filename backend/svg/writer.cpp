@@ -4,12 +4,15 @@
 #include <cmath>
 #include <map>
 #include <ostream>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "backend/svg/geometry.h"
 #include "backend/svg/legend.h"
 #include "backend/svg/path_drawer.h"
+#include "backend/svg/solid.h"
+#include "ir/hole/drilled.h"
 
 namespace arelem::backend {
 
@@ -23,20 +26,17 @@ constexpr std::size_t mostOutlines = 24;
 constexpr double thinnedPixels = 0.05;
 constexpr double geometryReach = 0.2;  // of the path's size: how far geometry may widen the picture
 constexpr double border = 0.04;
+constexpr double aroundStart = 6.0;  // of the cutter's radius: shown of a path that is only a start
 
 class PictureWriter : public Writer {
  public:
   PictureWriter(std::ostream& out,
                 const Context& context,
                 PictureViews views,
-                Shortcomings shortcomings)
-      : out_(out),
-        context_(context),
-        views_(views),
-        wrong_(std::move(shortcomings)),
-        path_(mostVertices) {}
+                const Shortcomings& shortcomings)
+      : out_(out), context_(context), views_(views), wrong_(shortcomings), path_(mostVertices) {}
 
-  void accept(const cl::Record& record) override { path_.accept(record); }
+  void accept(const cl::Record& record) override { holes_.accept(record); }
 
   void finish() override {
     path_.finish();
@@ -49,7 +49,8 @@ class PictureWriter : public Writer {
     const std::string title = path_.partName().empty() ? "Tool path" : path_.partName();
     canvas.begin(title, fmt::format("Tool path of {} locations", path_.locations()));
     canvas.text({24, 30}, title, "class=\"title\"");
-    canvas.text({24, 49}, extents(), "class=\"soft\"");
+    canvas.text({24, 49}, extents() + (wrong_.remark.empty() ? "" : "   " + wrong_.remark),
+                "class=\"soft\"");
     if (!wrong_.warning.empty()) {
       canvas.text({24, 64}, wrong_.warning, "class=\"wrong\"");
     }
@@ -58,9 +59,16 @@ class PictureWriter : public Writer {
     for (const View& view : page.views) {
       drawView(canvas, view, id++);
     }
+    if (page.solid) {
+      drawSolid(canvas, *page.solid, path_.vertices(), id++);
+    }
+    if (path_.locations() <= 1) {
+      drawStandstill(canvas, page.views.front().box);
+    }
+    const bool geometry = std::find(drawn_.begin(), drawn_.end(), true) != drawn_.end();
     drawLegend(canvas, page.legend,
-               {path_, scale, path_.vertices().size(), outlines_, !context_.entities.empty(),
-                !wrong_.marks.empty(), notDrawn()});
+               {path_, scale, path_.vertices().size(), outlines_, geometry, !wrong_.marks.empty(),
+                notDrawn(), namesLeft()});
     canvas.end();
     out_.flush();
   }
@@ -90,7 +98,9 @@ class PictureWriter : public Writer {
     Bounds box = path;
     const double radius = 0.5 * path_.cutterDiameter();
     const Vec3 tool(radius, radius, 0.0);
-    const double reach = geometryReach * path.size().norm();
+    const bool stands = path_.locations() <= 1;
+    const double reach =
+        stands ? std::numeric_limits<double>::infinity() : geometryReach * path.size().norm();
     Bounds geometry;
     addGeometry(geometry);
     if (!geometry.empty) {
@@ -100,6 +110,10 @@ class PictureWriter : public Writer {
     }
     box.add(path.low - tool);
     box.add(path.high + tool);
+    if (stands && !path_.bounds().empty) {  // the cutter alone would fill the picture
+      box.add(path.low - aroundStart * tool);
+      box.add(path.high + aroundStart * tool);
+    }
     const Vec3 frame = Vec3::Constant(border * box.size().maxCoeff());
     const Bounds inner = box;
     box.add(inner.low - frame);
@@ -111,9 +125,8 @@ class PictureWriter : public Writer {
     if (b.empty) {
       return "no motion";
     }
-    return fmt::format("X {} to {},  Y {} to {},  Z {} to {}{}", shortNumber(b.low.x()),
-                       shortNumber(b.high.x()), shortNumber(b.low.y()), shortNumber(b.high.y()),
-                       shortNumber(b.low.z()), shortNumber(b.high.z()),
+    return fmt::format("X {},  Y {},  Z {}{}", rangeText(b.low.x(), b.high.x()),
+                       rangeText(b.low.y(), b.high.y()), rangeText(b.low.z(), b.high.z()),
                        path_.unit().empty() ? "" : "  " + path_.unit());
   }
   /// What no view shows, by kind.
@@ -146,7 +159,10 @@ class PictureWriter : public Writer {
     }
     path.draw();
     drawFaults(canvas, view, geometry.labels());
-    geometry.drawNames();
+    const std::vector<std::string> left = geometry.drawNames();
+    unnamed_.insert(unnamed_.end(), left.begin(), left.end());
+    const auto& named = geometry.labels().drawn();
+    named_.insert(named.begin(), named.end());
     canvas.endGroup();
     drawEnds(canvas, view);
   }
@@ -167,6 +183,8 @@ class PictureWriter : public Writer {
   /// the program meant.
   void drawFaults(Canvas& canvas, const View& view, Labels& labels) const {
     constexpr double arm = 5.0;  // pixels
+    constexpr std::size_t mostWords = 18;
+    std::vector<std::pair<Pixel, std::string>> places;  // lines at fault by where they are marked
     for (const FaultMark& mark : wrong_.marks) {
       const Pixel p = view(mark.place);
       if (mark.next) {
@@ -174,8 +192,31 @@ class PictureWriter : public Writer {
       }
       canvas.line({p.x - arm, p.y - arm}, {p.x + arm, p.y + arm}, "class=\"fault\"");
       canvas.line({p.x - arm, p.y + arm}, {p.x + arm, p.y - arm}, "class=\"fault\"");
-      labels.add(fmt::format("line {}", mark.line), {p}, true);
+      const auto same = std::find_if(places.begin(), places.end(), [&](const auto& other) {
+        return std::hypot(other.first.x - p.x, other.first.y - p.y) < arm;
+      });
+      if (same == places.end()) {
+        places.emplace_back(p, fmt::format("line {}", mark.line));
+      } else if (same->second.size() < mostWords) {
+        same->second += fmt::format(", {}", mark.line);
+      }
     }
+    for (const auto& [place, words] : places) {
+      labels.addFirst(words, place);
+    }
+  }
+  /// What an empty picture tells.
+  void drawStandstill(Canvas& canvas, const Box& box) const {
+    const bool stands = path_.locations() == 1;
+    canvas.text(
+        {box.left + 12, box.top + 22},
+        stands ? "the tool stands where it starts: no motion could be computed" : "no motion",
+        wrong_.warning.empty() ? "class=\"soft\"" : "class=\"wrong\"");
+  }
+  std::size_t namesLeft() const {
+    const std::set<std::string> left(unnamed_.begin(), unnamed_.end());
+    return static_cast<std::size_t>(std::count_if(
+        left.begin(), left.end(), [this](const auto& name) { return !named_.contains(name); }));
   }
   void drawEnds(Canvas& canvas, const View& view) const {
     if (!path_.vertices().empty()) {
@@ -187,24 +228,28 @@ class PictureWriter : public Writer {
   std::ostream& out_;
   const Context& context_;
   PictureViews views_;
-  Shortcomings wrong_;
+  const Shortcomings& wrong_;
   PathCollector path_;
+  hole::Drilled holes_{path_};
   std::size_t outlines_ = 0;
-  std::vector<bool> drawn_;  // by entity: some view shows it
+  std::vector<bool> drawn_;           // by entity: some view shows it
+  std::vector<std::string> unnamed_;  // names for which some view had no room
+  std::set<std::string> named_;       // names that some view shows
 };
 }  // namespace
 
 std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                           const Context& context,
                                           DiagnosticSink&) {
-  return makePictureWriter(out, context, PictureViews::automatic, {});
+  static const Shortcomings none;
+  return makePictureWriter(out, context, PictureViews::automatic, none);
 }
 
 std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                           const Context& context,
                                           PictureViews views,
-                                          Shortcomings shortcomings) {
-  return std::make_unique<PictureWriter>(out, context, views, std::move(shortcomings));
+                                          const Shortcomings& shortcomings) {
+  return std::make_unique<PictureWriter>(out, context, views, shortcomings);
 }
 
 }  // namespace arelem::backend

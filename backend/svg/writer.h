@@ -21,11 +21,13 @@ enum class PictureViews : std::uint8_t { automatic, plan, front, side, all };
 struct Shortcomings {
   std::string warning;           ///< below the title; "": none
   std::vector<FaultMark> marks;  ///< places of the path
+  std::string remark;            ///< behind the extents; "": none
 };
-/// The same with the views that are asked for.
+/// The same with the views that are asked for. The shortcomings are looked at when the writer
+/// finishes.
 [[nodiscard]] std::unique_ptr<Writer> makePictureWriter(std::ostream& out,
                                                         const Context& context,
                                                         PictureViews views,
-                                                        Shortcomings shortcomings = {});
+                                                        const Shortcomings& shortcomings);
 
 }  // namespace arelem::backend

@@ -94,6 +94,25 @@ std::string printableAscii(std::string_view text) {
   return out;
 }
 
+std::string restOfLine(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  forEachCharacter(text, [&out](std::string_view character) {
+    if (character.empty()) {
+      out += '?';
+    } else if (isHidden(character)) {
+      out += ' ';
+    } else {
+      out += character;
+    }
+  });
+  out.resize(trimmedRight(out).size());
+  for (std::size_t i = out.size(); i > 0 && out[i - 1] == '$'; --i) {
+    out[i - 1] = '#';
+  }
+  return out;
+}
+
 std::string statementText(std::string_view text) {
   std::string out = printableAscii(text);
   for (char& c : out) {

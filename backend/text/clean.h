@@ -9,6 +9,11 @@ namespace arelem::backend {
 /// `?`.
 [[nodiscard]] std::string printableAscii(std::string_view text);
 
+/// The text of PARTNO, PPRINT or INSERT in CL text, where all to the end of the line is text: letters
+/// of any script stay, controls become blanks, bytes that are not UTF-8 `?`, and each `$` at the end,
+/// which would join the next line, `#`. No blanks at the end.
+[[nodiscard]] std::string restOfLine(std::string_view text);
+
 /// For a statement of CL text: printable ASCII, and `$`, which would continue the line or start a
 /// comment, becomes `#`. No blanks at the end.
 [[nodiscard]] std::string statementText(std::string_view text);

@@ -5,11 +5,11 @@
 #include <ostream>
 #include <set>
 
-#include "backend/hole/cycle.h"
 #include "backend/robot/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
+#include "ir/hole/cycle.h"
 #include "ir/space/robot_tolerance.h"
 #include "ir/words/units.h"
 
@@ -56,6 +56,9 @@ class BlankWriter : public Writer {
   static double plain(double value) { return std::abs(value) < 0.05 ? 0.0 : value; }
 
   void word(const cl::Post& post, const Span& origin) {
+    if (cl::isApplied(post)) {
+      return;
+    }
     switch (post.foreign.empty() ? post.word : Word::INSERT) {
       case Word::FEDRAT:
         return feed(post, origin);
@@ -65,13 +68,10 @@ class BlankWriter : public Writer {
       case Word::SPRAY:
         return without("SPRAY, the robot switches its gun by itself,", origin);
       case Word::CYCLE:
-        if (auto failure = backend::hole::objectionToDrilling(post)) {
+        if (auto failure = hole::objectionToDrilling(post)) {
           sink_.accept(at(origin, *std::move(failure)));
         }
         return;
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
       case Word::MACHIN:
       case Word::END:
         return;

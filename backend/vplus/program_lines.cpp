@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "backend/vplus/name.h"
 #include "ir/diag/robot.h"
@@ -10,11 +11,17 @@ namespace arelem::vplus {
 
 namespace {
 constexpr std::size_t indent = 2;
+constexpr int mostDecimals = 3;
 }  // namespace
 
 std::string numberText(double value) {
-  const double rounded = std::round(value * 1e3) / 1e3;
-  return fmt::format("{:.3f}", rounded == 0.0 ? 0.0 : rounded);
+  // A V+ real has 24 bits: further digits would not be read.
+  int decimals = mostDecimals;
+  for (double most = 1e4; decimals > 0 && std::abs(value) >= most; most *= 10.0) {
+    --decimals;
+  }
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  return std::strtod(text.c_str(), nullptr) == 0.0 ? fmt::format("{:.{}f}", 0.0, decimals) : text;
 }
 
 std::string speedText(double value) {
@@ -45,8 +52,12 @@ std::optional<Failure> ProgramLines::add(std::string text) {
 
 void ProgramLines::comment(std::string text) {
   const std::size_t most = static_cast<std::size_t>(style_.columns) - indent - 2;
-  text.resize(std::min(text.size(), most));
-  lines_.push_back("; " + std::move(text));
+  do {
+    const std::size_t cut = text.size() <= most ? text.size() : text.rfind(' ', most);
+    const std::size_t length = cut == std::string::npos || cut == 0 ? most : cut;
+    lines_.push_back("; " + text.substr(0, length));
+    text.erase(0, std::min(text.size(), text.find_first_not_of(' ', length)));
+  } while (!text.empty());
 }
 
 std::string ProgramLines::text(std::string_view name, const robot::Frame& frame) const {

@@ -8,7 +8,7 @@
 
 namespace arelem::vplus {
 
-/// Numbers as V+ takes them, three decimals, never "-0.000".
+/// Numbers as V+ takes them: three decimals, of numbers from 10000 on seven digits; never "-0.000".
 [[nodiscard]] std::string numberText(double value);
 /// Speeds, mm/s: those below 1 with six decimals, so that they too have three digits.
 inline constexpr double slowestSpeed = 1e-3;
@@ -23,7 +23,7 @@ class ProgramLines {
 
   /// An instruction. Error E0623: V+ has no way to go on with one on a further line.
   [[nodiscard]] std::optional<Failure> add(std::string text);
-  /// Cut at the columns of the style.
+  /// On as many lines as the columns of the style make of it.
   void comment(std::string text);
   /// The whole program, its coordinates seen from `frame`.
   [[nodiscard]] std::string text(std::string_view name, const robot::Frame& frame) const;

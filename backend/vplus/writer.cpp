@@ -4,7 +4,6 @@
 #include <ostream>
 #include <set>
 
-#include "backend/hole/steps.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/reach_check.h"
 #include "backend/text/clean.h"
@@ -12,9 +11,12 @@
 #include "backend/vplus/held_tool.h"
 #include "backend/vplus/program_lines.h"
 #include "backend/vplus/reader.h"
+#include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
 #include "ir/diag/told_factor.h"
+#include "ir/hole/cycle_feed.h"
+#include "ir/hole/steps.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 
@@ -69,13 +71,16 @@ class VplusWriter : public Writer {
         report(*std::move(objection));
       }
       if (cycles_.now() != nullptr && motion.kind != cl::Motion::Kind::from) {
-        drill(pose, *cycles_.now());
+        drill(pose, hole::cycleFrom(*cycles_.now(), heightOver(pose)));
       } else {
         moveTo(pose, motion.kind == cl::Motion::Kind::from);
       }
     }
   }
   void operator()(const cl::Post& post) {
+    if (cl::isApplied(post)) {
+      return;
+    }
     if (!post.foreign.empty()) {
       return without(post.foreign);
     }
@@ -95,12 +100,9 @@ class VplusWriter : public Writer {
         switchOutputs();
         line("PAUSE");
         return;
-      case Word::TRACUT:
-      case Word::COPY:
-      case Word::INDEX:
       case Word::MACHIN:
       case Word::END:
-        return;  // done already, or said by the program itself
+        return;  // for others, or said by the program itself
       case Word::CYCLE:
         return cycle(post);
       case Word::SPINDL:
@@ -150,10 +152,7 @@ class VplusWriter : public Writer {
     if (!speed) {
       return report(speed.takeFailure());
     }
-    speed_ = *speed;
-    if (outside_) {
-      outside_ = speed_;  // it stays when the cycle is over
-    }
+    speed_.set(*speed);
     rapid_ = false;
   }
 
@@ -201,19 +200,30 @@ class VplusWriter : public Writer {
     if (*change == hole::Cycles::Change::none) {
       return;
     }
-    speed_ = std::exchange(outside_, std::nullopt).value_or(speed_);
+    speed_.endCycle();
     const hole::Cycle* begun = cycles_.now();
     if (begun == nullptr) {
       return;
     }
     if (const auto own = hole::feedOf(*begun)) {
-      const double before = speed_;
-      feed(*own);
-      outside_ = before;  // the feed of a cycle ends with it
+      Result<double> speed = robot::neededSpeed(*own, millimeters_, turns_);
+      if (!speed) {
+        return report(speed.takeFailure());
+      }
+      speed_.beginCycle(*speed);
     }
     if (const auto steps = hole::stepsOf(*begun); !steps) {
       report(steps.failure());
     }
+  }
+
+  /// How far the tool stands above a place along its axis; none where that is not known or it
+  /// turns.
+  [[nodiscard]] std::optional<double> heightOver(const Pose& pose) const {
+    if (!here_ || (here_->axis - pose.axis).norm() > tolerance::symmetric) {
+      return std::nullopt;
+    }
+    return (here_->point - pose.point).dot(pose.axis) / millimeters_;
   }
 
   /// A location under a cycle: over the hole, down and up again along the tool, move by move.
@@ -252,12 +262,12 @@ class VplusWriter : public Writer {
   }
 
   bool feedIsKnown(const Pose& to) {
-    if (speed_ <= 0.0 && !feedMissed_) {
+    if (speed_.now() <= 0.0 && !feedMissed_) {
       feedMissed_ = true;
       const Vec3 place = to.point / millimeters_;
       report(fail(diag::NgcFeedMissing, place.x(), place.y(), place.z()));
     }
-    return speed_ > 0.0;
+    return speed_.now() > 0.0;
   }
 
   void moveTo(const Pose& pose, bool isFrom) {
@@ -325,7 +335,7 @@ class VplusWriter : public Writer {
   }
 
   void setSpeed(const std::string& place) {
-    const double speed = rapid_ ? machine_.rapid : speed_;
+    const double speed = rapid_ ? machine_.rapid : speed_.now();
     rapid_ = false;
     if (speed > std::max(fastest_.speed, machine_.speed)) {
       fastest_ = {speed, place, record_->origin};
@@ -359,8 +369,7 @@ class VplusWriter : public Writer {
   std::string name_;
   std::string written_;  // the speed in force
   double millimeters_ = 1.0;
-  double speed_ = 0.0;
-  std::optional<double> outside_;  // speed outside of a cycle that has a feed of its own
+  hole::CycleFeed<double> speed_;
   bool rapid_ = false;
   double turns_ = 0.0;       // of a spindle that the robot carries, a minute
   bool feedMissed_ = false;  // told once

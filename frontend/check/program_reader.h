@@ -101,6 +101,7 @@ class ProgramReader {
   BufferId buffer_;
   std::uint32_t isn_ = 1;
   bool finished_ = false;
+  bool anyStatement_ = false;  ///< that is not blank
 };
 
 }  // namespace arelem::frontend

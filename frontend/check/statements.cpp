@@ -1,6 +1,7 @@
 #include "frontend/check/statements.h"
 
 #include "frontend/check/motion.h"
+#include "frontend/lex/refusal.h"
 #include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
 
@@ -155,6 +156,12 @@ void Statements::dispatch(const Parts& p) {
     case WordClass::units:
       return units(p);
     case WordClass::stencil:
+      if (values_.tree()[values_.tree().head].text == refusal) {
+        if (auto list = values_.arguments(p.first, {.owner = refusal, .strings = true})) {
+          block_.emit(ir::ForeignCommand{std::string(refusal), true, *std::move(list)});
+        }
+        return;
+      }
       return plain(p, {.owner = spell(p.word), .strings = true});
     case WordClass::call:
     case WordClass::ifWord:

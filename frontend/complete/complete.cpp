@@ -105,6 +105,10 @@ class Candidates {
   std::set<std::string> found_;
 };
 
+bool isNumber(std::string_view text) {
+  return text.find_first_not_of("0123456789") == text.npos;
+}
+
 void addContinuation(const define::Continuation& next, Candidates& candidates) {
   using Sort = define::Symbol::Sort;
   for (const define::Expectation& wanted : next.wanted) {
@@ -116,7 +120,11 @@ void addContinuation(const define::Continuation& next, Candidates& candidates) {
         candidates.entities(wanted.types);
         break;
       case Sort::scalar:
-        candidates.scalars();
+        if (isNumber(wanted.text)) {  // one of a few that mean something
+          candidates.add(wanted.text);
+        } else {
+          candidates.scalars();
+        }
         break;
       case Sort::text:
       case Sort::empty:
@@ -130,9 +138,6 @@ void addParameters(const Place& place, Candidates& candidates) {
     addContinuation(define::continuation(place.word, place.given), candidates);
   } else if (const StatementForm* form = statementForm(place.word)) {
     addContinuation(define::continuation(define::compile(form->pattern), place.given), candidates);
-  } else {  // words of a machine: any modifier may follow
-    candidates.wordsOf(WordClass::modifier);
-    candidates.scalars();  // they take no entities
   }
 }
 

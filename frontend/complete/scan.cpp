@@ -77,9 +77,9 @@ class Scan {
       place.kind = Place::Kind::expression;
     } else if (level.kind == Level::Kind::definition || level.kind == Level::Kind::statement) {
       place.kind = level.word == Word::CALL ? Place::Kind::macroName
-                   : level.word == Word::JUMPTO || level.word == Word::TRANTO
-                       ? Place::Kind::label
-                       : Place::Kind::parameter;
+                   : level.word == Word::JUMPTO || level.word == Word::TRANTO ? Place::Kind::label
+                   : level.word == Word::RESERV ? Place::Kind::nothing  // new names, whole numbers
+                                                : Place::Kind::parameter;
     } else if (level.kind == Level::Kind::function) {
       place.kind = Place::Kind::functionArgument;
     } else if (level.kind == Level::Kind::subscript) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "frontend/lex/refusal.h"
 #include "frontend/read/characters.h"
 #include "ir/diag/frontend.h"
 
@@ -278,8 +279,8 @@ bool Lexer::finishSymbol(std::size_t begin, Token& token) {
   return true;
 }
 
-/// IF ( ) THEN, ELSE, ENDIF, DO/, ENDDO, INCLUDE/: recognized by their place, so that they stay
-/// free as names.
+/// IF ( ) THEN, ELSE, ENDIF, DO/, ENDDO, INCLUDE/, REFUSE/'text': recognized by their place, so
+/// that they stay free as names.
 void Lexer::retagBlocks(std::vector<Token>& tokens) const {
   std::size_t first = 0;
   if (tokens.size() > 2 && tokens[1].kind == TokenKind::rightParen) {
@@ -299,6 +300,10 @@ void Lexer::retagBlocks(std::vector<Token>& tokens) const {
                   : head.text == "ENDIF" ? TokenKind::endIf
                   : head.text == "ENDDO" ? TokenKind::endDo
                                          : head.kind;
+    } else if (after == TokenKind::slash && head.text == refusal &&
+               tokens[first + 2].kind == TokenKind::string) {
+      head.word = Word::ENGRAV;  // the form of its parameters; the checker looks at the text
+      head.kind = kindOf(head.word);
     } else if (after == TokenKind::slash) {
       head.kind = head.text == "DO"        ? TokenKind::doWord
                   : head.text == "INCLUDE" ? TokenKind::include

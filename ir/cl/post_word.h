@@ -18,6 +18,23 @@ namespace arelem::cl {
   const auto* post = std::get_if<Post>(&body);
   return post != nullptr && is(*post, word) ? post : nullptr;
 }
+/// A command whose effect the records already have: no back end carries it out again.
+[[nodiscard]] inline bool isApplied(const Post& post) {
+  if (!post.foreign.empty()) {
+    return false;
+  }
+  switch (post.word) {
+    case Word::TRACUT:
+    case Word::COPY:
+    case Word::INDEX:
+    case Word::SMOOTH:
+    case Word::VTLAXS:
+    case Word::WCORN:
+      return true;
+    default:
+      return false;
+  }
+}
 /// The numbers among its parameters, in order.
 [[nodiscard]] inline std::vector<double> numbersOf(const Post& post) {
   std::vector<double> numbers;

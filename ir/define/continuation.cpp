@@ -20,6 +20,15 @@ void add(std::vector<Expectation>& list, const Expectation& wanted) {
     list.push_back(wanted);
   }
 }
+
+/// Forms of every noun copy entities of its own type only.
+void copyOnly(EntityType own, Continuation& one) {
+  for (Expectation& wanted : one.wanted) {
+    if (wanted.sort == Symbol::Sort::entity) {
+      wanted.types &= std::uint64_t{1} << static_cast<unsigned>(own);
+    }
+  }
+}
 }  // namespace
 
 Continuation continuation(const Pattern& pattern, std::span<const Symbol> parameters) {
@@ -52,11 +61,17 @@ Continuation continuation(const Pattern& pattern, std::span<const Symbol> parame
 
 Continuation continuation(Word noun, std::span<const Symbol> parameters) {
   Continuation all;
+  const std::optional<EntityType> own = entityType(noun);
+  const bool other = !parameters.empty() && parameters[0].sort == Symbol::Sort::entity &&
+                     parameters[0].type != own;
   for (const FormRow& form : formTable()) {
-    if (!form.anyNoun && form.noun != noun) {
+    if (form.anyNoun ? other || !own : form.noun != noun) {
       continue;
     }
-    const Continuation one = continuation(compiledForm(form.id), parameters);
+    Continuation one = continuation(compiledForm(form.id), parameters);
+    if (form.anyNoun) {
+      copyOnly(*own, one);
+    }
     all.possible = all.possible || one.possible;
     all.mayEnd = all.mayEnd || one.mayEnd;
     for (const Expectation& wanted : one.wanted) {

@@ -30,6 +30,7 @@ constexpr std::array kinds = {
     Kind{"point", bits({T::point})},
     Kind{"line", bits({T::line})},
     Kind{"plane", bits({T::plane, T::line})},
+    Kind{"level", bits({T::plane})},  // a plane that is no line
     Kind{"circle", bits({T::circle})},
     Kind{"cylinder", bits({T::cylinder, T::circle})},
     Kind{"cone", bits({T::cone})},
@@ -42,6 +43,8 @@ constexpr std::array kinds = {
     Kind{"spline", bits({T::pathSpline})},
     Kind{"surface", conics | bits({T::line, T::plane, T::circle, T::cylinder, T::cone, T::sphere,
                                    T::torus, T::tabulatedCylinder})},
+    Kind{"anySurface",
+         ~bits({T::point, T::vector, T::matrix, T::pattern, T::gun, T::region, T::pathSpline})},
     Kind{"gun", bits({T::gun})},
     Kind{"region", bits({T::region})},
     Kind{"any", ~std::uint64_t{0}},

@@ -3,6 +3,8 @@
 /// Tolerances of robots and their programs. Other fields: tolerance.h.
 namespace arelem::tolerance {
 
+/// Coordinates and angles of three decimals. mm, degrees.
+inline constexpr double writtenDigit = 1e-3;
 /// Speeds of three decimals, mm/s.
 inline constexpr double writtenSpeed = 1e-3;
 /// Waits of three decimals, s.

@@ -24,10 +24,17 @@ inline constexpr double normalStep = 6e-6;
 inline constexpr double curvatureStep = 2e-4;
 /// A line on a surface that is shorter is a dot: a pole, a vertex. Of the footprint's half width.
 inline constexpr double shortestLine = 1e-2;
+/// A way whose end lies this near to a wall touches it. mm.
+inline constexpr double wallTouch = 1e-6;
+/// Walls are looked for from this part of the stand-off above the work on: below, the work itself
+/// is near.
+inline constexpr double wallLift = 0.05;
 /// Arcs are drawn with at least this angle between corners. Radians.
 inline constexpr double arcStep = 1e-9;
 /// A row of film cells that runs along a pass, or square to it, but for this, does so. Sine.
 inline constexpr double filmRow = 1e-12;
+/// Corners of a region lie nearer: areas and planes of what lies farther are rounding. Part unit.
+inline constexpr double farthestCorner = 1e9;
 /// The smallest extent of a picture. mm.
 inline constexpr double pictureExtent = 1e-9;
 /// A tool axis that leans less has no direction to which it leans. Sine.

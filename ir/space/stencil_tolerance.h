@@ -30,4 +30,12 @@ inline constexpr double joinedLines = 1.001;
 /// Two fan lines that lie this close are one. In widths.
 inline constexpr double sameLine = 1e-6;
 
+/// A depth of three steps takes three passes, however its division is rounded. Relative to a step.
+inline constexpr double wholePasses = 1e-9;
+/// A frame whose z direction differs less is upright: what the rounding of a turn leaves.
+/// Component of a unit vector.
+inline constexpr double turnedAxis = 1e-12;
+/// A figure below this is printed as 0. In the unit in which it is printed.
+inline constexpr double printedNothing = 1e-9;
+
 }  // namespace arelem::tolerance

@@ -7,29 +7,12 @@ namespace arelem::certify {
 
 using runtime::Action;
 
-/// Of a file without statement numbers: the locations up to the end of the curve.
-std::size_t Association::lengthAlong(const runtime::FollowSpline& along,
-                                     const Run& all,
-                                     std::size_t used) const {
-  const auto curve = spline::CubicSpline::of(along.curve->canon);
-  if (!curve) {
-    return 1;
-  }
-  SplineWalk walk(*curve, options_.slack);
-  for (std::size_t i = used; i < all.locations.size(); ++i) {
-    if (walk.arrives(order_.programmed(all.locations[i]).toolEnd)) {
-      return i + 1 - used;
-    }
-  }
-  return all.locations.size() - used;
-}
-
 /// The tool goes to the start of the curve, if it is not there, and along it to its end.
 void Association::judgeAlong(const Action& action,
                              const runtime::FollowSpline& along,
                              const Run& run) {
   const auto curve = spline::CubicSpline::of(along.curve->canon);
-  std::vector<Location> path = pathOf(run, nullptr);
+  std::vector<Location> path = pathOf(run);
   StatementResult result;
   result.origin = action.origin;
   result.isn = action.isn;

@@ -157,32 +157,6 @@ bool Association::numberAhead(int isn) const {
   return has(labels_.empty() ? index_ : 0);
 }
 
-void Association::surplus(std::span<const Location> rest) {
-  if (surplus_ == 0 && !rest.empty()) {
-    firstSurplus_ = rest.front().toolEnd;
-  }
-  surplus_ += rest.size();
-}
-
-void Association::take(int isn, const Run& run) {
-  const Action* action = advance();
-  while (action != nullptr && action->isn != isn && numberAhead(isn)) {
-    miss(*action);
-    action = advance();
-  }
-  if (order_.expectsCopy()) {
-    judgeCopy(run);
-    order_.keep(run);
-  } else if (gaveUp_) {
-    return;
-  } else if (action == nullptr || action->isn != isn) {
-    surplus(run.locations);
-  } else {
-    order_.keep(run);
-    judge(*action, order_.programmed(run));
-  }
-}
-
 /// A motion for which the file has nothing.
 void Association::miss(const Action& action) {
   report(action, fail(diag::MotionMissing, options_.file));
@@ -197,21 +171,19 @@ void Association::judge(const Action& action, const Run& run) {
     judgeLocate(action, *locate, run);
   } else if (const auto* startup = std::get_if<Startup>(&action.body)) {
     judgeStartup(action, *startup, run);
-  } else if (const auto* follow = std::get_if<Follow>(&action.body)) {
-    judgeFollow(action, *follow, run);
   } else if (const auto* along = std::get_if<runtime::FollowSpline>(&action.body)) {
     judgeAlong(action, *along, run);
   } else {
     modal_.apply(action);  // CUT puts out where the tool is
-    moveTo(pathOf(run, nullptr).back());
+    moveTo(pathOf(run).back());
   }
 }
 
-std::vector<Location> Association::pathOf(const Run& run, const surface::AnySurface* drive) const {
+std::vector<Location> Association::pathOf(const Run& run) const {
   std::vector<Location> path = run.locations;
   if (!run.withAxis) {
     for (Location& l : path) {
-      l.axis = drive != nullptr ? modal_.axisAt(l.toolEnd, *drive) : modal_.axis;
+      l.axis = modal_.axis;
     }
   }
   return path;
@@ -222,7 +194,7 @@ void Association::judgeLocate(const Action& action, const Locate& locate, const 
   if (locate.axis && locate.axis->norm() > tolerance::nullDirection) {
     modal_.axis = locate.axis->normalized();
   }
-  const Location end = pathOf(run, nullptr).back();
+  const Location end = pathOf(run).back();
   const bool relative = locate.word == Word::GODLTA;
   Vec3 wanted = locate.point;
   if (relative) {
@@ -245,7 +217,7 @@ void Association::judgeLocate(const Action& action, const Locate& locate, const 
 void Association::judgeStartup(const Action& action, const Startup& startup, const Run& run) {
   modal_.takeAutomaticPart();
   const Location before{modal_.toolEnd, modal_.axis};
-  Location after = pathOf(run, nullptr).back();
+  Location after = pathOf(run).back();
   std::optional<Named> part;
   if (startup.surfaces.size() > 1) {
     if (auto second = named(startup.surfaces[1].surface)) {
@@ -313,46 +285,6 @@ std::vector<Goal> Association::goalsOf(const Follow& follow) const {
     }
   }
   return goals;
-}
-
-/// The check surface that was met: of several the one that the end is nearest to.
-std::size_t Association::metOf(const Follow& follow,
-                               std::span<const Goal> goals,
-                               std::span<const Location> path) const {
-  auto drive = named(follow.drive);
-  std::size_t met = 0;
-  double least = unbounded;
-  for (std::size_t i = 0; i < goals.size() && drive; ++i) {
-    const double missed = check_.missed(modal_, goals[i], i, path, drive->surface);
-    if (missed < least) {
-      least = missed;
-      met = i;
-    }
-  }
-  return met;
-}
-
-void Association::judgeFollow(const Action& action, const Follow& follow, const Run& run) {
-  modal_.takeAutomaticPart();
-  const auto drive = named(follow.drive);
-  std::vector<Location> path{{modal_.toolEnd, modal_.axis}};
-  const std::vector<Location> points = pathOf(run, drive ? &drive->surface : nullptr);
-  path.insert(path.end(), points.begin(), points.end());
-  if (!modal_.positioned) {
-    report(action, fail(diag::NotCertified, std::string("the file does not tell where it begins")));
-    ++summary_.faults;
-    path.erase(path.begin());
-  }
-  const std::vector<Goal> goals = goalsOf(follow);
-  const std::size_t met = goals.size() > 1 ? metOf(follow, goals, path) : 0;
-  if (path.size() > 1) {
-    add(check_.follow(modal_, action, follow, goals, met, path));
-  }
-  modal_.consumeOneShots();
-  moveTo(path.back());
-  if (met < follow.checks.size() && follow.checks[met].label) {
-    jump(*follow.checks[met].label);
-  }
 }
 
 void Association::judgeCopy(const Run& run) {

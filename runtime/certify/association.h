@@ -1,8 +1,9 @@
 #pragma once
 #include <unordered_map>
 
-#include "runtime/certify/motion_check.h"
+#include "runtime/certify/follow_proof.h"
 #include "runtime/certify/output_order.h"
+#include "runtime/certify/spline_guide.h"
 
 namespace arelem::certify {
 
@@ -16,11 +17,14 @@ class Association {
               const Options& options,
               DiagnosticSink& sink);
 
-  /// One run of locations: all that one statement put out. `isn` is the number of that statement.
-  void take(int isn, const Run& run);
-  /// Locations of a file without statement numbers: where a motion ends is found by its check
-  /// surface.
-  void takeAll(const Run& all);
+  /// A run of locations begins: all that one statement put out. `isn` is its number, none in a file
+  /// without statement numbers: there a motion ends at its check surface, and runs need not begin.
+  void begin(std::optional<int> isn, bool withAxis);
+  /// The next location. Without axis the program's counts. Those of a motion along surfaces are
+  /// judged at once, and kept only for the copies of an INDEX.
+  void add(const Location& location, bool withAxis);
+  /// The run is complete.
+  void end();
   /// After the last run: what is left of the program must put out nothing.
   void finish();
 
@@ -36,31 +40,41 @@ class Association {
   void judge(const runtime::Action& action, const Run& run);
   void judgeLocate(const runtime::Action& action, const runtime::Locate& locate, const Run& run);
   void judgeStartup(const runtime::Action& action, const runtime::Startup& startup, const Run& run);
-  void judgeFollow(const runtime::Action& action, const runtime::Follow& follow, const Run& run);
-  [[nodiscard]] std::size_t lengthAlong(const runtime::FollowSpline& along,
-                                        const Run& all,
-                                        std::size_t used) const;
+  /// What the locations that come belong to.
+  struct Taking {
+    const runtime::Action* action = nullptr;  ///< null: the copies of a COPY, or no statement
+    const runtime::Follow* follow = nullptr;
+    bool copy = false;
+    bool numbered = true;
+    Run run;  ///< as the file has them
+    std::optional<Named> drive;
+    std::vector<Goal> goals;
+    std::optional<FollowProof> proof;
+    std::optional<Location> last;  ///< where there is no proof
+    std::optional<spline::CubicSpline> curve;
+    std::optional<SplineWalk> walk;  ///< along the curve
+
+    [[nodiscard]] bool counts() const { return copy || action != nullptr; }
+  };
+  void beginFollow(const runtime::Follow& follow);
+  void addFollow(const Location& location);
+  void endFollow();
+  /// Of a file without statement numbers: whether the last location was the last of its statement.
+  [[nodiscard]] bool complete();
   void judgeAlong(const runtime::Action& action,
                   const runtime::FollowSpline& along,
                   const Run& run);
   void judgeCopy(const Run& run);
-  [[nodiscard]] std::vector<Location> pathOf(const Run& run,
-                                             const surface::AnySurface* drive) const;
+  [[nodiscard]] std::vector<Location> pathOf(const Run& run) const;
   [[nodiscard]] std::vector<Goal> goalsOf(const runtime::Follow& follow) const;
   [[nodiscard]] std::optional<Goal> impliedGoal() const;
-  [[nodiscard]] std::size_t metOf(const runtime::Follow& follow,
-                                  std::span<const Goal> goals,
-                                  std::span<const Location> path) const;
-  [[nodiscard]] std::size_t lengthOf(const runtime::Action& action,
-                                     const Run& all,
-                                     std::size_t used);
+  [[nodiscard]] std::size_t metOf(const Taking& t) const;
   void miss(const runtime::Action& action);
   void jump(std::uint64_t label);
   void moveTo(const Location& l);
   void add(StatementResult result);
   void report(const runtime::Action& action, Failure failure);
   [[nodiscard]] bool numberAhead(int isn) const;
-  void surplus(std::span<const Location> rest);
 
   const std::vector<runtime::Action>& actions_;
   const Options& options_;
@@ -71,6 +85,7 @@ class Association {
   std::unordered_multimap<std::uint64_t, std::size_t> labels_;
   std::size_t index_ = 0;  ///< of the next action
   std::uint64_t steps_ = 0;
+  std::optional<Taking> taking_;
   bool ended_ = false;
   bool gaveUp_ = false;  ///< what comes cannot be judged, and that was said
   std::uint64_t surplus_ = 0;

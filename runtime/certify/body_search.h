@@ -40,11 +40,28 @@ struct Piece {
 /// The pieces whose union covers all cutting points of a profile.
 [[nodiscard]] std::vector<Piece> piecesOf(const tool::Profile& cutter);
 
+/// An angle by what proofs ask of it.
+struct Turn {
+  double radians = 0.0, cosine = 1.0, sine = 0.0;
+
+  /// Of an angle of at most pi.
+  [[nodiscard]] Turn half() const {
+    const double halved = std::sqrt(0.5 * (1.0 + cosine));
+    // The sine of a small angle must keep its figures.
+    return {0.5 * radians, halved,
+            halved > 0.5 ? 0.5 * sine / halved : std::sqrt(0.5 * (1.0 - cosine))};
+  }
+  [[nodiscard]] Turn plus(const Turn& b, double sign) const {
+    return {radians + sign * b.radians, cosine * b.cosine - sign * sine * b.sine,
+            sine * b.cosine + sign * cosine * b.sine};
+  }
+};
+
 /// Part of a piece at part of the time: centers and half widths of s, of the angle and of the share
 /// of the way from a to b.
 struct Box {
   double s, halfS;
-  double angle, halfAngle;
+  Turn angle, halfAngle;
   double share, halfShare;
 };
 
@@ -72,9 +89,10 @@ class BodySearch {
     widest_ = piece.widest();
     BodyResult result;
     boxes_.clear();
-    const double half = widest_ > 0.0 ? pi : 0.0;
+    steady_ = baseAt(0.5 * (from + to));
+    const Turn half = widest_ > 0.0 ? Turn{pi, -1.0, 0.0} : Turn{};
     boxes_.push_back(
-        {0.5 * (from + to), 0.5 * (to - from), 0.0, half, 0.5, length_ > 0.0 ? 0.5 : 0.0});
+        {0.5 * (from + to), 0.5 * (to - from), {}, half, 0.5, length_ > 0.0 ? 0.5 : 0.0});
     while (!boxes_.empty()) {
       const Box box = boxes_.back();
       boxes_.pop_back();
@@ -97,20 +115,24 @@ class BodySearch {
  private:
   static constexpr double pi = std::numbers::pi;
 
+  /// The axis and two directions square to it.
+  struct Base {
+    Vec3 axis, e1, e2;
+  };
   struct Frame {
     Vec3 toolEnd, axis, radial, around;
   };
 
-  /// The frame turns with the tool: its first radial direction lies in the plane of the turn.
-  [[nodiscard]] Frame frameAt(double s, double angle) const {
-    Frame f{chord_->toolEnd(s), chord_->axis(s), {}, {}};
-    const Vec3 e2 = chord_->turn() > 0.0 ? chord_->pole() : Vec3(f.axis.unitOrthogonal());
-    const Vec3 e1 = e2.cross(f.axis);
-    const double c = std::cos(angle);
-    const double t = std::sin(angle);
-    f.radial = c * e1 + t * e2;
-    f.around = c * e2 - t * e1;
-    return f;
+  /// The base turns with the tool: its first direction lies in the plane of the turn.
+  [[nodiscard]] Base baseAt(double s) const {
+    const Vec3 axis = chord_->axis(s);
+    const Vec3 e2 = chord_->turn() > 0.0 ? chord_->pole() : Vec3(axis.unitOrthogonal());
+    return {axis, e2.cross(axis), e2};
+  }
+  [[nodiscard]] Frame frameAt(double s, const Turn& angle) const {
+    const Base base = chord_->turn() > 0.0 ? baseAt(s) : steady_;
+    return {chord_->toolEnd(s), base.axis, angle.cosine * base.e1 + angle.sine * base.e2,
+            angle.cosine * base.e2 - angle.sine * base.e1};
   }
   double measure(const Box& box) {
     frame_ = frameAt(box.s, box.angle);
@@ -129,13 +151,13 @@ class BodySearch {
     const double turned = chord_->turn() * box.halfS;
     // How far a point of the box is from its center: on the cutter, and in all.
     const double onCutter =
-        std::min(2.0 * widest_, widest_ * box.halfAngle) + length_ * box.halfShare;
+        std::min(2.0 * widest_, widest_ * box.halfAngle.radians) + length_ * box.halfShare;
     const double away = moved + turned * reach_ + onCutter;
     double best = gap - away;
     if (best >= aim) {
       return best;
     }
-    const surface::Bends bends = surface_.bends(point_, foot_, away);
+    const surface::Bends bends = surface::bendsOf(surface_, point_, foot_, away, hint_);
     const double low = side_ > 0.0 ? bends.low : -bends.high;
     if (std::isfinite(low)) {
       best = std::max(best, gap + tilt(box, turned, onCutter) + 0.5 * low * away * away);
@@ -151,11 +173,11 @@ class BodySearch {
   [[nodiscard]] double tilt(const Box& box, double turned, double onCutter) const {
     const double out = normal_.dot(frame_.radial);
     const double along = normal_.dot(frame_.around);
-    // Least of out cos x + along sin x for |x| <= halfAngle.
-    const double turn = pi - std::atan2(std::abs(along), out);  // where the least value is reached
-    const double least = turn <= box.halfAngle ? -std::hypot(out, along)
-                                               : out * std::cos(box.halfAngle) -
-                                                     std::abs(along) * std::sin(box.halfAngle);
+    // Least of out cos x + along sin x for |x| <= halfAngle: within it where x turns it backwards.
+    const double size = std::sqrt(out * out + along * along);
+    const double least = -out >= size * box.halfAngle.cosine
+                             ? -size
+                             : out * box.halfAngle.cosine - std::abs(along) * box.halfAngle.sine;
     const double nz = normal_.dot(frame_.axis);
     double change = piece_->least(least, nz, box.share - box.halfShare, box.share + box.halfShare) -
                     (profile_.rho * out + profile_.z * nz);
@@ -174,14 +196,16 @@ class BodySearch {
     const Vec3 center = point_;
     double least = unbounded;
     for (int corner = 0; corner < 8; ++corner) {
-      if (((corner & 1) != 0 && box.halfS == 0.0) || ((corner & 2) != 0 && box.halfAngle == 0.0) ||
+      if (((corner & 1) != 0 && box.halfS == 0.0) ||
+          ((corner & 2) != 0 && box.halfAngle.radians == 0.0) ||
           ((corner & 4) != 0 && box.halfShare == 0.0)) {
         continue;
       }
       const auto pick = [&](int bit, double middle, double half) {
         return (corner & bit) != 0 ? middle + half : middle - half;
       };
-      const Frame f = frameAt(pick(1, box.s, box.halfS), pick(2, box.angle, box.halfAngle));
+      const Frame f = frameAt(pick(1, box.s, box.halfS),
+                              box.angle.plus(box.halfAngle, (corner & 2) != 0 ? 1.0 : -1.0));
       const tool::ProfilePoint p = piece_->at(pick(4, box.share, box.halfShare));
       const Vec3 at = f.toolEnd + p.rho * f.radial + p.z * f.axis;
       auto hint = hint_;
@@ -190,14 +214,14 @@ class BodySearch {
     }
     const double turned = chord_->turn() * box.halfS;
     const double bulge =
-        widest_ * (1.0 - std::cos(std::min(box.halfAngle, pi))) + 0.5 * turned * turned * reach_ +
+        widest_ * (1.0 - box.halfAngle.cosine) + 0.5 * turned * turned * reach_ +
         piece_->radius * (1.0 - std::cos((piece_->high - piece_->low) * box.halfShare));
     return least - bulge;
   }
 
   void split(const Box& box) {
     const double s = (chord_->length() + chord_->turn() * reach_) * box.halfS;
-    const double angle = widest_ * box.halfAngle;
+    const double angle = widest_ * box.halfAngle.radians;
     const double share = length_ * box.halfShare;
     Box first = box;
     Box second = box;
@@ -210,7 +234,9 @@ class BodySearch {
     if (s >= angle && s >= share) {
       halve(first.s, second.s, first.halfS, second.halfS);
     } else if (angle >= share) {
-      halve(first.angle, second.angle, first.halfAngle, second.halfAngle);
+      first.halfAngle = second.halfAngle = box.halfAngle.half();
+      first.angle = box.angle.plus(first.halfAngle, -1.0);
+      second.angle = box.angle.plus(first.halfAngle, 1.0);
     } else {
       halve(first.share, second.share, first.halfShare, second.halfShare);
     }
@@ -225,6 +251,7 @@ class BodySearch {
   const Piece* piece_ = nullptr;
   double reach_ = 0.0, length_ = 0.0, widest_ = 0.0;
   std::vector<Box> boxes_;
+  Base steady_;  ///< while the axis does not turn
   Frame frame_;
   tool::ProfilePoint profile_;
   Vec3 offset_, point_, normal_;

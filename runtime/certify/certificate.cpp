@@ -15,15 +15,18 @@ class PathCertificate final : public Certificate {
   void accept(const cl::Record& record) override {
     const auto* motion = std::get_if<cl::Motion>(&record.body);
     if (motion == nullptr) {
-      close();
+      if (options_.numbered) {
+        association_.end();
+        isn_.reset();
+      }
       return;
     }
-    if (options_.numbered &&
+    if (options_.numbered && !motion->coordinates.empty() &&
         (motion->kind != cl::Motion::Kind::continuation || record.isn != isn_)) {
-      close();
+      association_.end();
+      association_.begin(record.isn, motion->withAxis);
       isn_ = record.isn;
     }
-    run_.withAxis = motion->withAxis;
     for (std::size_t i = 0; i + motion->stride() <= motion->coordinates.size();
          i += motion->stride()) {
       const double* c = motion->coordinates.data() + i;
@@ -31,16 +34,12 @@ class PathCertificate final : public Certificate {
       if (motion->withAxis) {
         l.axis = Vec3(c[3], c[4], c[5]).normalized();
       }
-      run_.locations.push_back(l);
+      association_.add(l, motion->withAxis);
     }
   }
 
   void finish() override {
-    if (options_.numbered) {
-      close();
-    } else {
-      association_.takeAll(run_);
-    }
+    association_.end();
     association_.finish();
   }
   [[nodiscard]] const std::vector<StatementResult>& results() const override {
@@ -49,17 +48,9 @@ class PathCertificate final : public Certificate {
   [[nodiscard]] const Summary& summary() const override { return association_.summary(); }
 
  private:
-  void close() {
-    if (options_.numbered && !run_.locations.empty()) {
-      association_.take(isn_, run_);
-      run_.locations.clear();
-    }
-  }
-
   Options options_;
   Association association_;
-  int isn_ = 0;
-  OutputOrder::Run run_;
+  std::optional<int> isn_;  ///< of the run that is open
 };
 }  // namespace
 

@@ -191,6 +191,10 @@ class CutterProbe final : public Probe {
   /// search.
   void clearRest(const Node& a, const Node& b, double aim, Stretch& result) {
     const std::span<const Piece> rest = std::span(pieces_).subspan(1);
+    if (aim == -unbounded) {
+      result.low = rest.empty() ? result.low : aim;
+      return;
+    }
     if (rest.empty() || cleared(a, b, rest, std::min(aim, result.low))) {
       return;
     }
@@ -229,7 +233,7 @@ class CutterProbe final : public Probe {
   /// that was measured.
   double searched(
       double from, double to, double aim, std::span<const Piece> pieces, Stretch& result) {
-    bool proven = inVain_ < patience;
+    bool proven = inVain_ < patience && aim > -unbounded;
     for (const Piece& p : pieces) {
       if (!proven) {
         break;

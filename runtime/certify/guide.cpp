@@ -8,51 +8,45 @@
 namespace arelem::certify {
 
 namespace {
-constexpr std::uint64_t pollMask = 0xFF;
-
 /// How far a gap is outside the band.
 double excess(double gap, const Allowed& a) {
   return std::max({0.0, -a.inner - gap, gap - a.outer});
 }
 
-class GuideProof {
+}  // namespace
+
+class GuideStream::Proof {
  public:
-  GuideProof(const GuideTask& task, double side, std::span<const Location> path)
+  Proof(const GuideTask& task, double side, const Location& first)
       : task_(task),
-        path_(path),
+        last_(first),
         probe_(makeProbe(task.surface.surface, {task.cutter, side, task.thick})) {
     result_.side = side;
     result_.verdict.least = {unbounded, unbounded, 0.0};
     result_.verdict.greatest = {-unbounded, -unbounded, 0.0};
+    begin();
   }
 
-  GuideResult run(const InterruptFlag* interrupted) {
-    begin();
-    Node first;
-    for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
-      const Chord chord(path_[i].toolEnd, path_[i + 1].toolEnd, path_[i].axis, path_[i + 1].axis);
-      probe_->take(chord);
-      first = i == 0 ? probe_->at(0.0) : probe_->resume(first);
-      const Allowed allowed = allowedFor(i);
-      Verdict verdict = prove(*probe_, allowed, first);
-      if (!verdict.good() && probe_->widen()) {
-        first = probe_->at(0.0);
-        verdict = prove(*probe_, allowed, first);
-      }
-      take(verdict, i, chord);
-      if ((i & pollMask) == 0 && interrupted != nullptr &&
-          interrupted->load(std::memory_order_relaxed)) {
-        break;
-      }
+  void add(const Location& next) {
+    const Chord chord(last_.toolEnd, next.toolEnd, last_.axis, next.axis);
+    probe_->take(chord);
+    node_ = count_ == 0 ? probe_->at(0.0) : probe_->resume(node_);
+    const Allowed allowed = allowedNow();
+    Verdict verdict = prove(*probe_, allowed, node_);
+    if (!verdict.good() && probe_->widen()) {
+      node_ = probe_->at(0.0);
+      verdict = prove(*probe_, allowed, node_);
     }
-    return result_;
+    take(verdict, count_, chord);
+    last_ = next;
+    ++count_;
   }
+  [[nodiscard]] const GuideResult& result() const { return result_; }
 
  private:
   /// The contact of the whole cutter where the motion begins.
   void begin() {
-    const Location& start = path_.front();
-    probe_->take(Chord(start.toolEnd, start.toolEnd, start.axis, start.axis));
+    probe_->take(Chord(last_.toolEnd, last_.toolEnd, last_.axis, last_.axis));
     probe_->widen();
     const Node node = probe_->at(0.0);
     result_.firstNormal = node.normal;
@@ -60,10 +54,10 @@ class GuideProof {
   }
 
   /// A motion may begin a little outside of its band; its first cut vector leads back.
-  [[nodiscard]] Allowed allowedFor(std::size_t i) const {
+  [[nodiscard]] Allowed allowedNow() const {
     Allowed a = task_.allowed;
     const double gap = result_.startGap;
-    if (i == 0 && excess(gap, a) <= task_.startSlack) {
+    if (count_ == 0 && excess(gap, a) <= task_.startSlack) {
       a.inner = std::max(a.inner, -gap);
       a.outer = std::max(a.outer, gap);
     }
@@ -97,15 +91,18 @@ class GuideProof {
   }
 
   const GuideTask& task_;
-  std::span<const Location> path_;
+  Location last_;
+  std::size_t count_ = 0;
+  Node node_;  ///< at the last location
   std::unique_ptr<Probe> probe_;
   GuideResult result_;
 };
 
+namespace {
+
 /// The gap at the beginning of a path on one side of the surface.
-double startGap(const GuideTask& task, double side, std::span<const Location> path) {
-  return touch(task.surface.surface, {task.cutter, side, task.thick}, path.front(), task.allowed)
-      .high;
+double startGap(const GuideTask& task, double side, const Location& first) {
+  return touch(task.surface.surface, {task.cutter, side, task.thick}, first, task.allowed).high;
 }
 }  // namespace
 
@@ -123,22 +120,35 @@ Touch touch(const surface::AnySurface& surface,
   return {n.low, n.high, n.normal};
 }
 
-GuideResult proveGuide(const GuideTask& task,
-                       std::span<const Location> path,
-                       const InterruptFlag* interrupted) {
-  const double plus = startGap(task, 1.0, path);
-  const double minus = startGap(task, -1.0, path);
-  const double first = std::abs(plus) <= std::abs(minus) ? 1.0 : -1.0;
-  GuideResult result = GuideProof(task, first, path).run(interrupted);
-  const bool either = task.cutter == nullptr ||
-                      std::abs(std::abs(plus) - std::abs(minus)) <= tolerance::coincidence;
-  if (either && !result.verdict.good()) {
-    const GuideResult other = GuideProof(task, -first, path).run(interrupted);
-    if (other.verdict.good()) {
-      return other;
+GuideStream::GuideStream(GuideTask task, const Location& first)
+    : task_(std::make_unique<GuideTask>(std::move(task))) {
+  const double plus = startGap(*task_, 1.0, first);
+  const double minus = startGap(*task_, -1.0, first);
+  const double side = std::abs(plus) <= std::abs(minus) ? 1.0 : -1.0;
+  proof_ = std::make_unique<Proof>(*task_, side, first);
+  const bool on = task_->cutter == nullptr;
+  const bool even = task_->allowed.inner == task_->allowed.outer;
+  if (on ? !even : std::abs(std::abs(plus) - std::abs(minus)) <= tolerance::coincidence) {
+    other_ = std::make_unique<Proof>(*task_, -side, first);
+  }
+}
+
+GuideStream::GuideStream(GuideStream&&) noexcept = default;
+GuideStream::~GuideStream() = default;
+
+void GuideStream::add(const Location& next) {
+  proof_->add(next);
+  if (other_ != nullptr) {
+    other_->add(next);
+    if (!other_->result().verdict.good()) {
+      other_.reset();
     }
   }
-  return result;
+}
+
+const GuideResult& GuideStream::result() const {
+  const bool other = other_ != nullptr && !proof_->result().verdict.good();
+  return (other ? *other_ : *proof_).result();
 }
 
 }  // namespace arelem::certify

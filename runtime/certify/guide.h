@@ -1,5 +1,5 @@
 #pragma once
-#include <span>
+#include <memory>
 #include <string>
 
 #include "ir/limits.h"
@@ -33,12 +33,29 @@ struct GuideResult {
   double startGap = 0.0;             ///< at the place where the motion begins
 };
 
-/// Proves the tolerance of one surface along a path, path[0] being where the motion begins. The
-/// tool is taken to stand on the side of the surface that it is nearer to; where both sides would
-/// do, and for a tool end on the surface, on the one that keeps the tolerance.
-[[nodiscard]] GuideResult proveGuide(const GuideTask& task,
-                                     std::span<const Location> path,
-                                     const InterruptFlag* interrupted);
+/// Proves the tolerance of one surface along a path whose locations come one after another; its
+/// memory does not grow with them. The tool is taken to stand on the side of the surface that it is
+/// nearer to at first; where both sides would do, and for a tool end on the surface, on the one
+/// that keeps the tolerance.
+class GuideStream {
+ public:
+  /// `first` is where the motion begins. The cutter of the task must stay in place.
+  GuideStream(GuideTask task, const Location& first);
+  GuideStream(GuideStream&&) noexcept;
+  ~GuideStream();
+  GuideStream(const GuideStream&) = delete;
+  GuideStream& operator=(const GuideStream&) = delete;
+  GuideStream& operator=(GuideStream&&) = delete;
+
+  void add(const Location& next);
+  [[nodiscard]] const GuideTask& task() const { return *task_; }
+  [[nodiscard]] const GuideResult& result() const;
+
+ private:
+  class Proof;
+  std::unique_ptr<GuideTask> task_;
+  std::unique_ptr<Proof> proof_, other_;  ///< the other side, as long as it may be the right one
+};
 
 /// The contact of the tool at one place with one side of a surface.
 struct Touch {

@@ -10,9 +10,8 @@
 namespace arelem::certify {
 
 namespace {
-/// Share of the band, beside a fixed length, by which a motion may begin outside its band.
+/// Share of the band, beside startLength, by which a motion may begin outside its band.
 constexpr double startShare = 0.2;
-constexpr double startLength = 5e-5;
 /// Components of a contact normal along the path below this do not tell whether the tool approaches
 /// the surface or leaves it.
 constexpr double glancing = 1e-3;
@@ -21,20 +20,18 @@ constexpr double agreeing = 0.5;
 
 using State = Verdict::State;
 
-Vec3 directionAtEnd(std::span<const Location> path) {
-  for (std::size_t i = path.size() - 1; i > 0; --i) {
-    const Vec3 step = path[i].toolEnd - path[i - 1].toolEnd;
-    if (step.norm() > tolerance::sameSide) {
-      return step.normalized();
-    }
-  }
-  return Vec3::Zero();
-}
-
 double excess(const Touch& t, const Allowed& a) {
   return std::max({0.0, -a.inner - a.slack - t.low, t.high - a.outer - a.slack});
 }
 }  // namespace
+
+void PathEnd::moveTo(const Location& next) {
+  const Vec3 step = next.toolEnd - place.toolEnd;
+  if (step.norm() > tolerance::sameSide) {
+    towards = step.normalized();
+  }
+  place = next;
+}
 
 std::string_view spell(ir::Condition condition) {
   constexpr std::array names = {"TO", "TO", "ON", "PAST", "TANTO", "PSTAN"};
@@ -68,79 +65,31 @@ GuideTask MotionCheck::taskOf(const Modal& modal, Role role, Named surface, bool
   return task;
 }
 
-StatementResult MotionCheck::follow(const Modal& modal,
-                                    const runtime::Action& action,
-                                    const runtime::Follow& follow,
-                                    std::span<const Goal> goals,
-                                    std::size_t met,
-                                    std::span<const Location> path) {
-  StatementResult result;
-  result.origin = action.origin;
-  result.isn = action.isn;
-  result.statement = spell(follow.heading);
-  result.cutVectors = path.size() - 1;
-  auto drive = named(follow.drive);
-  if (!drive) {
-    report(result, action, fail(diag::NotCertified, drive.failure().message));
-    return result;
+void MotionCheck::judgeStop(StatementResult& result,
+                            const Modal& modal,
+                            const runtime::Action& action,
+                            const Goal& goal,
+                            std::size_t index,
+                            const PathEnd& end,
+                            const surface::AnySurface& drive) {
+  const Contact contact = contactOf(modal, goal, index, end, drive);
+  StopFigures stop{goal.surface.name, std::string(spell(goal.condition)), contact.touch.high,
+                   contact.missed() == 0.0};
+  const Allowed& a = contact.allowed;
+  const bool measuredGood = contact.touch.high >= -a.inner - a.slack;
+  if (!stop.good && measuredGood && contact.touch.high <= a.outer + a.slack) {
+    report(result, action,
+           fail(diag::StopUndecided, stop.condition, stop.surface, contact.touch.low,
+                contact.touch.high, -a.inner, a.outer));
+  } else if (!stop.good && contact.tangent) {
+    report(result, action,
+           fail(diag::DoesNotTouch, stop.surface, std::abs(contact.touch.high), a.outer));
+  } else if (!stop.good) {
+    report(result, action,
+           fail(diag::StopMissed, contact.touch.high, stop.condition, stop.surface, -a.inner,
+                a.outer));
   }
-  GuideTask driveTask = taskOf(modal, driveRole, *drive, modal.toolOnDrive());
-  GuideTask partTask = taskOf(modal, partRole, modal.partSurface(), modal.toolOnPart());
-  if (!modal.driveRelation) {
-    // No tool position was ever given: ON if the tool end is on the drive surface.
-    const Touch end = touch(drive->surface, {nullptr, 1.0, 0.0}, path.front(), driveTask.allowed);
-    const double band = driveTask.allowed.inner + driveTask.allowed.outer;
-    if (std::abs(end.high) <= band + startLength) {
-      driveTask.cutter = nullptr;
-      driveTask.thick = 0.0;
-    }
-  }
-  if (!modal.partRelation) {
-    // No such word was ever given: ON if the tool end is on the part surface and the cutter is not.
-    const double band = partTask.allowed.inner + partTask.allowed.outer;
-    const double slack = startLength + band;
-    const Named& part = partTask.surface;
-    const Relation offset{partTask.cutter, 1.0, partTask.thick};
-    const Relation other{partTask.cutter, -1.0, partTask.thick};
-    const auto isOff = [&](const Relation& r) {
-      return std::abs(touch(part.surface, r, path.front(), partTask.allowed).high) > slack;
-    };
-    if (isOff(offset) && isOff(other) && !isOff({nullptr, 1.0, 0.0})) {
-      partTask.cutter = nullptr;
-      partTask.thick = 0.0;
-    }
-  }
-  result.drive = GuideFigures{driveTask.surface.name, driveTask.allowed,
-                              proveGuide(driveTask, path, options_.interrupted)};
-  result.part = GuideFigures{partTask.surface.name, partTask.allowed,
-                             proveGuide(partTask, path, options_.interrupted)};
-  judge(result, action, *result.part);
-  judge(result, action, *result.drive);
-  if (driveTask.cutter != nullptr) {
-    judgeHand(modal, action, *result.drive, path);
-  }
-  if (met < goals.size()) {
-    const Goal& goal = goals[met];
-    const Contact contact = contactOf(modal, goal, met, path, drive->surface);
-    StopFigures stop{goal.surface.name, std::string(spell(goal.condition)), contact.touch.high,
-                     contact.missed() == 0.0};
-    const Allowed& a = contact.allowed;
-    const bool measuredGood = contact.touch.high >= -a.inner - a.slack;
-    if (!stop.good && measuredGood && contact.touch.high <= a.outer + a.slack) {
-      report(result, action,
-             fail(diag::StopUndecided, stop.condition, stop.surface, contact.touch.low,
-                  contact.touch.high, -a.inner, a.outer));
-    } else if (!stop.good && contact.tangent) {
-      report(result, action,
-             fail(diag::DoesNotTouch, stop.surface, std::abs(contact.touch.high), a.outer));
-    } else if (!stop.good) {
-      report(result, action,
-             fail(diag::StopMissed, contact.touch.high, stop.condition, stop.surface, -a.inner,
-                  a.outer));
-    }
-    result.stops.push_back(std::move(stop));
-  }
-  return result;
+  result.stops.push_back(std::move(stop));
 }
 
 void MotionCheck::judge(StatementResult& result,
@@ -178,12 +127,12 @@ void MotionCheck::judge(StatementResult& result,
 void MotionCheck::judgeHand(const Modal& modal,
                             const runtime::Action& action,
                             const GuideFigures& drive,
-                            std::span<const Location> path) {
-  if (!modal.driveRelation || path.size() < 2) {
+                            const Vec3& step,
+                            const Vec3& axis) {
+  if (!modal.driveRelation) {
     return;
   }
-  const Vec3 step = path[1].toolEnd - path[0].toolEnd;
-  const double q = step.normalized().cross(Vec3(-drive.result.firstNormal)).dot(path[0].axis);
+  const double q = step.normalized().cross(Vec3(-drive.result.firstNormal)).dot(axis);
   const bool left = *modal.driveRelation == Word::TLLFT;
   if (left ? q > tolerance::coincidence : q < -tolerance::coincidence) {
     sink_.accept(diagnose(action.origin, diag::OtherHand, arelem::spell(*modal.driveRelation),
@@ -198,7 +147,7 @@ double MotionCheck::Contact::missed() const {
 MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
                                             const Goal& goal,
                                             std::size_t index,
-                                            std::span<const Location> path,
+                                            const PathEnd& at,
                                             const surface::AnySurface& drive) const {
   const Role role = index == 0 ? checkRole : secondCheckRole;
   const bool touchesPart = goal.condition == ir::Condition::pstan;
@@ -213,7 +162,7 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     c.allowed.inner = c.tangent ? band : std::max(c.allowed.inner, c.allowed.outer);
     c.allowed.outer = c.allowed.inner;
   }
-  const Location& end = path.back();
+  const Location& end = at.place;
   if (on) {
     c.touch = touch(goal.surface.surface, {nullptr, 1.0, 0.0}, end, c.allowed);
     return c;
@@ -224,7 +173,7 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
       touch(goal.surface.surface, {cutter, -1.0, modal.thick[role]}, end, c.allowed)};
   // TO ends while the tool comes nearer, PAST while it leaves; at a tangency the tool is on the
   // side on which it is of its guide.
-  Vec3 towards = directionAtEnd(path);
+  Vec3 towards = at.towards;
   double wanted = glancing;
   double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
   if (c.tangent) {
@@ -248,9 +197,9 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
 double MotionCheck::missed(const Modal& modal,
                            const Goal& goal,
                            std::size_t index,
-                           std::span<const Location> path,
+                           const PathEnd& end,
                            const surface::AnySurface& drive) const {
-  return contactOf(modal, goal, index, path, drive).missed();
+  return contactOf(modal, goal, index, end, drive).missed();
 }
 
 namespace {

@@ -1,6 +1,4 @@
 #pragma once
-#include <span>
-
 #include "runtime/certify/certificate.h"
 
 namespace arelem::certify {
@@ -11,6 +9,17 @@ struct Goal {
   ir::Condition condition = ir::Condition::to;
 };
 
+/// A place counts as on its surface within the band and this. Part unit.
+inline constexpr double startLength = 5e-5;
+
+/// Where a motion is, and the direction in which it came there; zero if it did not move.
+struct PathEnd {
+  Location place;
+  Vec3 towards = Vec3::Zero();
+
+  void moveTo(const Location& next);
+};
+
 [[nodiscard]] std::string_view spell(ir::Condition condition);  ///< "TO", "ON", ...
 [[nodiscard]] std::string_view spell(ir::Heading heading);      ///< "GOLFT", ...
 
@@ -19,14 +28,6 @@ class MotionCheck {
  public:
   MotionCheck(const Options& options, DiagnosticSink& sink) : options_(options), sink_(sink) {}
 
-  /// A motion along a drive surface. path[0] is where it begins. `goals` are its check surfaces;
-  /// the one that was met is told by `met`.
-  [[nodiscard]] StatementResult follow(const Modal& modal,
-                                       const runtime::Action& action,
-                                       const runtime::Follow& follow,
-                                       std::span<const Goal> goals,
-                                       std::size_t met,
-                                       std::span<const Location> path);
   /// A startup from `before` to `after`.
   [[nodiscard]] StatementResult startup(const Modal& modal,
                                         const runtime::Action& action,
@@ -39,10 +40,26 @@ class MotionCheck {
   [[nodiscard]] double missed(const Modal& modal,
                               const Goal& goal,
                               std::size_t index,
-                              std::span<const Location> path,
+                              const PathEnd& end,
                               const surface::AnySurface& drive) const;
+  /// Judges the end of a motion by its goal.
+  void judgeStop(StatementResult& result,
+                 const Modal& modal,
+                 const runtime::Action& action,
+                 const Goal& goal,
+                 std::size_t index,
+                 const PathEnd& end,
+                 const surface::AnySurface& drive);
+  /// Warns where the tool is not on the side of the drive surface that TLLFT or TLRGT says.
+  void judgeHand(const Modal& modal,
+                 const runtime::Action& action,
+                 const GuideFigures& drive,
+                 const Vec3& step,
+                 const Vec3& axis);
   /// Reports what the figures say against the tolerance.
   void judge(StatementResult& result, const runtime::Action& action, const GuideFigures& figures);
+  void report(StatementResult& result, const runtime::Action& action, Failure failure);
+  [[nodiscard]] GuideTask taskOf(const Modal& modal, Role role, Named surface, bool on) const;
 
  private:
   /// A contact that a stop or startup asks for, measured.
@@ -55,15 +72,9 @@ class MotionCheck {
   [[nodiscard]] Contact contactOf(const Modal& modal,
                                   const Goal& goal,
                                   std::size_t index,
-                                  std::span<const Location> path,
+                                  const PathEnd& end,
                                   const surface::AnySurface& drive) const;
-  [[nodiscard]] GuideTask taskOf(const Modal& modal, Role role, Named surface, bool on) const;
   [[nodiscard]] Allowed allowedFor(const Modal& modal, Role role) const;
-  void judgeHand(const Modal& modal,
-                 const runtime::Action& action,
-                 const GuideFigures& drive,
-                 std::span<const Location> path);
-  void report(StatementResult& result, const runtime::Action& action, Failure failure);
 
   const Options& options_;
   DiagnosticSink& sink_;

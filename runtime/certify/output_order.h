@@ -26,6 +26,8 @@ class OutputOrder {
   [[nodiscard]] Location programmed(const Location& location) const;
   /// Notes a run of the file for the ranges that are open.
   void keep(const Run& run);
+  /// Whether an INDEX is open, whose runs must be kept for its copies.
+  [[nodiscard]] bool keeps() const { return !open_.empty(); }
   /// Whether the file must hold a copy next.
   [[nodiscard]] bool expectsCopy() const {
     return pending_.number <= pending_.times && !pending_.runs.empty();

@@ -49,7 +49,7 @@ class Probe {
   /// `low` may be -unbounded where it is costly; `settle` then finds it.
   virtual Node at(double s) = 0;
   /// The gap between two nodes. A lower bound above `aim` need not be made narrower; where a gap
-  /// below it is measured, that ends the search.
+  /// below it is measured, that ends the search. With an aim of -unbounded none is looked for.
   virtual Stretch over(const Node& a, const Node& b, double aim) = 0;
   /// Raises `low` of a node to at least `aim`, if that can be proven.
   virtual void settle(Node& node, double aim) = 0;

@@ -28,7 +28,7 @@ class Proof {
     verdict_.greatest = {-unbounded, -unbounded, 0.0};
     see(first);
     see(last);
-    decide(first, last);
+    decide(first, last, {});
     finish();
     first = last;
     return verdict_;
@@ -63,12 +63,16 @@ class Proof {
     return measured > ceiling_ ? measured + figure_ : std::min(ceiling_, measured + figure_);
   }
 
-  /// Parts are halved at most as often as smallestPart allows, so this goes 30 deep.
-  void decide(const Node& a, const Node& b) {
+  /// Parts are halved at most as often as smallestPart allows, so this goes 30 deep. `known` holds
+  /// for the whole part: aims only fall, so a lower bound that reached its aim is not looked for
+  /// again.
+  void decide(const Node& a, const Node& b, const Range& known) {
     if (!figures_ && refuted()) {
       return;
     }
-    const Stretch range = probe_.over(a, b, lowAim());
+    Stretch range = probe_.over(a, b, known.low >= lowAim() ? -unbounded : lowAim());
+    range.low = std::max(range.low, known.low);
+    range.high = std::min(range.high, known.high);
     if (range.sample < verdict_.least.measured) {
       verdict_.least.measured = range.sample;
       verdict_.least.at = range.sampleAt;
@@ -83,8 +87,8 @@ class Proof {
     }
     const Node middle = probe_.at(0.5 * (a.s + b.s));
     see(middle);
-    decide(middle, b);
-    decide(a, middle);
+    decide(middle, b, range);
+    decide(a, middle, range);
   }
 
   void take(const Range& range) {

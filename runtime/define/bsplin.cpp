@@ -82,12 +82,13 @@ Result<Resolved> splineThroughPoints(const Arguments& given) {
 }
 
 Result<Resolved> splineNearPoints(const Arguments& given) {
-  const double tolerance = given.scalar(2);
+  const bool closed = given.is(1, Word::CLOSED);
+  std::size_t next = closed ? 3 : 2;
+  const double tolerance = given.scalar(next++);
   if (!(tolerance > 0.0)) {
     return fail(diag::SplineTolerance, tolerance);
   }
-  std::size_t next = 3;
-  return resolved(spline::approximate(readPoints(given, next), tolerance));
+  return resolved(spline::approximate(readPoints(given, next), tolerance, closed));
 }
 
 Result<Resolved> splineWithKnots(const Arguments& given) {

@@ -7,10 +7,11 @@
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
 #include "runtime/define/resolve.h"
+#include "runtime/geometry/polyconic.h"
 #include "runtime/geometry/ruled_surface.h"
 #include "runtime/geometry/tabulated_cylinder.h"
-#include "runtime/region/region.h"
 #include "runtime/geometry/triangle_mesh.h"
+#include "runtime/region/region.h"
 #include "runtime/spline/cubic.h"
 
 namespace arelem::define {
@@ -19,11 +20,8 @@ using geometry::Canon;
 
 namespace {
 
-/// Numbers of a POLCON: jroots, m1..m12, t, cb, pb, 7 x 8 coefficients, 7 of the square root.
-constexpr std::size_t polyconicCount = 79;
-
 std::size_t expectedCount(EntityType type) {
-  return type == EntityType::polyconic ? polyconicCount
+  return type == EntityType::polyconic ? geometry::Polyconic::canonicalCount
                                        : static_cast<std::size_t>(canonicalCount(type));
 }
 
@@ -123,6 +121,31 @@ Result<bool> checkRuled(const Canon& canon) {
   return true;
 }
 
+/// The matrix turns (or mirrors) without scaling, and the functions make a surface.
+Result<bool> checkPolyconic(const Canon& canon) {
+  constexpr EntityType type = EntityType::polyconic;
+  Result<bool> good = require(type, canon, 0, canon[0] == 1.0 || canon[0] == 2.0,
+                              "1, or 2 where there are square roots");
+  good = good ? require(type, canon, 15, canon[15] > 0.0, "greater than 0") : std::move(good);
+  if (!good) {
+    return good;
+  }
+  const geometry::Polyconic surface = geometry::Polyconic::of(canon);
+  const Eigen::Matrix3d rest =
+      surface.rows * surface.rows.transpose() - Eigen::Matrix3d::Identity();
+  good = require(type, canon, 1, rest.cwiseAbs().maxCoeff() <= tolerance::perpendicular,
+                 "the first number of a matrix of three perpendicular unit vectors, each with a "
+                 "shift behind it, or the first of twelve zeros");
+  if (!good) {
+    return good;
+  }
+  if (const auto fault = geometry::faultOf(surface)) {
+    return fault->shoulder ? fail(diag::PolyconicShoulder, fault->value, fault->d)
+                           : fail(diag::PolyconicFlat, fault->value, fault->d);
+  }
+  return true;
+}
+
 Result<bool> checkGun(const Canon& canon) {
   const bool sized = canon.size() >= 13 && canon.size() % 2 == 1;
   const bool sane = sized && canon[0] >= 1.0 && canon[0] <= 5.0 && canon[1] >= 0.0 &&
@@ -170,6 +193,8 @@ Result<bool> check(EntityType type, const Canon& canon) {
       return checkTabulated(canon);
     case EntityType::ruledSurface:
       return checkRuled(canon);
+    case EntityType::polyconic:
+      return checkPolyconic(canon);
     case EntityType::gun:
       return checkGun(canon);
     case EntityType::region:

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "ir/diag/spray.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/resolve.h"
@@ -15,7 +17,24 @@ using geometry::Vec2;
 using region::Boundary;
 
 namespace {
-Result<Resolved> resolved(std::vector<Boundary> boundaries) {
+/// `chord`: what CHORD says; none where nothing is said.
+Result<Resolved> resolved(std::vector<Boundary> boundaries, std::optional<double> chord) {
+  std::size_t corners = 0;
+  Eigen::AlignedBox3d box;
+  for (const Boundary& boundary : boundaries) {
+    corners += boundary.corners.size();
+    for (const Vec3& corner : boundary.corners) {
+      box.extend(corner);
+    }
+  }
+  if (corners > region::mostCorners) {
+    return fail(diag::RegionSize, region::mostCorners);
+  }
+  const double coarsest = box.isEmpty() ? HUGE_VAL : box.diagonal().norm() / 10.0;
+  if (chord && *chord > coarsest) {
+    return fail(diag::RegionChord, *chord,
+                fmt::format("at most {:.6g}, a tenth of the region", coarsest));
+  }
   Result<region::Region> made = region::regionOf(std::move(boundaries));
   if (!made) {
     return made.takeFailure();
@@ -224,15 +243,14 @@ double defaultChord(const Arguments& given) {
   return tolerance::boundaryChord / given.millimeters();
 }
 
-Result<double> chordAt(const Arguments& given, std::size_t i) {
-  if (!given.is(i, Word::CHORD)) {
-    return defaultChord(given);
-  }
-  const double chord = given.scalar(i + 1);
-  if (!(chord > 0.0)) {
-    return fail(diag::SprayValue, "CHORD", chord, "above 0");
-  }
-  return chord;
+/// What CHORD says, none without it.
+std::optional<double> chordAt(const Arguments& given, std::size_t i) {
+  return given.is(i, Word::CHORD) ? std::optional(given.scalar(i + 1)) : std::nullopt;
+}
+
+std::optional<Failure> objectionToChord(const std::optional<double>& chord) {
+  return !chord || *chord > 0.0 ? std::nullopt
+                                : std::optional(fail(diag::RegionChord, *chord, "above 0"));
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -246,9 +264,9 @@ Result<Resolved> regionOfBoundaries(const Arguments& given) {
   if (end >= 2 && given.is(end - 2, Word::CHORD)) {
     end -= 2;
   }
-  Result<double> chord = chordAt(given, end);
-  if (!chord) {
-    return chord.takeFailure();
+  const std::optional<double> chord = chordAt(given, end);
+  if (auto failure = objectionToChord(chord)) {
+    return *std::move(failure);
   }
   std::vector<Boundary> boundaries;
   std::size_t number = 1;  // of the element, in messages
@@ -268,26 +286,30 @@ Result<Resolved> regionOfBoundaries(const Arguments& given) {
       continue;
     }
     const std::size_t count = elements.size();
-    Result<region::Corners> corners = CurveBoundary(std::move(elements), number, *chord).corners();
+    Result<region::Corners> corners =
+        CurveBoundary(std::move(elements), number, chord.value_or(defaultChord(given))).corners();
     if (!corners) {
       return corners.takeFailure();
     }
     number += count;
     boundary.corners = *std::move(corners);
   }
-  return resolved(std::move(boundaries));
+  return resolved(std::move(boundaries), chord);
 }
 
 Result<Resolved> regionOfDrawing(const Arguments& given) {
   const std::string& name = given.text(1);
   region::DrawingRules rules;
   rules.layer = given.is(2, Word::LAYER) ? given.text(3) : "";
-  Result<double> chord = chordAt(given, given.is(2, Word::LAYER) ? 4 : 2);
-  Result<std::string> text = given.fileText(name);
-  if (!text || !chord) {
-    return text ? chord.takeFailure() : text.takeFailure();
+  const std::optional<double> chord = chordAt(given, given.is(2, Word::LAYER) ? 4 : 2);
+  if (auto failure = objectionToChord(chord)) {
+    return *std::move(failure);
   }
-  rules.chord = *chord;
+  Result<std::string> text = given.fileText(name);
+  if (!text) {
+    return text.takeFailure();
+  }
+  rules.chord = chord.value_or(defaultChord(given));
   rules.unit = given.millimeters();
   Result<region::Drawing> drawing = region::readDrawing(*text, name, rules);
   if (!drawing) {
@@ -321,7 +343,7 @@ Result<Resolved> regionOfDrawing(const Arguments& given) {
       boundary.corners.emplace_back(p.x(), p.y(), height);
     }
   }
-  return resolved(std::move(boundaries));
+  return resolved(std::move(boundaries), chord);
 }
 
 }  // namespace arelem::define

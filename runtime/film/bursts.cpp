@@ -8,7 +8,32 @@ namespace arelem::film {
 namespace {
 constexpr double piecesOfRadius = 8.0;  // of the footprint, in one piece of a stroke
 constexpr double followed = 3.0;        // footprints that paint flies past its place
+constexpr double straight = 0.9;        // of their way, strokes that are one
 constexpr double plainStandOff = 1e6;   // of a gun without one: parallel rays, mm
+
+/// Strokes that follow each other and are short together are one: fine chords make no more bursts.
+std::vector<spray::Stroke> joined(const std::vector<spray::Stroke>& strokes, double piece) {
+  std::vector<spray::Stroke> all;
+  double way = 0.0;  // of the last one
+  for (const spray::Stroke& stroke : strokes) {
+    const double length = (stroke.to - stroke.from).norm();
+    const bool goesOn = !all.empty() && way + length <= piece && !stroke.newPass &&
+                        stroke.painting && all.back().painting && stroke.from == all.back().to &&
+                        (stroke.to - all.back().from).norm() > straight * (way + length);
+    if (!goesOn) {
+      all.push_back(stroke);
+      way = length;
+      continue;
+    }
+    spray::Stroke& last = all.back();
+    const double seconds = (last.to - last.from).norm() / last.speed + length / stroke.speed;
+    last.to = stroke.to;
+    last.normalTo = stroke.normalTo;
+    last.speed = (last.to - last.from).norm() / seconds;
+    way += length;
+  }
+  return all;
+}
 }  // namespace
 
 Bursts::Bursts(const spray::Sprayed& s)
@@ -21,7 +46,7 @@ Bursts::Bursts(const spray::Sprayed& s)
   const double piece = std::max(a_, b_ / piecesOfRadius) / piecesOfRadius;
   // The gun is not turned over from pass to pass: its side lies to the same hand.
   Vec3 side = Vec3::Zero();
-  for (spray::Stroke stroke : s.strokes) {
+  for (spray::Stroke stroke : joined(s.strokes, piece)) {
     const Vec3 across = stroke.normalFrom.cross(stroke.to - stroke.from);
     if (side.dot(across) < 0.0) {
       std::swap(stroke.from, stroke.to);
@@ -32,6 +57,14 @@ Bursts::Bursts(const spray::Sprayed& s)
       divide(stroke, piece);
     }
   }
+}
+
+std::size_t Bursts::mostNear() const {
+  std::size_t most = 0;
+  for (const auto& [cell, bursts] : cells_) {
+    most = std::max(most, bursts.size());
+  }
+  return most;
 }
 
 double Bursts::filmAt(const Vec3& place, const Vec3& normal) const {

@@ -16,6 +16,8 @@ class Bursts {
 
   /// mm, at a place of the work with this unit normal.
   [[nodiscard]] double filmAt(const Vec3& place, const Vec3& normal) const;
+  /// How many bursts the fullest cell has: what a place costs, but for a factor.
+  [[nodiscard]] std::size_t mostNear() const;
 
  private:
   /// The gun for a short while: where it stands, where it points, how long.

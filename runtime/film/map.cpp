@@ -4,8 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "ir/space/spray_tolerance.h"
 #include "runtime/film/surface_map.h"
+#include "runtime/spray/offset.h"
 
 namespace arelem::film {
 
@@ -119,6 +122,40 @@ void addLine(Map& map, const Gunwork& gun, const Line& line) {
   }
 }
 
+/// The work, what is sprayed beside it and where the gun is switched; of a gun that is much larger
+/// than the work not all of that, or the work would be lost between two cells.
+struct Window {
+  spray::Extent extent;
+  bool whole = true;
+};
+Window windowOf(const Sprayed& s, const Gunwork& gun) {
+  constexpr double most = 8.0;  // lengths of the work to each side
+  const spray::Extent work = extentOf(s.outline);
+  spray::Extent window = work;
+  const auto include = [&window](const Vec2& p, double about) {
+    window.low = window.low.cwiseMin(p - Vec2::Constant(about)).eval();
+    window.high = window.high.cwiseMax(p + Vec2::Constant(about)).eval();
+  };
+  include(work.low, gun.reach());
+  include(work.high, gun.reach());
+  for (const Line& line : gun.lines()) {
+    include(line.from, gun.reach());
+    include(line.from + line.length * line.along, gun.reach());
+  }
+  const double angle = s.chosen.degrees * std::numbers::pi / 180.0;
+  const Eigen::Rotation2Dd back(angle);
+  const spray::SprayedArea switched(turned(s.outline, -angle), s.gun.footprint, s.sharpest);
+  for (const spray::SprayedArea::Band& band : switched.bands()) {
+    for (const Vec2& corner : band.corners) {
+      include(back * corner, gun.reach() / cellsOfPass);
+    }
+  }
+  const Vec2 margin = Vec2::Constant(most * (work.high - work.low).maxCoeff());
+  const spray::Extent cut = {window.low.cwiseMax(work.low - margin),
+                             window.high.cwiseMin(work.high + margin)};
+  return {cut, cut.low == window.low && cut.high == window.high};
+}
+
 void markWork(Map& map, const spray::Outline& outline) {
   for (std::size_t r = 0; r < map.rows; ++r) {
     const double y = map.middle(0, r).y();
@@ -189,15 +226,8 @@ Map mapOf(const Sprayed& sprayed, double cell) {
     return surfaceMapOf(sprayed, cell);
   }
   const Gunwork gun(sprayed);
-  spray::Extent extent = extentOf(sprayed.outline);
-  extent.low -= Vec2::Constant(gun.reach());
-  extent.high += Vec2::Constant(gun.reach());
-  for (const Line& line : gun.lines()) {
-    for (const Vec2& end : {line.from, Vec2(line.from + line.length * line.along)}) {
-      extent.low = extent.low.cwiseMin(end - Vec2::Constant(gun.reach())).eval();
-      extent.high = extent.high.cwiseMax(end + Vec2::Constant(gun.reach())).eval();
-    }
-  }
+  const Window window = windowOf(sprayed, gun);
+  const spray::Extent& extent = window.extent;
   const Vec2 size = extent.high - extent.low;
   Map map;
   map.low = extent.low;
@@ -209,11 +239,16 @@ Map mapOf(const Sprayed& sprayed, double cell) {
   map.rows = static_cast<std::size_t>(std::max(1.0, std::ceil(size.y() / map.cell)));
   map.film.assign(map.columns * map.rows, 0.0);
   map.onWork.assign(map.columns * map.rows, false);
+  double paint = 0.0;
   for (const Line& line : gun.lines()) {
     addLine(map, gun, line);
+    paint += line.rate * gun.across() * line.length;
   }
   markWork(map, sprayed.outline);
   measure(map, sprayed.film);
+  if (!window.whole) {  // what flies out of the window falls beside the work too
+    map.statistics.outside = paint - map.statistics.deposited;
+  }
   return map;
 }
 

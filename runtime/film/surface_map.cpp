@@ -14,6 +14,8 @@ constexpr double surfaceCells = 200.0;
 constexpr double mostSurfaceCells = 250'000.0;
 constexpr std::size_t mostSampledTriangles = 50'000;
 constexpr double roughCells = 60.0;  // in the longer way
+constexpr double fewestCells = 12.0;
+constexpr double roughLooks = 4e7;  // of places at bursts
 constexpr std::size_t roughTriangles = 4'000;
 constexpr int mostDivisions = 200;  // of a triangle's side
 
@@ -28,12 +30,11 @@ void divide(Map& map, double lengthU, double lengthV, double cell) {
   map.rows = static_cast<std::size_t>(std::max(1.0, std::round(lengthV / map.cell)));
 }
 
-Map patchMap(const spray::Sprayed& s, double cell) {
+Map patchMap(const spray::Sprayed& s, const Bursts& spray, double cell) {
   const spray::Patch& patch = *s.patch;
   Map map;
   divide(map, longestWay(patch, true), longestWay(patch, false), cell);
   map.onWork.assign(map.columns * map.rows, false);
-  const Bursts spray(s);
   const double du = (patch.u1 - patch.u0) / static_cast<double>(map.columns);
   const double dv = (patch.v1 - patch.v0) / static_cast<double>(map.rows);
   for (std::size_t r = 0; r < map.rows; ++r) {
@@ -186,19 +187,23 @@ spray::Vec2 placeInMap(const spray::Sprayed& s,
 }
 
 Statistics roughStatistics(const spray::Sprayed& s) {
+  const Bursts spray(s);
+  // Where lines lie very close, fewer places tell as much.
+  const double near = std::max<double>(1.0, static_cast<double>(spray.mostNear()));
+  const double cells = std::clamp(std::sqrt(roughLooks / near), fewestCells, roughCells);
   if (s.mesh) {
-    const double cell = std::sqrt(s.mesh->area()) / roughCells;
-    return statisticsOf(s, Bursts(s), cell, roughTriangles);
+    const double cell = std::sqrt(s.mesh->area()) / cells;
+    return statisticsOf(s, spray, cell, roughTriangles);
   }
   const double longest = std::max(longestWay(*s.patch, true), longestWay(*s.patch, false));
-  Map map = patchMap(s, longest / roughCells);
+  Map map = patchMap(s, spray, longest / cells);
   measure(map, s.film);
   return map.statistics;
 }
 
 Map surfaceMapOf(const spray::Sprayed& s, double cell) {
   if (!s.mesh) {
-    Map map = patchMap(s, cell);
+    Map map = patchMap(s, Bursts(s), cell);
     measure(map, s.film);
     return map;
   }

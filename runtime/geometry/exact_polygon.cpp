@@ -97,16 +97,6 @@ double signedArea(std::span<const Polygon> polygons) {
   return CGAL::to_double(sum);
 }
 
-bool isInside(const Vec2& place, const Polygon& polygon) {
-  std::vector<Corner> corners;
-  corners.reserve(polygon.size());
-  for (const Vec2& p : polygon) {
-    corners.push_back(pointOf(p));
-  }
-  return CGAL::bounded_side_2(corners.begin(), corners.end(), pointOf(place), Signs()) ==
-         CGAL::ON_BOUNDED_SIDE;
-}
-
 std::optional<Meeting> firstMeeting(std::span<const Polygon> polygons, double near) {
   const std::vector<Edge> edges = edgesOf(polygons);
   std::vector<Box> boxes;

@@ -4,7 +4,7 @@
 
 #include "runtime/geometry/shapes.h"
 
-/// Polygons in exact arithmetic (CGAL): areas are rounded once, at the end, and where a place lies
+/// Polygons in exact arithmetic (CGAL): areas are rounded once, at the end, and whether edges meet
 /// is decided without rounding.
 namespace arelem::geometry {
 
@@ -12,9 +12,6 @@ using Polygon = std::vector<Vec2>;  ///< corners in order, closed by itself
 
 /// Sum of the areas of polygons; those that run clockwise count negative.
 [[nodiscard]] double signedArea(std::span<const Polygon> polygons);
-
-/// Whether a place lies inside a polygon that does not cross itself; its border is not inside.
-[[nodiscard]] bool isInside(const Vec2& place, const Polygon& polygon);
 
 /// Two edges that meet where they must not.
 struct Meeting {

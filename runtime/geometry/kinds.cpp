@@ -5,6 +5,7 @@
 #include "ir/diag/geometry.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/polyconic.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 
 namespace arelem::surface {
@@ -99,6 +100,8 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
                                           : builtMesh(c)));
     case EntityType::ruledSurface:
       return AnySurface(Ruled(geometry::RuledSurface::of(c)));
+    case EntityType::polyconic:
+      return AnySurface(Polyconic(geometry::Polyconic::of(c)));
     default:
       return fail(diag::NotASurface, spell(entity.type));
   }

@@ -9,6 +9,7 @@
 #include "runtime/geometry/kinds/cylinder.h"
 #include "runtime/geometry/kinds/mesh.h"
 #include "runtime/geometry/kinds/plane.h"
+#include "runtime/geometry/kinds/polyconic.h"
 #include "runtime/geometry/kinds/quadric.h"
 #include "runtime/geometry/kinds/ruled.h"
 #include "runtime/geometry/kinds/sphere.h"
@@ -20,8 +21,16 @@ namespace arelem::surface {
 /// THE list of surface kinds. A new kind is one file and one word here.
 template <Surface... Kinds>
 using VariantOf = std::variant<Kinds...>;
-using AnySurface =
-    VariantOf<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder, Ruled, Mesh>;
+using AnySurface = VariantOf<Plane,
+                             Sphere,
+                             Cylinder,
+                             Cone,
+                             Torus,
+                             Quadric,
+                             TabulatedCylinder,
+                             Ruled,
+                             Polyconic,
+                             Mesh>;
 
 /// The surface of an entity's canonical form; fails for what is no surface (POINT, VECTOR, ...).
 [[nodiscard]] Result<AnySurface> surfaceOf(const Entity& entity);

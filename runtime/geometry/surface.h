@@ -45,6 +45,17 @@ concept Surface = requires(const S& s,
   { s.bends(p, foot, radius) } -> std::same_as<Bends>;
 };
 
+/// The same where the hint of the foot is at hand: kinds that would search for it need not.
+template <Surface S>
+[[nodiscard]] Bends bendsOf(
+    const S& s, const Vec3& p, const Foot& foot, double radius, const typename S::Hint& hint) {
+  if constexpr (requires { s.bends(p, foot, radius, hint); }) {
+    return s.bends(p, foot, radius, hint);
+  } else {
+    return s.bends(p, foot, radius);
+  }
+}
+
 /// What holds for the distance to any set of points: at distance d from it, it bends by at most 1/d
 /// away from the set.
 [[nodiscard]] inline Bends bendsOfAnySet(double distance, double radius) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ir/diag/stencil.h"
+#include "ir/space/stencil_tolerance.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/worded.h"
 
@@ -28,8 +29,7 @@ struct Cut {
   double down = 0.0;       ///< into the face; 0: as `feed`
 
   [[nodiscard]] double passes() const {
-    constexpr double rounding = 1e-9;  // a depth of three steps takes three passes
-    return step > 0.0 ? std::max(1.0, std::ceil(depth / step - rounding)) : 1.0;
+    return step > 0.0 ? std::max(1.0, std::ceil(depth / step - tolerance::wholePasses)) : 1.0;
   }
 };
 
@@ -120,8 +120,7 @@ class LineWriter {
   LineWriter(State& state, const Cut& cut)
       : state_(state), cut_(cut), over_(cut.top + cut.clearance) {
     const Vec3 up = state_.systems.vectorToBase(Vec3::UnitZ()).normalized();
-    constexpr double level = 1e-12;  // of a unit vector's components: rounding of a turn
-    if ((up - Vec3::UnitZ()).cwiseAbs().maxCoeff() > level) {
+    if ((up - Vec3::UnitZ()).cwiseAbs().maxCoeff() > tolerance::turnedAxis) {
       axis_ = up;
     }
   }

@@ -2,6 +2,7 @@
 #include "runtime/interpret/cl_statement.h"
 #include "runtime/interpret/command.h"
 #include "runtime/interpret/post_arguments.h"
+#include "runtime/interpret/refuse.h"
 #include "runtime/interpret/swarf_form.h"
 
 namespace arelem::runtime::interpret {
@@ -162,8 +163,9 @@ void post(State& state, const ir::Command& command) {
   }
   checkFeedUnits(state, name, *items);
   checkPostArguments(state, word, *items);
-  const bool later = state.program.dialect == "cl";  // its systems give parameters to all words
-  if (row(word).wordClass == WordClass::postWithoutParameters && !items->empty() && !later) {
+  // The front end tells of it; this is for programs that are built otherwise.
+  const bool untold = state.program.dialect.empty();
+  if (row(word).wordClass == WordClass::postWithoutParameters && !items->empty() && untold) {
     state.report(diagnose(state.statement->span, diag::PostParameters, name, items->size()));
   }
   if (auto arguments = values(state, name, word, *items)) {
@@ -181,6 +183,9 @@ void execute(State& state, const ir::ForeignCommand& command) {
   const auto items = evaluate(state, command.arguments, Use::motion);
   if (!items || arcStatement(state, command.word, *items)) {
     return;
+  }
+  if (command.word == "REFUSE" && (state.calls != nullptr || state.program.dialect != "cl")) {
+    return refuse(state, *items);
   }
   frameStatement(state, command.word, *items);
   if (auto arguments = values(state, command.word, std::nullopt, *items)) {

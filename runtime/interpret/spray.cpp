@@ -10,7 +10,7 @@
 #include "runtime/define/choice.h"
 #include "runtime/geometry/triangle_mesh.h"
 #include "runtime/interpret/command.h"
-#include "runtime/interpret/spray_words.h"
+#include "runtime/interpret/spray_work.h"
 #include "runtime/spray/region_job.h"
 #include "runtime/spray/units.h"
 
@@ -99,7 +99,9 @@ class StrokeWriter {
   [[nodiscard]] double nozzleSpeed(const Stroke& s, double length) const {
     const double d = sprayed_.gun.standOff;
     const double way = (s.to + d * s.normalTo - s.from - d * s.normalFrom).norm();
-    const double speed = length > 0.0 ? s.speed * std::round(way / length * 1e6) / 1e6 : s.speed;
+    // Rounded, so that the rounding of places makes no feeds of its own.
+    const bool straight = !(length > 0.0) || std::abs(way / length - 1.0) <= tolerance::similarity;
+    const double speed = straight ? s.speed : std::round(s.speed * way / length * 1e6) / 1e6;
     const double fastest = sprayed_.gun.speed;
     return !sprayed_.planar && fastest > 0.0 ? std::min(speed, fastest) : speed;
   }
@@ -218,68 +220,6 @@ void setLines(spray::SurfaceJob& job, const SprayWords& words, double unit) {
   }
 }
 
-/// The planes of LIMITS with the side that is kept, mm.
-Result<std::vector<spray::HalfSpace>> sidesOf(const SprayWords& words, double unit) {
-  std::vector<spray::HalfSpace> sides;
-  for (const SprayWords::Side& side : words.sides) {
-    const geometry::Plane plane = geometry::Plane::of(side.plane->canon);
-    Result<Vec3> normal = define::orient(side.modifier, plane.normal);
-    if (!normal) {
-      return normal.takeFailure();
-    }
-    const double sign = normal->dot(plane.normal) > 0.0 ? 1.0 : -1.0;
-    sides.push_back({*normal, sign * plane.distance * unit});
-  }
-  return sides;
-}
-
-/// The mesh in mm; none where its words do not suit it: told.
-Result<std::shared_ptr<const spray::MeshSurface>> meshOf(const SprayWords& words,
-                                                         const std::vector<spray::HalfSpace>& keep,
-                                                         double unit) {
-  using Lines = SprayWords::Lines;
-  if (words.lines == Lines::alongU || words.lines == Lines::alongV) {
-    return fail(diag::MeshLines, words.lines == Lines::alongU ? "ULINES" : "VLINES");
-  }
-  if (words.limits) {
-    return fail(diag::MeshLines, "parameters for LIMITS");
-  }
-  geometry::TriangleMesh mesh = geometry::TriangleMesh::of(words.work->canon);
-  for (Vec3& corner : mesh.vertices) {
-    corner *= unit;
-  }
-  const spray::MeshSurface whole(std::move(mesh), words.otherSide);
-  auto kept = std::make_shared<const spray::MeshSurface>(whole.cutBy(keep));
-  if (kept->mesh().triangles.empty()) {
-    return fail(diag::SurfaceLimits, "MESH", "nothing left",
-                "the planes of LIMITS must keep a part of it");
-  }
-  return std::shared_ptr<const spray::MeshSurface>(std::move(kept));
-}
-
-/// The work of a job: a patch or a mesh.
-std::optional<Failure> setWork(spray::SurfaceJob& job, const SprayWords& words, double unit) {
-  Result<std::vector<spray::HalfSpace>> keep = sidesOf(words, unit);
-  if (!keep) {
-    return keep.takeFailure();
-  }
-  if (words.work->type == EntityType::mesh) {
-    auto mesh = meshOf(words, *keep, unit);
-    if (!mesh) {
-      return mesh.takeFailure();
-    }
-    job.mesh = *std::move(mesh);
-    return std::nullopt;
-  }
-  Result<spray::Patch> patch = spray::patchOf(*words.work, {words.limits, *std::move(keep)}, unit);
-  if (!patch) {
-    return patch.takeFailure();
-  }
-  job.patch = *std::move(patch);
-  job.patch.flipped = words.otherSide;
-  return std::nullopt;
-}
-
 void spraySurface(State& state, const SprayWords& words) {
   const double unit = state.context.millimeters;
   spray::SurfaceJob job;
@@ -290,8 +230,9 @@ void spraySurface(State& state, const SprayWords& words) {
   job.gun = spray::Gun::of(words.gun->canon);
   job.film = words.film;
   job.step = words.step * unit;
-  job.chord = words.chord != 0.0 ? words.chord * unit : job.chord;
+  job.chord = words.chord ? *words.chord * unit : job.chord;
   job.checkRadius = words.checkRadius;
+  job.mostPoints = state.options.limits.points;
   job.speed = words.speed;
   setLines(job, words, unit);
   Result<Sprayed> sprayed = spray::spraySurface(job);

@@ -36,7 +36,8 @@ struct SprayWords {
   };
   std::vector<Side> sides;  ///< planes of LIMITS
   double step = 0.0;
-  double chord = 0.0;
+  std::optional<double> chord;
+  double past = 0.0;
   bool checkRadius = true;
   [[nodiscard]] bool ofRegion() const { return work->type == EntityType::region; }
 };
@@ -46,7 +47,7 @@ struct SprayWords {
 /// db] [, ANGLE, t1, t2, dt]]
 /// SPRAY/ surface, GUN, gun, FILM, h, {ULINES | VLINES | SECTN, plane | RADIAL, point, vector}
 /// [, LIMITS [, u1, u2, v1, v2] [, {XLARGE | ... | ZSMALL}, plane]...] [, STEP, r] [, CHORD, tol]
-/// [, SPEED, v] [, REVERS] [, MINRAD, OFF] The words in any order. Errors: E0372.
+/// [, PAST, d] [, SPEED, v] [, REVERS] [, MINRAD, OFF] The words in any order. Errors: E0372.
 [[nodiscard]] Result<SprayWords> readSprayWords(Items items);
 
 }  // namespace arelem::runtime::interpret

@@ -1,9 +1,13 @@
 #include "runtime/motion/cl_curves.h"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "ir/diag/curves.h"
+#include "ir/diag/words.h"
 #include "ir/space/tolerance.h"
+#include "ir/words/units.h"
 #include "runtime/interpret/passed_post.h"
 
 namespace arelem::motion {
@@ -11,25 +15,97 @@ namespace arelem::motion {
 namespace {
 /// Chords this fine, relative to the size of the curve, measure its length.
 constexpr double measure = 0.0001;
+
+/// Points that a CAM system puts on an arc are so near to one another that the arc rises by less
+/// than this over their chords; the part unit where the program names none.
+double dividedRise(std::optional<Word> unit) {
+  constexpr double millimeters = 0.025;
+  constexpr double unknown = 0.001;
+  return unit ? millimeters / millimetersOf(*unit) : unknown;
+}
 }  // namespace
 
-std::optional<Failure> ClCurves::begin(const runtime::Arc& arc) {
-  const bool lost = arc_.has_value();
-  arc_ = arc;
-  return lost ? std::optional(fail(diag::ArcOpen)) : std::nullopt;
+namespace {
+/// What is lost where `next`, null at the end of all, is not the end of an arc; none where the arc
+/// goes on waiting.
+std::optional<Failure> lostBefore(const runtime::Action* next, bool positioned) {
+  constexpr std::string_view otherMotion = "its end is a GOTO, and another motion follows";
+  if (next == nullptr || std::holds_alternative<runtime::Fini>(next->body)) {
+    return fail(diag::ArcOpen);
+  }
+  if (std::holds_alternative<runtime::Arc>(next->body)) {
+    return fail(diag::ArcLost, "another arc follows before its GOTO");
+  }
+  if (const auto* place = std::get_if<runtime::Locate>(&next->body)) {
+    if (place->word != Word::GOTO) {
+      return fail(diag::ArcLost, otherMotion);
+    }
+    return positioned ? std::nullopt
+                      : std::optional(
+                            fail(diag::ArcLost, "no FROM or GOTO before it says where it starts"));
+  }
+  const bool moves = std::holds_alternative<runtime::Startup>(next->body) ||
+                     std::holds_alternative<runtime::Follow>(next->body) ||
+                     std::holds_alternative<runtime::FollowSpline>(next->body) ||
+                     std::holds_alternative<runtime::Pocket>(next->body);
+  return moves ? std::optional(fail(diag::ArcLost, otherMotion)) : std::nullopt;
+}
+}  // namespace
+
+void ClCurves::tellLost(const runtime::Action* next) {
+  auto lost = waiting_ ? lostBefore(next, state_.positioned) : std::nullopt;
+  if (lost) {
+    reporter_.report(*std::exchange(waiting_, std::nullopt), *std::move(lost));
+  }
 }
 
-Failure ClCurves::drop() {
-  arc_.reset();
-  return fail(diag::ArcOpen);
+/// The turn of a move at one height whose chord stays as near to it as the points of an arc that a
+/// CAM system divided; none of others.
+std::optional<double> ClCurves::fineTurn(const ArcMove& move) const {
+  if (move.pieces.size() != 1 || !move.warnings.empty()) {
+    return std::nullopt;
+  }
+  const std::vector<double>& circle = move.pieces[0].circle.surface.canon;
+  const Vec3 axis(circle[3], circle[4], circle[5]);
+  const double radius = circle[6];
+  const double turn = move.length / radius;
+  const double rise = radius * (1.0 - std::cos(turn / 2.0));
+  const bool level = std::abs((move.pieces[0].end - state_.toolEnd).dot(axis)) <= arcEnd;
+  return level && turn < std::numbers::pi && rise <= dividedRise(unit_) ? std::optional(turn)
+                                                                        : std::nullopt;
+}
+
+bool ClCurves::takes(const runtime::Locate& to, std::uint64_t step) {
+  step_ = step;
+  const std::optional<Divided> before = std::exchange(divided_, std::nullopt);
+  if (waiting_) {
+    return true;
+  }
+  if (!before || before->step + 1 != step || to.word != Word::GOTO || to.axis || to.feed) {
+    return false;
+  }
+  const Result<ArcMove> move = arcMove(before->arc, state_.toolEnd, to.point, std::nullopt);
+  const std::optional<double> turn = move ? fineTurn(*move) : std::nullopt;
+  if (!turn || before->turned + *turn > 2.0 * std::numbers::pi) {
+    return false;
+  }
+  divided_ = before;
+  return true;
 }
 
 Result<CurveFact> ClCurves::goAlong(const runtime::Locate& to) {
-  const runtime::Arc arc = *std::exchange(arc_, std::nullopt);
+  const double turned = divided_ ? divided_->turned : 0.0;
+  const runtime::Arc arc = divided_ ? divided_->arc : std::get<runtime::Arc>(waiting_->body);
+  divided_.reset();
+  waiting_.reset();
   Result<ArcMove> move = arcMove(arc, state_.toolEnd, to.point, state_.direction[0]);
   state_.direction = {};  // INDIRV was for this arc
   if (!move) {
     return move.takeFailure();
+  }
+  const std::optional<double> turn = arc.axis && !arc.sweepDegrees ? fineTurn(*move) : std::nullopt;
+  if (turn) {
+    divided_ = Divided{arc, step_, turned + *turn};
   }
   for (const ArcMove::Piece& piece : move->pieces) {
     if (state_.output) {
@@ -43,6 +119,9 @@ Result<CurveFact> ClCurves::goAlong(const runtime::Locate& to) {
 }
 
 void ClCurves::look(const cl::Body& body) {
+  if (const auto* units = std::get_if<cl::Units>(&body)) {
+    unit_ = units->unit;
+  }
   if (const auto* post = std::get_if<cl::Post>(&body)) {
     spline_.take(*post);
   }

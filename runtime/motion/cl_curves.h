@@ -3,6 +3,7 @@
 
 #include "runtime/motion/arc.h"
 #include "runtime/motion/records.h"
+#include "runtime/motion/reporter.h"
 #include "runtime/motion/state.h"
 #include "runtime/path/cl_spline.h"
 
@@ -18,13 +19,16 @@ struct CurveFact {
 /// waits for the GOTO of its end; a spline ends where another statement than KNOT and CNTRL stands.
 class ClCurves {
  public:
-  ClCurves(State& state, RecordWriter& writer) : state_(state), writer_(writer) {}
+  ClCurves(State& state, RecordWriter& writer, Reporter& reporter)
+      : state_(state), writer_(writer), reporter_(reporter) {}
 
-  /// A warning where an arc waits already.
-  [[nodiscard]] std::optional<Failure> begin(const runtime::Arc& arc);
-  [[nodiscard]] bool waits() const { return arc_.has_value(); }
-  /// Forgets the arc that waits, with a warning.
-  [[nodiscard]] Failure drop();
+  /// Told of every action before it is performed, null at the end of all. An arc that waits is
+  /// forgotten with a warning where that is neither its GOTO nor a statement that moves nothing.
+  void tellLost(const runtime::Action* next);
+  void begin(const runtime::Action& arc) { waiting_ = arc; }
+  /// The location is the end of the arc that waits, or one more point of the arc before it, of
+  /// which it is the next statement. `step` counts statements.
+  [[nodiscard]] bool takes(const runtime::Locate& to, std::uint64_t step);
   /// Moves the tool along the arc and writes circles and ends.
   [[nodiscard]] Result<CurveFact> goAlong(const runtime::Locate& to);
 
@@ -35,9 +39,21 @@ class ClCurves {
   [[nodiscard]] Result<CurveFact> goAlong();
 
  private:
+  /// The arc of the statement before, where its chord is as fine as those of Creo's POINTS_&_ARC.
+  struct Divided {
+    runtime::Arc arc;
+    std::uint64_t step = 0;
+    double turned = 0.0;  ///< radians since the arc began
+  };
+  [[nodiscard]] std::optional<double> fineTurn(const ArcMove& move) const;
+
   State& state_;
   RecordWriter& writer_;
-  std::optional<runtime::Arc> arc_;
+  Reporter& reporter_;
+  std::optional<runtime::Action> waiting_;
+  std::optional<Divided> divided_;
+  std::uint64_t step_ = 0;
+  std::optional<Word> unit_;
   path::ClSpline spline_;
 };
 

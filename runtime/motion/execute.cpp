@@ -50,13 +50,17 @@ class Motions {
         showAxis();
         finishCurve(curves_.goAlong());
       }
+      curves_.tellLost(&action);
       writer_.begin(action);
       std::visit([&](const auto& body) { perform(body); }, action.body);
       writer_.end();
     }
   }
 
-  MotionOutcome finish() { return facts_.take(!reporter_.failed()); }
+  MotionOutcome finish() {
+    curves_.tellLost(nullptr);
+    return facts_.take(!reporter_.failed());
+  }
 
  private:
   const Action& action() const { return (*actions_)[index_]; }
@@ -101,7 +105,7 @@ class Motions {
     }
   }
 
-  void perform(const Arc& arc) { reportIf(curves_.begin(arc)); }
+  void perform(const Arc&) { curves_.begin(action()); }
 
   void finishCurve(std::optional<Result<motion::CurveFact>> curve) {
     if (!curve) {
@@ -162,12 +166,9 @@ class Motions {
       fact("FROM", 0, first ? 0.0 : (state_.toolEnd - before).norm(), nullptr, since);
       return;
     }
-    if (curves_.waits()) {
-      if (l.word == Word::GOTO && state_.positioned) {
-        showAxis();
-        return finishCurve(curves_.goAlong(l));
-      }
-      reportIf(curves_.drop());
+    if (curves_.takes(l, steps_)) {
+      showAxis();
+      return finishCurve(curves_.goAlong(l));
     }
     const Vec3 before = state_.toolEnd;
     Vec3 target = l.point;
@@ -364,7 +365,7 @@ class Motions {
   bool stop_ = false;
   bool warnedNoFrom_ = false;
   State state_;
-  motion::ClCurves curves_{state_, writer_};
+  motion::ClCurves curves_{state_, writer_, reporter_};
   EntityPtr lastDrive_;
 };
 }  // namespace

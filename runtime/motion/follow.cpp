@@ -8,6 +8,7 @@
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/certify/motion_check.h"
+#include "runtime/geometry/ends.h"
 #include "runtime/motion/arc_route.h"
 #include "runtime/motion/axis_turn.h"
 #include "runtime/motion/settle.h"
@@ -101,6 +102,22 @@ class Follower {
                 p.x(), p.y(), p.z());
   }
 
+  /// Behind the end of a TABCYL there is no surface to run along.
+  [[nodiscard]] std::optional<Failure> ranOffEnd() const {
+    for (const auto& [surface, contact] :
+         {std::pair{&course_.part, &last_.contacts[0]}, {&course_.drive, &last_.contacts[1]}}) {
+      const double length = surface::endBefore(surface->surface, contact->point);
+      if (length > 0.0) {
+        const CheckWatch& w = course_.watches.front();
+        const Vec3& p = last_.toolEnd;
+        const Vec3& q = w.nearestPlace();
+        return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, w.nearest(),
+                    w.surface().name, q.x(), q.y(), q.z());
+      }
+    }
+    return std::nullopt;
+  }
+
   [[nodiscard]] std::optional<Failure> beyondLimits() const {
     if (interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed)) {
       return fail(diag::Interrupted);
@@ -171,6 +188,9 @@ class Follower {
       putTurn(*b);
       put(*b);
       hasMoved_ = true;
+      if (auto bad = ranOffEnd()) {
+        return bad;
+      }
     }
   }
 

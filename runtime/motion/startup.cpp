@@ -224,16 +224,23 @@ class Starter {
       return *std::move(bad);
     }
     if (!found.ok) {
-      return explain(found);
+      return explain(found, from);
     }
     return Standing{found.toolEnd, found.axis};
   }
 
-  /// Why no position was found: surfaces that are parallel, a hollow that is too narrow for the
-  /// cutter, or nothing better to say.
-  [[nodiscard]] Failure explain(const Settled& found) const {
-    const Vec3& p = found.toolEnd;
-    for (std::size_t i = 0; i < goals_.size(); ++i) {
+  /// Why no position was found from a place: surfaces that are parallel, a hollow that is too
+  /// narrow for the cutter, or nothing better to say.
+  [[nodiscard]] Failure explain(const Settled& found, const Vec3& from) const {
+    double atFirst = 0.0;
+    for (const Goal& goal : goals_) {
+      atFirst = std::max(atFirst, std::abs(goal.field->at(from, found.axis).gap));
+    }
+    // Farther from the surfaces than at the beginning: from far away all of them look parallel, and
+    // no hollow is near.
+    const bool lost = !(found.worst <= atFirst);
+    const Vec3& p = lost ? from : found.toolEnd;
+    for (std::size_t i = 0; i < goals_.size() && !lost; ++i) {
       for (std::size_t k = i + 1; k < goals_.size(); ++k) {
         const Vec3& n = found.contacts[i].normal;
         if (n.cross(found.contacts[k].normal).norm() <= tolerance::nullDirection) {

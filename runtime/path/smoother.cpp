@@ -19,6 +19,8 @@ namespace arelem::path {
 
 namespace {
 
+/// A curvature or time that is this many times that of before is told.
+constexpr double toldFrom = 1.01;
 /// Locations of a path that can be smoothed.
 constexpr std::size_t fewest = 3;
 
@@ -203,6 +205,20 @@ class Stage : public Smoother {
     return true;
   }
 
+  /// The methods that look at the curvature alone may cost time, and the source's even curvature.
+  void tellWorse(const cl::Record& first, const SmoothedSequence& now) {
+    const SmoothFact& fact = now.fact;
+    if (order_->options.method == smooth::Method::time) {
+      return;  // its figure is the time
+    }
+    if (fact.mostAfter > toldFrom * fact.mostBefore ||
+        now.secondsAfter > toldFrom * now.secondsBefore) {
+      sink_.accept(diagnose(first.origin, diag::SmoothWorse,
+                            static_cast<int>(order_->options.method) + 1, fact.mostBefore,
+                            fact.mostAfter, now.secondsBefore, now.secondsAfter));
+    }
+  }
+
   /// Puts out the smoothed path; false where the given one stays.
   bool replace(std::vector<Vec3> points, const std::optional<Vec3>& axis) {
     const cl::Record& first = held_.front();
@@ -220,6 +236,7 @@ class Stage : public Smoother {
                             smoothed->secondsBefore));
       return false;
     }
+    tellWorse(first, *smoothed);
     for (const cl::Record& record : smoothed->records) {
       next_.accept(record);
     }

@@ -125,7 +125,10 @@ std::optional<Failure> UprightSection::compare(const SwarfSection& again) const 
     const double off = (poses_[i].toolEnd - end).norm();
     const double turned = (poses_[i].axis - axis).norm();
     if (!(off <= allowed && turned <= allowed)) {
-      return fail(diag::SwarfDiffers, i + 1, off, turned, allowed);
+      return fail(diag::NotCertified,
+                  fmt::format("location {} of this section of VTLAXS is {:.3g} away from where the "
+                              "upright tool comes by tilting, and its axis {:.3g} (allowed {:.3g})",
+                              i + 1, off, turned, allowed));
     }
   }
   return std::nullopt;

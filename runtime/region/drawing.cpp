@@ -132,9 +132,8 @@ class Reader {
     }
     points_ += curve->points.size();
     if (points_ > rules_.mostPoints) {
-      return fail(
-          diag::DrawingSyntax, name_, entity.line,
-          fmt::format("more than {} points; a larger CHORD makes fewer", rules_.mostPoints));
+      return fail(diag::RegionSize, rules_.mostPoints)
+          .withHelp(fmt::format("`{}` line {}; a larger CHORD makes fewer", name_, entity.line));
     }
     for (Vec2& p : curve->points) {
       p *= scale_;

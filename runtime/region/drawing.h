@@ -6,7 +6,7 @@
 
 #include "ir/diag/result.h"
 #include "ir/limits.h"
-#include "runtime/spray/outline.h"
+#include "runtime/region/region.h"
 
 /// Drawings in DXF (ASCII, R12 and later): only what bounds a region.
 namespace arelem::region {
@@ -24,7 +24,7 @@ struct DrawingRules {
   std::string layer;   ///< "" for all
   double chord = 0.0;  ///< largest distance of a chord from its curve, units of the part program
   double unit = 1.0;   ///< millimeters in a unit of the part program
-  std::size_t mostPoints = 10'000'000;
+  std::uint64_t mostPoints = mostCorners;
 };
 
 struct Drawing {

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "ir/diag/spray.h"
+#include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/exact_polygon.h"
+#include "runtime/geometry/nesting.h"
 #include "runtime/spray/outline.h"
 
 namespace arelem::region {
@@ -48,16 +50,6 @@ std::string textOf(const Vec3& p) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x(), p.y(), p.z());
 }
 
-/// How many other loops a loop lies in. None of them meet, so that one corner tells.
-std::size_t depthOf(const Outline& outline, std::size_t loop) {
-  std::size_t depth = 0;
-  for (std::size_t i = 0; i < outline.loops.size(); ++i) {
-    const bool other = i != loop;
-    depth += other && geometry::isInside(outline.loops[loop][0], outline.loops[i]) ? 1 : 0;
-  }
-  return depth;
-}
-
 std::optional<Failure> objectionToRole(Boundary::Role role, std::size_t number, std::size_t depth) {
   const bool even = depth % 2 == 0;
   if (role == Boundary::Role::hole && even) {
@@ -94,6 +86,41 @@ Vec3 widestTriangle(const std::vector<Boundary>& boundaries) {
   return normal;
 }
 
+/// Names the corner that is to blame: the farthest from the plane of three corners in which most of
+/// the others lie, an upright or level plane before others.
+Failure notPlanar(const std::vector<Boundary>& boundaries, double allowed) {
+  constexpr std::size_t planes = 64;  // that are tried
+  std::vector<Vec3> all;
+  for (const Boundary& b : boundaries) {
+    all.insert(all.end(), b.corners.begin(), b.corners.end());
+  }
+  const std::size_t n = all.size();
+  std::pair<std::size_t, double> most = {0, 0.0};
+  std::pair<double, std::size_t> stray = {0.0, 0};
+  for (std::size_t k = 0; k < std::min(planes, n); ++k) {
+    const std::size_t first = k * n / std::min(planes, n);
+    const Vec3& place = all[first];
+    const Vec3 square = (all[(first + 1) % n] - place).cross(all[(first + 2) % n] - place);
+    if (square.norm() == 0.0) {
+      continue;
+    }
+    const Vec3 normal = square.normalized();
+    std::size_t near = 0;
+    std::pair<double, std::size_t> farthest = {0.0, 0};
+    for (std::size_t i = 0; i < n; ++i) {
+      const double off = std::abs(normal.dot(all[i] - place));
+      near += off <= allowed ? 1 : 0;
+      farthest = std::max(farthest, std::pair(off, i));
+    }
+    const std::pair score = {near, normal.cwiseAbs().maxCoeff()};
+    if (score > most) {
+      most = score;
+      stray = farthest;
+    }
+  }
+  return fail(diag::RegionNotPlanar, textOf(all[stray.second]), stray.first, allowed);
+}
+
 /// The common normal and the distance of every corner from the common plane.
 Result<Vec3> planeOf(const std::vector<Boundary>& boundaries) {
   Vec3 normal = Vec3::Zero();
@@ -117,15 +144,30 @@ Result<Vec3> planeOf(const std::vector<Boundary>& boundaries) {
     for (const Vec3& p : b.corners) {
       const double off = normal.dot(p - origin);
       if (std::abs(off) > tolerance::regionPlane * std::max(size, 1.0)) {
-        return fail(diag::RegionNotPlanar, textOf(p), off,
-                    tolerance::regionPlane * std::max(size, 1.0));
+        const double allowed = tolerance::regionPlane * std::max(size, 1.0);
+        return notPlanar(boundaries, allowed);
       }
     }
   }
   return normal;
 }
 
+/// The same boundary twice, wherever it begins and however it runs.
+bool sameCorners(Corners a, Corners b) {
+  const auto before = [](const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  };
+  std::sort(a.begin(), a.end(), before);
+  std::sort(b.begin(), b.end(), before);
+  return a == b;
+}
+
 Failure crossing(const Region& region, const Frame& frame, const geometry::Meeting& m) {
+  if (m.polygon != m.otherPolygon &&
+      sameCorners(region.loops[m.polygon], region.loops[m.otherPolygon])) {
+    return fail(diag::RegionTwice, m.polygon + 1, m.otherPolygon + 1,
+                textOf(region.loops[m.polygon].front()));
+  }
   return fail(diag::RegionCrosses, m.edge + 1, m.polygon + 1, m.otherEdge + 1, m.otherPolygon + 1,
               textOf(frame.inSpace(m.place)))
       .note(fmt::format("the region has {} boundaries, counted in the order of the text",
@@ -180,6 +222,11 @@ Region Region::of(std::span<const double> canon) {
 
 Result<Region> regionOf(std::vector<Boundary> boundaries) {
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    for (const Vec3& corner : boundaries[i].corners) {
+      if (!(corner.cwiseAbs().maxCoeff() <= tolerance::farthestCorner)) {
+        return fail(diag::RegionFar, textOf(corner), tolerance::farthestCorner);
+      }
+    }
     dropRepeats(boundaries[i].corners);
     if (boundaries[i].corners.size() < 3) {
       return fail(diag::RegionCorners, i + 1, boundaries[i].corners.size());
@@ -200,8 +247,9 @@ Result<Region> regionOf(std::vector<Boundary> boundaries) {
   if (const auto meeting = geometry::firstMeeting(flat.outline.loops, touch)) {
     return crossing(region, flat.frame, *meeting);
   }
+  const std::vector<std::size_t> depths = geometry::nestingDepths(flat.outline.loops);
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
-    const std::size_t depth = depthOf(flat.outline, i);
+    const std::size_t depth = depths[i];
     if (auto failure = objectionToRole(boundaries[i].role, i + 1, depth)) {
       return *std::move(failure);
     }

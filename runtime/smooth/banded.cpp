@@ -70,7 +70,8 @@ void BandedSystem::factorBand() {
 template <class Row>
 void BandedSystem::solveBand(std::vector<Row>& x) const {
   for (std::size_t i = 0; i < inner_; ++i) {
-    for (std::size_t k = 1; k <= std::min(band, i); ++k) {
+    // The row before last: nothing waits for it but this.
+    for (std::size_t k = std::min(band, i); k > 0; --k) {
       x[i] -= factor_[i - k][k] * x[i - k];
     }
   }

@@ -1,5 +1,6 @@
 #include "runtime/smooth/smooth.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ir/diag/spline.h"
@@ -13,7 +14,10 @@ namespace {
 /// Halvings of each knot interval when the deviation is certified.
 constexpr int certificateHalvings = 2;
 /// Pieces of each knot interval in the time law.
-constexpr int samplesOfASpan = 6;
+constexpr int samplesOfASpan = 4;
+/// A long path is timed in parts of so many knot intervals: its plan would take a kilobyte for
+/// each.
+constexpr std::size_t timedSpans = 4096;
 }  // namespace
 
 Smoothed guarded(const spline::CubicSpline& original,
@@ -52,11 +56,16 @@ Result<Smoothed> smooth(const spline::CubicSpline& curve, const Options& options
 }
 
 double machiningTime(const spline::CubicSpline& curve, const timing::Limits& limits) {
-  timing::SpeedLimits path;
-  path.freeEnds = true;
-  timing::appendCurve(path, curve, samplesOfASpan, limits.velocity, limits.acceleration);
-  path.corners.push_back(limits.velocity);
-  return timing::Plan(std::move(path), limits).duration();
+  double time = 0.0;
+  for (std::size_t first = 0; first < curve.spans(); first += timedSpans) {
+    timing::SpeedLimits path;
+    path.freeEnds = true;
+    timing::appendSpans(path, curve, first, std::min(timedSpans, curve.spans() - first),
+                        samplesOfASpan, limits.velocity, limits.acceleration);
+    path.corners.push_back(limits.velocity);
+    time += timing::Plan(std::move(path), limits).duration();
+  }
+  return time;
 }
 
 }  // namespace arelem::smooth

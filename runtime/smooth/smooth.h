@@ -10,7 +10,8 @@ namespace arelem::smooth {
 enum class Method : std::uint8_t {
   source,  ///< the algorithm of Naseath, chapter 3
   tube,    ///< least curvature inside the tube by convex problems: the largest one falls most
-  time     ///< the one of two such paths, of few and of many control points, that takes less time
+  time     ///< such paths of more and more control points where the curvature limits the speed:
+           ///< the one that takes the least time
 };
 
 struct Options {
@@ -33,11 +34,11 @@ struct Smoothed {
   int iterations = 0;
 };
 
-/// The control points move; the knots stay, and `tube` and `time` add one in the middle of each
-/// interval first, `time` perhaps twice. Linear in the number of control points: long paths are
-/// solved in windows. Every point of the new curve is within the tolerance of the point of the
-/// given curve at the same parameter, certified by the Bezier points of the difference. Errors: a
-/// tolerance or accuracy that is not positive, precision below 1.
+/// The control points move; the knots stay, and `tube` adds one in the middle of each interval
+/// first, `time` up to three times where the curve is too sharp for the feed. Linear in the number
+/// of control points: long paths are solved in windows. Every point of the new curve is within the
+/// tolerance of the point of the given curve at the same parameter, certified by the Bezier points
+/// of the difference. Errors: a tolerance or accuracy that is not positive, precision below 1.
 [[nodiscard]] Result<Smoothed> smooth(const spline::CubicSpline& curve, const Options& options);
 
 /// Moves the control points back towards those of `original`, all by one factor, until the
@@ -50,7 +51,8 @@ struct Smoothed {
 [[nodiscard]] Smoothed tubeMethod(const spline::CubicSpline& curve, const Options& options);
 [[nodiscard]] Smoothed timeMethod(const spline::CubicSpline& curve, const Options& options);
 
-/// Time of a machine along a curve that it enters and leaves at the speed that the curve allows.
+/// Time of a machine along a curve that it enters and leaves at the speed that the curve allows; a
+/// long path in parts that are each timed so.
 [[nodiscard]] double machiningTime(const spline::CubicSpline& curve, const timing::Limits& limits);
 
 }  // namespace arelem::smooth

@@ -27,6 +27,8 @@ constexpr double overRelaxation = 1.6;
 /// Held control points are stiffer than the others by this.
 constexpr double stiffness = 1e6;
 constexpr std::size_t heldPoints = 3;
+/// No control point is moved by more than this, in radii of the tube.
+constexpr double farthest = 3.0;
 /// Halvings of a piece of the difference spline where its hull is measured.
 constexpr int halvings = 1;
 
@@ -102,6 +104,12 @@ void Tube::prepare() {
     widths_.push_back(knots[span + 1] - knots[span]);
     bounds_.push_back({w[0], i});
     bounds_.push_back({rowOf(w, {0.125, 0.375, 0.375, 0.125}), i});
+    for (const double s : samplePlaces) {
+      Station& one = stations_.emplace_back();
+      one.first = rowOf(w, firstDerivative(s, widths_.back()));
+      one.second = rowOf(w, secondDerivative(s, widths_.back()));
+      one.leastSquare = leastVelocity(i, one).squaredNorm();
+    }
   }
   if (stretch_.isRing) {
     return;
@@ -193,38 +201,41 @@ void Tube::takeSamples() {
     for (std::size_t k = 0; k < 4; ++k) {
       points[k] = given(i + k) + shift_[local(i + k)];
     }
-    const double h = widths_[i];
-    for (const double s : samplePlaces) {
-      const Row first = rowOf(weights_[i], firstDerivative(s, h));
-      Row second = rowOf(weights_[i], secondDerivative(s, h));
+    for (std::size_t j = 0; j < samplePlaces.size(); ++j) {
+      const Station& station = stations_[i * samplePlaces.size() + j];
       Vec3 velocity = Vec3::Zero();
-      Vec3 givenVelocity = Vec3::Zero();
       Vec3 bend = Vec3::Zero();
-      for (std::size_t k = 1; k < 4; ++k) {  // the rows sum to 0
-        velocity += first[k] * (points[k] - points[0]);
-        givenVelocity += first[k] * (given(i + k) - given(i));
-        bend += second[k] * (points[k] - points[0]);
+      for (std::size_t k = 1; k < 4; ++k) {
+        velocity += station.first[k] * (points[k] - points[0]);
+        bend += station.second[k] * (points[k] - points[0]);
       }
-      const double least = leastSpeedShare * leastSpeedShare * givenVelocity.squaredNorm();
       const double square = std::max(velocity.squaredNorm(),
                                      tolerance::smoothLeastSpeed * tolerance::smoothLeastSpeed);
       const double along = velocity.dot(bend) / square;
-      for (std::size_t k = 0; k < 4; ++k) {
-        second[k] = (second[k] - along * first[k]) / square;
-      }
       Sample& one = samples_.emplace_back();
       one.from = i;
-      one.first = first;
-      one.curvature = second;
+      one.first = station.first;
+      for (std::size_t k = 0; k < 4; ++k) {
+        one.curvature[k] = (station.second[k] - along * station.first[k]) / square;
+      }
       one.now = (bend - along * velocity) / square;
       one.along = velocity / square;
-      one.measure = h * std::sqrt(square) / static_cast<double>(samplePlaces.size());
-      if (velocity.squaredNorm() < least) {
-        one.lag = leastSpeedShare * givenVelocity - velocity;
-        one.hold = speedWeight * one.measure / least;
+      one.measure = widths_[i] * std::sqrt(square) / static_cast<double>(samplePlaces.size());
+      if (velocity.squaredNorm() < station.leastSquare) {
+        one.lag = leastVelocity(i, station) - velocity;
+        one.hold = speedWeight * one.measure / station.leastSquare;
       }
     }
   }
+}
+
+/// The velocity that a sample must not fall short of; the rows sum to 0.
+Vec3 Tube::leastVelocity(std::size_t span, const Station& station) const {
+  Vec3 velocity = Vec3::Zero();
+  for (std::size_t k = 1; k < 4; ++k) {
+    velocity += station.first[k] * (given(span + k) - given(span));
+  }
+  return leastSpeedShare * velocity;
 }
 
 void Tube::addSquare(const Row& row, std::size_t from, double factor) {
@@ -262,31 +273,43 @@ void Tube::reweigh(double exponent) {
 void Tube::gather() {
   system_.clear();
   gradient_.assign(size_, Vec3::Zero());
-  for (const Sample& sample : samples_) {
-    const double turns = mostTurn / (sample.measure * samplePlaces.size());
-    const double square = std::min(sample.now.squaredNorm(), turns * turns);
-    const double stretch = 4.0 * square * sample.along.squaredNorm();
-    Vec3 bend = sample.now;
-    Vec3 back = 2.0 * square * sample.along;
-    Vec3 up = sample.lag;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3& shift = shift_[local(sample.from + i)];
-      bend -= sample.curvature[i] * shift;
-      back += stretch * sample.first[i] * shift;
-      up += sample.first[i] * shift;
+  for (std::size_t i = 0; i < stretch_.count; ++i) {
+    Eigen::Matrix4d block = Eigen::Matrix4d::Zero();
+    for (std::size_t j = 0; j < samplePlaces.size(); ++j) {
+      gather(samples_[i * samplePlaces.size() + j], block);
     }
-    for (std::size_t i = 0; i < 4; ++i) {
-      gradient_[local(sample.from + i)] +=
-          sample.weight * (sample.curvature[i] * bend - sample.first[i] * back) -
-          sample.hold * sample.first[i] * up;
-      for (std::size_t k = i; k < 4; ++k) {
-        system_.add(local(sample.from + i), k - i,
-                    sample.weight * (sample.curvature[i] * sample.curvature[k] +
-                                     stretch * sample.first[i] * sample.first[k]) +
-                        sample.hold * sample.first[i] * sample.first[k]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t m = k; m < 4; ++m) {
+        system_.add(local(i + k), m - k,
+                    block(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(k)));
       }
     }
   }
+}
+
+void Tube::gather(const Sample& sample, Eigen::Matrix4d& block) {
+  using Column = Eigen::Map<const Eigen::Vector4d>;
+  const double turns = mostTurn / (sample.measure * samplePlaces.size());
+  const double square = std::min(sample.now.squaredNorm(), turns * turns);
+  const double stretch = 4.0 * square * sample.along.squaredNorm();
+  Vec3 bend = sample.now;
+  Vec3 back = 2.0 * square * sample.along;
+  Vec3 up = sample.lag;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3& shift = shift_[local(sample.from + i)];
+    bend -= sample.curvature[i] * shift;
+    back += stretch * sample.first[i] * shift;
+    up += sample.first[i] * shift;
+  }
+  const Vec3 push = sample.weight * back + sample.hold * up;
+  for (std::size_t i = 0; i < 4; ++i) {
+    gradient_[local(sample.from + i)] +=
+        sample.weight * sample.curvature[i] * bend - sample.first[i] * push;
+  }
+  const Column curvature(sample.curvature.data());
+  const Column first(sample.first.data());
+  block += sample.weight * curvature * curvature.transpose() +
+           (sample.weight * stretch + sample.hold) * first * first.transpose();
 }
 
 /// Each bound pulls with a share of the stiffness of its control points.
@@ -330,8 +353,9 @@ void Tube::turn() {
   for (Bound& bound : bounds_) {
     const Vec3 at = overRelaxation * combined(bound.weights, bound.from, shift_) +
                     (1.0 - overRelaxation) * bound.split + bound.dual;
-    const double length = at.norm();
-    bound.split = length > bound.radius ? Vec3(bound.radius / length * at) : at;
+    const double square = at.squaredNorm();
+    const bool isInside = square <= bound.radius * bound.radius;
+    bound.split = isInside ? at : Vec3(bound.radius / std::sqrt(square) * at);
     bound.dual = at - bound.split;
   }
 }
@@ -346,6 +370,14 @@ void Tube::round(double exponent, double pull, int turns) {
   system_.factor();
   for (int i = 0; i < turns; ++i) {
     turn();
+  }
+  // Where the curve has loops the problem about it may lead far away: that is no way to go.
+  const double most = farthest * radius_;
+  for (Vec3& shift : shift_) {
+    const double length = shift.norm();
+    if (!(length <= most)) {
+      shift = std::isfinite(length) ? Vec3(most / length * shift) : Vec3(Vec3::Zero());
+    }
   }
   for (std::size_t k = 0; k < held_.size(); ++k) {
     shift_[held_[k]] = target_[k];

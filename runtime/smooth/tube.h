@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Dense>
+
 #include "runtime/smooth/banded.h"
 #include "runtime/spline/cubic.h"
 
@@ -51,6 +53,11 @@ class Tube {
     Vec3 split = Vec3::Zero();  ///< the copy of the place inside its ball
     Vec3 dual = Vec3::Zero();   ///< scaled multiplier
   };
+  /// What a sample has of the given curve.
+  struct Station {
+    Row first, second;   ///< derivatives by the parameter, by the control points
+    double leastSquare;  ///< of the speed |p'|
+  };
   struct Sample {
     std::size_t from = 0;
     Row curvature{};            ///< k by the control points, speed and its change as they are
@@ -75,6 +82,8 @@ class Tube {
   void takeSamples();
   void reweigh(double exponent);
   void gather();
+  void gather(const Sample& sample, Eigen::Matrix4d& block);
+  [[nodiscard]] Vec3 leastVelocity(std::size_t span, const Station& station) const;
   void addSquare(const Row& row, std::size_t from, double factor);
   void penalize(double pull);
   void hold();
@@ -89,6 +98,7 @@ class Tube {
   BandedSystem system_;
   std::vector<spline::CubicSpline::Weights> weights_;
   std::vector<double> widths_;
+  std::vector<Station> stations_;
   std::vector<Bound> bounds_;
   std::vector<Sample> samples_;
   std::vector<double> weightLogs_;  // of the samples

@@ -1,11 +1,10 @@
-// Smooth paths by the tube of tube.h: the whole path at once, or windows along a long one.
+// Smooth paths by the tube of tube.h: of the least largest curvature, and of the least time.
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <vector>
 
-#include "ir/space/tolerance.h"
 #include "runtime/smooth/smooth.h"
-#include "runtime/smooth/tube.h"
+#include "runtime/smooth/tube_solver.h"
 
 namespace arelem::smooth {
 
@@ -13,135 +12,40 @@ namespace {
 
 using spline::CubicSpline;
 
-constexpr int rounds = 8;
-constexpr int turnsOfARound = 8;
-/// How strongly the bounds pull in the first and in the last round.
-constexpr double firstPull = 0.03;
-constexpr double lastPull = 3.0;
-/// Exponent of the weights: 0 is least squares, larger ones approach the least maximum.
-constexpr double exponent = 2.0;
-/// A long path is solved in windows of so many knot intervals, each with a look at so many more,
-/// which are solved again with the next one. What is farther away has no influence that counts.
-constexpr std::size_t windowSpans = 512;
-constexpr std::size_t aheadSpans = 64;
-/// Turns of the control polygon beyond a right angle are opened before the first round: about a
-/// hairpin the problem is far from convex. The legs are moved apart by this share of the tolerance,
-/// the next points by less.
-constexpr double sharpCosine = 0.0;
-constexpr std::array opening = {0.9, 0.9, 0.6, 0.3};
+constexpr Schedule leastCurvature{2.0, 8, 8};
+/// From the path of a few control points to those of more, each begun where the one before ended.
+constexpr std::array leastTime = {Schedule{0.5, 6, 6}, Schedule{2.0, 6, 6}, Schedule{5.0, 6, 8}};
 /// Samples of each knot interval when curves are compared.
 constexpr int samplesOfASpan = 6;
+/// Where a curve is too sharp for the feed, so many knot intervals on each side are refined with
+/// it.
+constexpr std::size_t besideSharp = 2;
 
-/// Displacements that lead out of hairpins: what comes into a sharp turn goes to one side, what
-/// leaves it to the other.
-std::vector<Vec3> opened(const CubicSpline& curve, double radius) {
-  const std::vector<Vec3>& control = curve.control();
-  const std::size_t m = control.size();
-  std::vector<Vec3> shift(m, Vec3::Zero());
-  for (std::size_t i = curve.closed() ? 0 : 1; i + (curve.closed() ? 0 : 1) < m; ++i) {
-    const Vec3 in = (control[i] - control[(i + m - 1) % m]).normalized();
-    const Vec3 out = (control[(i + 1) % m] - control[i]).normalized();
-    const Vec3 across = in + out;
-    if (in.dot(out) > sharpCosine || !(across.norm() > tolerance::nullDirection)) {
+/// The knot intervals whose curvature does not allow the feed, and those beside them.
+std::vector<bool> sharpSpans(const CubicSpline& curve, const timing::Limits& limits) {
+  const double allowed = limits.acceleration / (limits.velocity * limits.velocity);
+  const std::size_t spans = curve.spans();
+  std::vector<bool> marked(spans, false);
+  for (std::size_t i = 0; i < spans; ++i) {
+    const spline::Bezier piece = curve.piece(i);
+    const double most = std::max({piece.curvature(piece.begin), piece.curvature(piece.end),
+                                  piece.curvature(0.5 * (piece.begin + piece.end))});
+    if (most <= allowed) {
       continue;
     }
-    for (std::size_t k = 0; k < opening.size(); ++k) {
-      const Vec3 step = opening[k] * radius * across.normalized();
-      if (curve.closed() || i > k + 1) {
-        shift[(i + m - k - 1) % m] -= step;
-      }
-      if (curve.closed() || i + k + 2 < m) {
-        shift[(i + k + 1) % m] += step;
+    // A closed curve goes on at its other end; an open one does not.
+    for (std::size_t k = 0; k <= 2 * besideSharp; ++k) {
+      const std::size_t at = i + spans + k - besideSharp;
+      if (curve.closed() || (at >= spans && at < 2 * spans)) {
+        marked[at % spans] = true;
       }
     }
   }
-  for (Vec3& one : shift) {
-    one *= std::min(1.0, radius / std::max(one.norm(), tolerance::coincidence));
-  }
-  return shift;
+  return marked;
 }
 
-class Solver {
- public:
-  Solver(const CubicSpline& original, const Options& options)
-      : original_(original),
-        options_(options),
-        opened_(opened(original, options.tolerance)),
-        shift_(opened_) {}
-
-  CubicSpline run() {
-    const std::size_t spans = original_.spans();
-    if (spans <= windowSpans + 2 * aheadSpans) {
-      solve({0, spans, original_.closed(), options_.fixedEnds, options_.fixedEnds});
-    } else if (original_.closed()) {
-      // The seam is nothing special: the first window begins before it, the last one ends at it.
-      solve({spans - aheadSpans, windowSpans + 2 * aheadSpans, false, false, false});
-      slide(windowSpans, true);
-    } else {
-      solve({0, windowSpans + aheadSpans, false, options_.fixedEnds, false});
-      slide(windowSpans, options_.fixedEnds);
-    }
-    std::vector<Vec3> control = original_.control();
-    for (std::size_t i = 0; i < control.size(); ++i) {
-      control[i] += shift_[i];
-    }
-    return original_.withControl(std::move(control));
-  }
-
- private:
-  [[nodiscard]] bool interrupted() const {
-    return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
-  }
-
-  /// Windows from a knot interval on; each keeps what the one before left at its start.
-  void slide(std::size_t first, bool holdsEnd) {
-    const std::size_t spans = original_.spans();
-    while (!interrupted()) {
-      const std::size_t left = spans - first;
-      if (left <= windowSpans + aheadSpans) {
-        return solve({first, left, false, true, holdsEnd});
-      }
-      solve({first, windowSpans + aheadSpans, false, true, false});
-      first += windowSpans;
-    }
-  }
-
-  /// What windows saw ahead fades out from the join on, so that the next one begins without a jump.
-  static double faded(std::size_t fromEnd) {
-    const std::size_t held = BandedSystem::band;
-    const std::size_t away = fromEnd < held ? 0 : fromEnd - held + 1;
-    return 1.0 - static_cast<double>(std::min(away, aheadSpans)) / aheadSpans;
-  }
-
-  void solve(const Stretch& stretch) {
-    Tube tube(original_, stretch, options_.tolerance);
-    const std::size_t size = shift_.size();
-    std::vector<Vec3> given(tube.size());
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      const std::size_t at = (stretch.first + i) % size;
-      given[i] =
-          opened_[at] + faded(std::min(i, given.size() - 1 - i)) * (shift_[at] - opened_[at]);
-    }
-    tube.start(std::move(given));
-    for (int i = 0; i < rounds && !interrupted(); ++i) {
-      const double share = static_cast<double>(i) / (rounds - 1);
-      tube.round(exponent, firstPull * std::pow(lastPull / firstPull, share), turnsOfARound);
-    }
-    for (std::size_t i = 0; i < tube.shift().size(); ++i) {
-      shift_[(stretch.first + i) % size] = tube.shift()[i];
-    }
-  }
-
-  const CubicSpline& original_;
-  const Options& options_;
-  std::vector<Vec3> opened_;  // where the rounds start from
-  std::vector<Vec3> shift_;
-};
-
-Smoothed solved(const CubicSpline& original, const Options& options) {
-  Smoothed result = guarded(original, Solver(original, options).run(), options.tolerance);
-  result.iterations = rounds * turnsOfARound;
-  return result;
+bool interrupted(const Options& options) {
+  return options.interrupted != nullptr && options.interrupted->load(std::memory_order_relaxed);
 }
 
 }  // namespace
@@ -149,25 +53,43 @@ Smoothed solved(const CubicSpline& original, const Options& options) {
 Smoothed tubeMethod(const CubicSpline& curve, const Options& options) {
   // Twice the control points: room to bend later and less.
   const CubicSpline original = curve.refined();
-  Smoothed now = solved(original, options);
+  const std::vector<Vec3> shift =
+      displaced(original, opened(original, options.tolerance), leastCurvature, options);
+  Smoothed now = guarded(original, shifted(original, shift), options.tolerance);
+  now.iterations = leastCurvature.rounds * leastCurvature.turns;
   const bool isBetter = curvatureFigures(now.curve, samplesOfASpan).most <
                         curvatureFigures(original, samplesOfASpan).most;
   return isBetter ? std::move(now) : Smoothed{original, 0.0, now.iterations};
 }
 
 Smoothed timeMethod(const CubicSpline& curve, const Options& options) {
-  const CubicSpline once = curve.refined();
-  const CubicSpline twice = once.refined();
-  Smoothed best{once, 0.0, 0};
-  double least = machiningTime(once, options.limits);
-  for (const CubicSpline* original : {&once, &twice}) {
-    Smoothed now = solved(*original, options);
-    const double time = machiningTime(now.curve, options.limits);
+  Smoothed best{curve, 0.0, 0};
+  double least = machiningTime(curve, options.limits);
+  CubicSpline original = curve;
+  CubicSpline now = curve;
+  std::vector<Vec3> shift(curve.control().size(), Vec3::Zero());
+  int iterations = 0;
+  for (const Schedule& schedule : leastTime) {
+    const std::vector<bool> sharp = sharpSpans(now, options.limits);
+    const bool isFirst = iterations == 0;
+    if (interrupted(options) || (!isFirst && std::ranges::find(sharp, true) == sharp.end())) {
+      break;
+    }
+    // The difference of two curves takes more knots as they do.
+    shift = original.withControl(std::move(shift)).refined(sharp).control();
+    original = original.refined(sharp);
+    shift = displaced(original, isFirst ? opened(original, options.tolerance) : shift, schedule,
+                      options);
+    Smoothed moved = guarded(original, shifted(original, shift), options.tolerance);
+    iterations += schedule.rounds * schedule.turns;
+    now = moved.curve;
+    const double time = machiningTime(now, options.limits);
     if (time < least) {
       least = time;
-      best = std::move(now);
+      best = std::move(moved);
     }
   }
+  best.iterations = iterations;
   return best;
 }
 

@@ -23,11 +23,12 @@ struct Fitted {
 
 class LeastSquares {
  public:
-  LeastSquares(std::span<const Vec3> points, const std::vector<double>& places)
-      : points_(points), places_(places) {}
+  LeastSquares(std::span<const Vec3> points, const std::vector<double>& places, bool closed)
+      : points_(points), places_(places), closed_(closed) {}
 
   [[nodiscard]] Result<Fitted> over(const std::vector<double>& knots) const {
-    auto made = CubicSpline::make(std::vector<Vec3>(knots.size() + 2, Vec3::Zero()), knots, false);
+    const std::size_t count = closed_ ? knots.size() - 1 : knots.size() + 2;
+    auto made = CubicSpline::make(std::vector<Vec3>(count, Vec3::Zero()), knots, closed_);
     if (!made) {
       return made.takeFailure();
     }
@@ -43,18 +44,16 @@ class LeastSquares {
       for (; next < points_.size() && (last || places_[next] < knots[span + 1]); ++next) {
         const Eigen::Vector4d b = basis(w, knots[span], knots[span + 1], places_[next]);
         // The ends are not to move: they weigh as much as all other points together.
-        const bool end = next == 0 || next + 1 == points_.size();
+        const bool end = !closed_ && (next == 0 || next + 1 == points_.size());
         const double weight = end ? 1e6 : 1.0;
         block += weight * b * b.transpose();
         for (Eigen::Index i = 0; i < 4; ++i) {
-          right.row(static_cast<Eigen::Index>(span) + i) +=
-              weight * b(i) * points_[next].transpose();
+          right.row(column(frame, span, i)) += weight * b(i) * points_[next].transpose();
         }
       }
       for (Eigen::Index i = 0; i < 4; ++i) {
         for (Eigen::Index k = 0; k < 4; ++k) {
-          entries.emplace_back(static_cast<Eigen::Index>(span) + i,
-                               static_cast<Eigen::Index>(span) + k,
+          entries.emplace_back(column(frame, span, i), column(frame, span, k),
                                block(i, k) + (i == k ? tolerance::splineFitStiffness : 0.0));
         }
       }
@@ -66,14 +65,19 @@ class LeastSquares {
     for (std::size_t i = 0; i < control.size(); ++i) {
       control[i] = x.row(static_cast<Eigen::Index>(i)).transpose();
     }
-    control.front() = points_.front();
-    control.back() = points_.back();
+    if (!closed_) {
+      control.front() = points_.front();
+      control.back() = points_.back();
+    }
     Fitted fitted{frame.withControl(std::move(control)), std::vector<double>(frame.spans())};
     measure(fitted);
     return fitted;
   }
 
  private:
+  static Eigen::Index column(const CubicSpline& frame, std::size_t span, Eigen::Index i) {
+    return static_cast<Eigen::Index>(frame.index(span, static_cast<std::size_t>(i)));
+  }
   static Eigen::Vector4d basis(const CubicSpline::Weights& w, double u, double v, double t) {
     const double s = (t - u) / (v - u);
     const double r = 1.0 - s;
@@ -102,24 +106,31 @@ class LeastSquares {
 
   std::span<const Vec3> points_;
   const std::vector<double>& places_;
+  bool closed_;
 };
 
 }  // namespace
 
-Result<CubicSpline> approximate(std::span<const Vec3> points, double tolerance) {
-  if (points.size() < 2) {
-    return fail(diag::SplineTooShort, points.size(), "a path spline through points", 2);
+Result<CubicSpline> approximate(std::span<const Vec3> points, double tolerance, bool closed) {
+  const std::size_t fewest = closed ? 4 : 2;
+  if (points.size() < fewest) {
+    return fail(diag::SplineTooShort, points.size(), "a path spline through points", fewest);
   }
   std::vector<double> places{0.0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double step = (points[i] - points[i - 1]).norm();
+  for (std::size_t i = 1; i < points.size() + (closed ? 1 : 0); ++i) {
+    const double step = (points[i % points.size()] - points[i - 1]).norm();
     if (!(step > tolerance::sameSide)) {
-      return fail(diag::SplinePointsCoincide, i, i + 1, step);
+      return fail(diag::SplinePointsCoincide, i, i % points.size() + 1, step);
     }
     places.push_back(places.back() + step);
   }
-  const LeastSquares system(points, places);
-  std::vector<double> knots{0.0, places.back()};
+  const double length = places.back();
+  places.resize(points.size());
+  const LeastSquares system(points, places, closed);
+  std::vector<double> knots{0.0, length};
+  if (closed) {  // as few as a ring can have
+    knots = {0.0, 0.25 * length, 0.5 * length, 0.75 * length, length};
+  }
   for (;;) {
     Result<Fitted> fitted = system.over(knots);
     if (!fitted) {
@@ -138,7 +149,7 @@ Result<CubicSpline> approximate(std::span<const Vec3> points, double tolerance) 
     if (finer.size() == knots.size()) {
       const double most = *std::max_element(fitted->worst.begin(), fitted->worst.end());
       return most <= tolerance ? Result<CubicSpline>(std::move(fitted->curve))
-                               : interpolate(points, false);
+                               : interpolate(points, closed);
     }
     knots = std::move(finer);
   }

@@ -55,6 +55,8 @@ class CubicSpline {
   [[nodiscard]] Result<CubicSpline> withKnot(double t) const;
   /// The same curve with a knot more in the middle of every span.
   [[nodiscard]] CubicSpline refined() const;
+  /// The same, in the middle of the spans that are marked.
+  [[nodiscard]] CubicSpline refined(const std::vector<bool>& marked) const;
   /// The same knots with other control points.
   [[nodiscard]] CubicSpline withControl(std::vector<Vec3> control) const;
 

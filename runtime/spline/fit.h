@@ -18,8 +18,11 @@ namespace arelem::spline {
                                                  double tolerance,
                                                  bool closed);
 
-/// The open curve of few control points that passes every point within `tolerance` (least squares
-/// over chord lengths; spans that miss are halved until none does). Errors: as above.
-[[nodiscard]] Result<CubicSpline> approximate(std::span<const Vec3> points, double tolerance);
+/// The curve of few control points that passes every point within `tolerance` (least squares over
+/// chord lengths; spans that miss are halved until none does). Open: it begins and ends in the end
+/// points. Closed: the last point is not repeated. Errors: as above.
+[[nodiscard]] Result<CubicSpline> approximate(std::span<const Vec3> points,
+                                              double tolerance,
+                                              bool closed = false);
 
 }  // namespace arelem::spline

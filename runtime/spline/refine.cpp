@@ -102,13 +102,17 @@ Result<CubicSpline> CubicSpline::withKnot(double t) const {
 }
 
 CubicSpline CubicSpline::refined() const {
+  return refined(std::vector<bool>(spans(), true));
+}
+
+CubicSpline CubicSpline::refined(const std::vector<bool>& marked) const {
   const auto distinct = knots();
   std::vector<double> finer;
   finer.reserve(2 * distinct.size());
   for (std::size_t i = 0; i + 1 < distinct.size(); ++i) {
     const double middle = 0.5 * (distinct[i] + distinct[i + 1]);
     finer.push_back(distinct[i]);
-    if (middle > distinct[i] && middle < distinct[i + 1]) {
+    if (marked[i] && middle > distinct[i] && middle < distinct[i + 1]) {
       finer.push_back(middle);
     }
   }

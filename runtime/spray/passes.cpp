@@ -74,6 +74,9 @@ PassPlan planPasses(const Outline& outline, const PassRules& rules) {
                                           ? programHeights(extent, plan.interval, rules)
                                           : heightsOf(extent, plan.interval, rules);
   plan.complete = heights.size() <= mostPasses;
+  if (!plan.complete) {
+    return plan;
+  }
   const SprayedArea sprayed(outline, rules.footprint, rules.sharpest);
   bool toRight = true;
   for (const double height : heights) {

@@ -32,9 +32,9 @@ struct PassPlan {
   std::vector<Pass> passes;
   double interval = 0.0;  ///< s = 2 b (1 - beta), mm
   PathLengths lengths;
-  bool complete = true;  ///< false: more passes than `mostPasses`
+  bool complete = true;  ///< false: more passes than `mostPasses`; then there are none
 };
-inline constexpr std::size_t mostPasses = 100'000;
+inline constexpr std::uint64_t mostPasses = 20'000;  ///< of one statement; lines on a surface too
 
 /// Horizontal passes over an outline from the top down, the first to the right, alternating.
 /// Source: Bartlett 3.2 with the corrections of formulas 1.

@@ -26,7 +26,7 @@ class Planner {
     s.film = job_.film;
     s.priced = job_.prices.has_value();
     for (const auto& step :
-         {&Planner::checkValues, &Planner::chooseOverlap, &Planner::chooseInset, &Planner::layOut,
+         {&Planner::checkValues, &Planner::layOut, &Planner::chooseOverlap, &Planner::chooseInset,
           &Planner::chooseSpeed, &Planner::chooseSize, &Planner::strokes}) {
       if (std::optional<Failure> failure = (this->*step)()) {
         return *std::move(failure);
@@ -39,6 +39,15 @@ class Planner {
   std::optional<Failure> checkValues() {
     if (!(job_.film > 0.0) || !std::isfinite(job_.film)) {
       return fail(diag::SprayValue, "FILM", job_.film, "above 0 mm");
+    }
+    const Prices prices = job_.prices.value_or(Prices{});
+    for (const auto& [name, price] : {std::pair{"k1 of MINCST", prices.time},
+                                      {"k2 of MINCST", prices.material},
+                                      {"k3 of MINCST", prices.overspray},
+                                      {"k4 of MINCST", prices.sprayBy}}) {
+      if (!(price >= 0.0) || !std::isfinite(price)) {
+        return fail(diag::SprayValue, name, price, "at least 0");
+      }
     }
     for (const auto& [name, range] : {std::pair{"HEIGHT", &job_.sizes}, {"ANGLE", &job_.angles}}) {
       if (!*range) {
@@ -73,6 +82,11 @@ class Planner {
     }
     if (!(overlap >= 0.0 && overlap < 1.0)) {
       return fail(diag::SprayValue, "the overlap", overlap, "at least 0 and below 1");
+    }
+    const double over = 1.0 / (1.0 - overlap);
+    if (over > static_cast<double>(mostPasses)) {
+      return fail(diag::SprayPasses, std::ceil(over), "passes over each place", mostPasses)
+          .withHelp("a smaller OVRLAP needs fewer");
     }
     result_.sprayed.uniformity = spray::uniformity(profile_, overlap);
     return std::nullopt;
@@ -238,7 +252,14 @@ class Planner {
     const double angle = s.chosen.degrees * degree;
     const PassPlan plan = planPasses(turned(s.outline, -angle), rulesFor(task_, s.chosen.across));
     if (!plan.complete) {
-      return fail(diag::SprayPasses, mostPasses, s.chosen.across);
+      const Extent extent = extentOf(turned(s.outline, -angle));
+      return fail(diag::SprayPasses,
+                  std::ceil(passesFor(extent.high.y() - extent.low.y(), s.overlap, s.insetRatio,
+                                      s.chosen.across)),
+                  "passes", mostPasses)
+          .withHelp(fmt::format("a larger footprint than {:.6g} mm to each side, or a smaller "
+                                "overlap, needs fewer",
+                                s.chosen.across));
     }
     const Eigen::Rotation2Dd back(angle);
     const auto inSpace = [&](double x, double y) -> Vec3 {

@@ -52,13 +52,13 @@ struct Range {
 [[nodiscard]] std::vector<double> preferredSizes(
     double height, double overlap, double insetRatio, double smallest, double largest);
 
+inline constexpr std::uint64_t mostTrials = 1'000'000;
 /// What a search looks at, at most: no angle makes the work higher than it is wide across corners.
 struct SearchSize {
   std::size_t sizes = 0, angles = 0;
   double trials = 0.0;  ///< with preferred sizes
   double passes = 0.0;  ///< of all trials
 };
-inline constexpr std::uint64_t mostTrials = 1'000'000;
 [[nodiscard]] SearchSize sizeOfSearch(const Task& task,
                                       const Range& sizes,
                                       const Range& angles,

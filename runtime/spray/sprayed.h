@@ -64,6 +64,7 @@ struct Sprayed {
   std::size_t leftOut = 0;     ///< lines too short to be sprayed
   double shortest = HUGE_VAL;  ///< the length of the shortest of them
   double step = 0.0;
+  double past = 0.0;                        ///< how far lines go on beyond the edges
   std::shared_ptr<const Patch> patch;       ///< of a surface that is no mesh, else null
   std::shared_ptr<const MeshSurface> mesh;  ///< of a mesh, else null
 };

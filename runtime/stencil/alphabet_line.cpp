@@ -27,7 +27,8 @@ bool AlphabetLine::begin(std::string_view line) {
 
 void AlphabetLine::wrongAt(std::size_t column, std::string_view what) {
   if (!failure_) {
-    failure_ = fail(diag::AlphabetSyntax, file_, lineNumber_, column, what);
+    failure_ =
+        fail(diag::AlphabetSyntax, file_, std::max<std::size_t>(lineNumber_, 1), column, what);
   }
 }
 

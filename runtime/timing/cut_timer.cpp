@@ -7,6 +7,8 @@
 #include "ir/cl/post_word.h"
 #include "ir/cl/vendor.h"
 #include "ir/diag/spline.h"
+#include "ir/hole/cycle_feed.h"
+#include "ir/hole/steps.h"
 #include "ir/space/smooth_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
@@ -55,7 +57,7 @@ class CutTimer::Path {
       surface_ = surface->surface;
     } else if (const auto* units = std::get_if<cl::Units>(&record.body)) {
       unit_ = millimetersOf(units->unit);
-      feed_.setUnit(unit_);
+      feed_.alter([this](FeedInForce& feed) { feed.setUnit(unit_); });
     } else if (const auto* post = std::get_if<cl::Post>(&record.body);
                post && !clSpline_.take(*post)) {
       if (cl::nameOf(*post) == "MACHLM") {
@@ -87,11 +89,13 @@ class CutTimer::Path {
         return;
       case Word::FEDRAT:
       case Word::SPINDL:
-        feed_.take(post);
+        feed_.alter([&](FeedInForce& feed) { feed.take(post); });
         break;
       case Word::DELAY:
         delay(post);
         break;
+      case Word::CYCLE:
+        return cycle(post);
       case Word::LOADTL:
         ++table_.changes;
         table_.toolChanges += machine_.toolChange;
@@ -108,12 +112,50 @@ class CutTimer::Path {
   void delay(const cl::Post& post) {
     const double value = *firstNumber(post);
     const bool turns = hasOneOf(post, {Word::REV});
-    if (turns && !(feed_.turns() > 0.0)) {
+    if (turns && !(feed_.now().turns() > 0.0)) {
       sink_.accept(at(record_->origin, fail(diag::UntimedStatement, "DELAY",
                                             std::string("REV, and the spindle has no speed"))));
       return;
     }
-    dwell(turns ? value * secondsOfAMinute / feed_.turns() : value);
+    dwell(turns ? value * secondsOfAMinute / feed_.now().turns() : value);
+  }
+
+  void cycle(const cl::Post& post) {
+    auto change = cycles_.read(post);
+    if (!change) {
+      sink_.accept(at(record_->origin, change.takeFailure()));
+      return;
+    }
+    if (*change == hole::Cycles::Change::none) {
+      return;
+    }
+    feed_.endCycle();
+    const hole::Cycle* begun = cycles_.now();
+    if (const auto own = begun != nullptr ? hole::feedOf(*begun) : std::nullopt) {
+      FeedInForce feed = feed_.now();
+      feed.take(*own);
+      feed_.beginCycle(feed);
+    }
+  }
+
+  /// One location of a cycle: over the hole, down and up again along the tool.
+  void drill(const Vec3& end, const Vec3& axis) {
+    const hole::Cycle cycle = hole::cycleFrom(*cycles_.now(), (*at_ - end).dot(axis) / unit_);
+    run_.reset();
+    follower_.reset();
+    rapid_ = true;
+    for (const Vec3& place : hole::wayOver(*at_, end + unit_ * cycle.clearance * axis, axis)) {
+      line(place);
+    }
+    for (const hole::Step& step : hole::timedStepsOf(cycle)) {
+      if (step.kind == hole::Step::Kind::dwell) {
+        dwell(step.seconds);
+        stop();
+        continue;
+      }
+      rapid_ = step.kind == hole::Step::Kind::rapid;
+      line(end + unit_ * step.height * axis);
+    }
   }
 
   void dwell(double seconds) {
@@ -135,7 +177,7 @@ class CutTimer::Path {
 
   /// mm/s of a cutting move; 0 with a report when there is none.
   double cuttingSpeed(double length, const Vec3& to) {
-    const double perMinute = feed_.perMinute(length);
+    const double perMinute = feed_.now().perMinute(length);
     if (!(perMinute > 0.0) && !feedReported_) {
       sink_.accept(at(record_->origin,
                       fail(diag::FeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_)));
@@ -162,7 +204,9 @@ class CutTimer::Path {
     for (std::size_t i = 0; i + stride <= motion.coordinates.size(); i += stride) {
       const Vec3 end = unit_ * Vec3(&motion.coordinates[i]);
       ++table_.moves;
-      if (motion.isArc() && run_ && run_->canon.size() == arcNumbers) {
+      if (cycles_.now() != nullptr) {
+        drill(end, motion.withAxis ? Vec3(&motion.coordinates[i + 3]) : Vec3(Vec3::UnitZ()));
+      } else if (motion.isArc() && run_ && run_->canon.size() == arcNumbers) {
         arc(end, motion.way == cl::Motion::Way::counterclockwise);
       } else if (motion.way == cl::Motion::Way::spline) {
         alongClSpline(end);
@@ -313,7 +357,8 @@ class CutTimer::Path {
   std::vector<Kind> kinds_;
   TimeTable table_;
   double unit_ = 1.0;  // mm
-  FeedInForce feed_;
+  hole::CycleFeed<FeedInForce> feed_;
+  hole::Cycles cycles_;
   bool rapid_ = false;
   bool rapidBefore_ = false;
   bool feedReported_ = false;

@@ -27,8 +27,9 @@ struct TimeTable {
 
 /// Finds the time of a CL path: lines, arcs (points behind a CIRCLE or CYLNDR record) and path
 /// splines, with the speed of every place limited by feed, curvature, corners and the machine. The
-/// tool stops between rapid and cutting moves, at dwells, stops and tool changes. Turning axes of a
-/// machine are not looked at: the time is that of the tool end.
+/// tool stops between rapid and cutting moves, at dwells, stops and tool changes. A location under
+/// a CYCLE is a hole: there, down, peck by peck, and up again, all of them pieces of one move.
+/// Turning axes of a machine are not looked at: the time is that of the tool end.
 class CutTimer : public cl::RecordSink {
  public:
   CutTimer(const Machine& machine, DiagnosticSink& sink);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "ir/space/smooth_tolerance.h"
@@ -40,7 +41,7 @@ class NodeChooser {
         count_(path.lengths.size()),
         marks_(count_ + 1),
         speed_(count_ + 1, 0.0),
-        after_(count_ + 1) {}
+        slots_(count_ + 1, 0) {}
 
   std::vector<Plan::Interval> run() {
     marks_.insert(0);
@@ -96,12 +97,20 @@ class NodeChooser {
     return all;
   }
 
+  /// The interval that begins at a node.
+  [[nodiscard]] Plan::Interval& after(std::size_t node) {
+    if (slots_[node] == 0) {
+      intervals_.emplace_back();
+      slots_[node] = static_cast<std::uint32_t>(intervals_.size());
+    }
+    return intervals_[slots_[node] - 1];
+  }
+
   void connect(std::size_t i, std::size_t j, double most) {
-    after_[i] =
-        intervalOf(places_[i], places_[j] - places_[i], speed_[i], speed_[j], most, limits_);
+    after(i) = intervalOf(places_[i], places_[j] - places_[i], speed_[i], speed_[j], most, limits_);
   }
   void cutPeak(std::size_t i, std::size_t j, double speed) {
-    connect(i, j, std::min(after_[i].mostSpeed, speed));
+    connect(i, j, std::min(after(i).mostSpeed, speed));
   }
 
   /// Sets a node at `corner`; false when a faster neighbor could not be reached from it.
@@ -123,7 +132,7 @@ class NodeChooser {
         return false;
       }
     }
-    const double most = after_[i].mostSpeed;
+    const double most = after(i).mostSpeed;
     marks_.insert(corner);
     speed_[corner] = speed;
     for (const std::size_t neighbor : {i, j}) {
@@ -143,8 +152,7 @@ class NodeChooser {
     const std::size_t i = marks_.before(corner);
     const double x = places_[corner] - places_[i];
     const double limit = path_.corners[corner];
-    if (after_[i].mostBetween(x, x) > limit * (1.0 + tolerance::planSlack) &&
-        !insert(corner, limit)) {
+    if (after(i).exceeds(limit * (1.0 + tolerance::planSlack), x, x) && !insert(corner, limit)) {
       cutPeak(i, marks_.after(corner), limit);
     }
   }
@@ -161,11 +169,11 @@ class NodeChooser {
     const double allowed = limit * (1.0 + tolerance::planSlack);
     const double a = places_[k] - places_[i];
     const double b = places_[k + 1] - places_[i];
-    if (after_[i].mostBetween(a, b) <= allowed) {
+    if (!after(i).exceeds(allowed, a, b)) {
       return;
     }
-    const bool startHigh = k != i && after_[i].mostBetween(a, a) > allowed;
-    const bool endHigh = k + 1 != j && after_[i].mostBetween(b, b) > allowed;
+    const bool startHigh = k != i && after(i).exceeds(allowed, a, a);
+    const bool endHigh = k + 1 != j && after(i).exceeds(allowed, b, b);
     bool done = (startHigh || endHigh);
     if (startHigh) {
       done = insert(k, limit) && done;
@@ -192,9 +200,9 @@ class NodeChooser {
     double time = 0.0;
     for (std::size_t i = 0; i < count_;) {
       const std::size_t j = marks_.after(i);
-      after_[i].start = time;
-      time += after_[i].duration();
-      all.push_back(after_[i]);
+      after(i).start = time;
+      time += after(i).duration();
+      all.push_back(after(i));
       i = j;
     }
     return all;
@@ -219,7 +227,7 @@ class NodeChooser {
   }
 
   bool lower(std::size_t i, std::size_t j, double a, double b, double limit) {
-    if (after_[i].mostBetween(a, b) <= limit * (1.0 + 2.0 * tolerance::planSlack)) {
+    if (!after(i).exceeds(limit * (1.0 + 2.0 * tolerance::planSlack), a, b)) {
       return false;
     }
     speed_[i] = std::min(speed_[i], limit);
@@ -237,9 +245,9 @@ class NodeChooser {
     for (std::size_t j = count_; j > 0;) {
       const std::size_t i = marks_.before(j);
       fit(j, i);
-      connect(i, j, after_[i].mostSpeed);
+      connect(i, j, after(i).mostSpeed);
       if (j != count_) {
-        connect(j, marks_.after(j), after_[j].mostSpeed);
+        connect(j, marks_.after(j), after(j).mostSpeed);
       }
       j = i;
     }
@@ -251,7 +259,9 @@ class NodeChooser {
   std::size_t count_;
   OrderedMarks marks_;
   std::vector<double> speed_;
-  std::vector<Plan::Interval> after_;
+  // Far fewer nodes than places: an interval is ten times as large as a place.
+  std::vector<std::uint32_t> slots_;  // of the interval behind a node, from 1 on; 0: none
+  std::vector<Plan::Interval> intervals_;
 };
 
 }  // namespace
@@ -275,13 +285,15 @@ Plan::State Plan::Interval::at(double t) const {
   return {place + rise.distance() + cruise + s.place, s.speed, s.acceleration};
 }
 
-double Plan::Interval::mostBetween(double a, double b) const {
-  const double top = rise.distance();
-  const double down = length - fall.distance();
-  if (b >= top && a <= down) {
-    return peak;
+bool Plan::Interval::exceeds(double speed, double a, double b) const {
+  if (peak <= speed) {
+    return false;
   }
-  return b < top ? rise.at(rise.timeAt(b)).speed : fall.at(fall.timeAt(a - down)).speed;
+  const double down = length - fall.distance();
+  if (b < rise.distance()) {
+    return speed < from || rise.placeOf(speed) < b;
+  }
+  return a <= down || speed < to || down + fall.placeOf(speed) > a;
 }
 
 double Plan::Interval::timeAt(double x) const {

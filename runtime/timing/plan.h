@@ -41,8 +41,8 @@ class Plan {
     double cruise = 0.0;  ///< length at the peak
 
     [[nodiscard]] double duration() const;
-    /// Largest speed between two places, measured from the start of the interval.
-    [[nodiscard]] double mostBetween(double a, double b) const;
+    /// Whether a speed is exceeded between two places, measured from the start of the interval.
+    [[nodiscard]] bool exceeds(double speed, double a, double b) const;
     [[nodiscard]] double timeAt(double x) const;
     [[nodiscard]] State at(double t) const;
   };

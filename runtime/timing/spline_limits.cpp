@@ -28,9 +28,20 @@ void appendCurve(SpeedLimits& path,
                  int perSpan,
                  double feed,
                  double acceleration) {
-  double before = curve.curvature(curve.begin());
-  Vec3 last = curve.at(curve.begin());
-  for (std::size_t span = 0; span < curve.spans(); ++span) {
+  appendSpans(path, curve, 0, curve.spans(), perSpan, feed, acceleration);
+}
+
+void appendSpans(SpeedLimits& path,
+                 const spline::CubicSpline& curve,
+                 std::size_t first,
+                 std::size_t count,
+                 int perSpan,
+                 double feed,
+                 double acceleration) {
+  const spline::Bezier start = curve.piece(first);
+  double before = start.curvature(start.begin);
+  Vec3 last = start.at(start.begin);
+  for (std::size_t span = first; span < first + count; ++span) {
     const spline::Bezier piece = curve.piece(span);
     const double step = (piece.end - piece.begin) / perSpan;
     for (int i = 1; i <= perSpan; ++i) {

@@ -11,6 +11,14 @@ void appendCurve(SpeedLimits& path,
                  int perSpan,
                  double feed,
                  double acceleration);
+/// The same for so many knot intervals from one on.
+void appendSpans(SpeedLimits& path,
+                 const spline::CubicSpline& curve,
+                 std::size_t first,
+                 std::size_t count,
+                 int perSpan,
+                 double feed,
+                 double acceleration);
 
 /// Speed on a circle of curvature k under an acceleration towards its center. Source: Naseath, eq.
 /// 3-3.

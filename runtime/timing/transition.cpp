@@ -103,6 +103,19 @@ double Transition::timeAt(double x) const {
   return falls_ ? duration() - risingTime(distance() - x) : risingTime(x);
 }
 
+double Transition::placeOf(double speed) const {
+  const double v = std::clamp(speed, low_, high_);
+  const double a = jerk_ * ramp_;
+  const double flatFrom = low_ + 0.5 * a * ramp_;
+  const double flatTo = high_ - 0.5 * a * ramp_;
+  const double t = v < flatFrom ? std::sqrt(2.0 * (v - low_) / jerk_)
+                   : v > flatTo ? duration() - std::sqrt(2.0 * (high_ - v) / jerk_)
+                   : a > 0.0    ? ramp_ + (v - flatFrom) / a
+                                : 0.0;
+  const double place = rising(t).place;
+  return falls_ ? distance() - place : place;
+}
+
 double changeDistance(double a, double b, const Limits& limits) {
   return Transition(a, b, limits).distance();
 }

@@ -30,6 +30,8 @@ class Transition {
   [[nodiscard]] State at(double t) const;
   /// When the place `x` from the start is passed.
   [[nodiscard]] double timeAt(double x) const;
+  /// Where a speed is passed, from the start of the change; its end nearest to a speed outside.
+  [[nodiscard]] double placeOf(double speed) const;
 
  private:
   [[nodiscard]] State rising(double t) const;

@@ -16,6 +16,7 @@ import tempfile
 import time
 
 import bands
+import page
 import part_program
 import records
 import section_3
@@ -314,6 +315,7 @@ def main():
     parser.add_argument("--arelem", default=str(PROJECT / "build" / "arelem"), type=os.path.abspath)
     parser.add_argument("--only", help="programs whose name contains this")
     parser.add_argument("--table", action="store_true", help="every statement's deviations")
+    parser.add_argument("--write-page", action="store_true", help="write docs/comparison-motion.md anew")
     parser.add_argument("--record-coverage", action="store_true", help="write coverage.tsv anew")
     options = parser.parse_args()
     start = time.time()
@@ -326,6 +328,9 @@ def main():
         record_coverage(outcomes)
         return
     failures = report(outcomes, options.table)
+    for objection in [] if options.only else page.check(outcomes, known_differences(), options.write_page):
+        failures += 1
+        print(objection)
     good = sum(1 for o in outcomes if not any(o["wrong"].values()))
     print(f"\n{len(outcomes)} programs, {good} without any difference, {failures} unexplained differences, "
           f"{time.time() - start:.1f} s")

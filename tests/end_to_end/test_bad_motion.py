@@ -70,6 +70,24 @@ class BadMotion(ArelemCase):
                            "TLON,GOFWD/DS1,ON,X9")
         self.assertIn((fault["code"], fault["legacy"]), (("E0512", "902"), ("E0508", "724")))
 
+    def test_contact_lost_behind_the_end_of_a_tabcyl(self):
+        # The curve is the x axis from 0 to 8 and goes on straight for 80 more; the line y = 9 is never met: the tool of
+        # radius 0.5 runs below the curve, 9 away from it.
+        curve = ("CUTTER/1", "T1=TABCYL/NOZ,SPLINE,(POINT/0,0,0),(POINT/4,0,0),(POINT/8,0,0)", "LN=LINE/0,9,5,9")
+        for first, word in (("-2", "GOFWD"), ("9", "GOBACK")):
+            fault = self.fault(*curve, f"FROM/{first},-3,0", "GO/TO,T1", "INDIRV/1,0,0", f"TLRGT,{word}/T1,TO,LN")
+            self.assertEqual((fault["code"], fault["legacy"]), ("E0545", "902"))
+            x = float(re.search(r"near \((-?[\d.]+),", fault["message"])[1])
+            self.assertTrue(80 <= abs(x) <= 100, fault["message"])
+            self.assertIn("is 80 long", fault["message"])
+            self.assertAlmostEqual(float(re.search(r"was ([\d.]+) from `LN`", fault["message"])[1]), 9, delta=0.001)
+            # What the straight ends are for.
+        self.write("ends.apt", "\n".join(["PARTNO ENDS", *curve, "L9=LINE/50,0,50,5", "FROM/-2,-3,0", "GO/TO,T1", "INDIRV/1,0,0",
+                                          "TLRGT,GOFWD/T1,TO,L9", "FINI", ""]))
+        self.assertExit(0, "compile", "ends.apt", "--to", "json", "-o", "-")
+        last = [json.loads(l) for l in self.out.splitlines() if '"points"' in l][-1]["points"][-1]
+        self.assertAlmostEqual(last[0], 49.5, delta=1e-9)
+
     def test_direction_word_square_to_the_path(self):
         fault = self.fault(*self.LINES, "FROM/0,-3,0", "INDIRV/0,1,0", "GO/TO,L1", "TLRGT,GOFWD/L1,TO,L2")
         self.assertFault(fault, "E0507", "505", 90)

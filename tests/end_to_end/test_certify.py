@@ -2,11 +2,13 @@
 the old system leaves its own tolerance."""
 import json
 import math
+import os
 import pathlib
 import re
+import subprocess
 import unittest
 
-from arelem_run import PROJECT, ArelemCase
+from arelem_run import ARELEM, PROJECT, ArelemCase
 
 CASES = PROJECT / "tests" / "data" / "oracle" / "cases"
 # Programs that arelem does not compute yet.
@@ -104,6 +106,20 @@ class Certify(ArelemCase):
                 self.assertEqual(code, 5 if name in OLD_SYSTEM_VIOLATES else 0, self.err)
                 self.assertTrue(rows or name.startswith("g"))  # g: geometry only
 
+    def test_paths_of_the_old_system_as_plain_text(self):
+        """What any other system may write: locations only, nine decimals, no statement numbers."""
+        for name, path in programs():
+            records = json.loads(path.with_suffix(".json").read_text())["cl"]
+            lines = [f"{'FROM' if r['kind'] == 'FROM' else 'GOTO'} / " + ", ".join(f"{x:.9f}" for x in point)
+                     for r in records if r["type"] == 5000 for point in r["points"]]
+            if not lines:
+                continue
+            with self.subTest(name):
+                self.write("old.cls", "\n".join(["PARTNO OLD", *lines, "FINI", ""]))
+                code, rows = self.rows(path, "old.cls")
+                self.assertEqual(code, 5 if name in OLD_SYSTEM_VIOLATES else 0, self.err)
+                self.assertTrue(rows)
+
     def test_old_ball_on_sphere_is_a_tenth_of_the_band_too_deep(self):
         case = CASES / "d01_sphere_ball.apt"
         code, rows = self.rows(case, case.with_suffix(".json"))
@@ -123,6 +139,24 @@ class Certify(ArelemCase):
         self.assertAlmostEqual(figures["measuredInner"], deepest, delta=2e-5)
         self.assertLessEqual(figures["inner"], deepest + 1e-12)
         self.assertGreaterEqual(figures["outer"], max(math.hypot(p[0], p[2] + 1.0) - 10.0 for p in path) - 1e-12)
+
+    def test_memory_does_not_grow_with_the_cut_vectors(self):
+        """20 and 400 half turns about a cylinder, some 57 000 and 1 150 000 cut vectors; one takes 48 bytes to keep."""
+        program = "PARTNO MANY\n3DCALC\nNUMPTS/9999999\nOUTTOL/.0000005\nCUTTER/1\nDS1=CYLNDR/0,0,0,0,0,1,3\nPS1=PLANE/0,0,1,0\n" \
+                  "X0=PLANE/1,0,0,0\nY0=PLANE/0,1,0,0\nFROM/0,-9,0\nINDIRV/0,1,0\nGO/TO,DS1,TO,PS1,ON,X0\n" \
+                  "TLRGT,GORGT/DS1,ON,{},INTOF,Y0\nFINI\n"
+        peaks = []
+        for turns in (20, 400):
+            self.write("many.apt", program.format(turns))
+            run = subprocess.Popen([ARELEM, "verify", self.folder / "many.apt", "--max-points", "9999999"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+            self.assertGreater(int(run.stdout.read().split(b"GORGT")[1].split()[0]), 2800 * turns)
+            _, status, usage = os.wait4(run.pid, 0)
+            run.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(run.returncode, 0)
+            run.stdout.close()
+            peaks.append(usage.ru_maxrss)
+        self.assertLess(peaks[1], peaks[0] + 8 * 1024, peaks)
 
     def test_pushed_point_is_refuted_at_its_statement(self):
         for shift, code in ((-0.002, "E0904"), (0.004, "E0905")):

@@ -31,7 +31,6 @@ PASSED = {
     "COOLNT/FLOOD,TAPKUL": (["M8"], "COOLNT/TAPKUL"),
     "LOADTL/3,SETOOL,4": (["T3 M6", "G43 H3"], "LOADTL/SETOOL,4"),
     "ROTABL/30": ([], "ROTABL/30"),
-    "CUTCOM/LEFT,3": ([], "CUTCOM/LEFT,3"),
 }
 # Statements that no form fits, and what the error E0670 says of them.
 REFUSED = {
@@ -54,6 +53,14 @@ REFUSED = {
     "LOADTL/2.5": "whole number",
     "LOADTL/2,ADJUST,1.5": "ADJUST takes the whole number",
     "AUXFUN/1000": "one code from 0 to 999",
+    "CUTCOM/LEFT": "no register, and no LOADTL",
+    "CUTCOM/3": "no side",
+    "CUTCOM/ON": "no LEFT or RIGHT came before it",
+    "CUTCOM/LEFT,2.5": "a register is a whole number",
+    "CUTCOM/LEFT,0": "a register is a whole number",
+    "CUTCOM/LEFT,ZXPLAN,2": "`ZXPLAN` has no code",
+    "CUTCOM/LEFT,2\nCUTCOM/RIGHT,2": "CUTCOM/OFF first",
+    "CUTCOM/LEFT,2\nLOADTL/3": "changes tools without it",
 }
 
 

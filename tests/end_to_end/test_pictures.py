@@ -71,6 +71,50 @@ class Pictures(ArelemCase):
                 if one < other:
                     self.assertFalse(a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3], (one, other))
 
+    def test_arrays_are_named_here_and_there(self):
+        self.write("n.apt", "RESERV/P,80\nLOOPST\nI=1\nA)P(I)=POINT/I,I*I/40,0\nI=I+1\nIF(I-80.5)A,A,B\nB)LOOPND\n"
+                            "FROM/0,0,0\nGOTO/80,160,0\nFINI\n")
+        self.assertExit(0, "view", "n.apt", "-o", "n.svg", "--view", "plan")
+        text = (self.folder / "n.svg").read_text()
+        at = [(float(x), float(y)) for x, y in re.findall(r'<text x="([0-9.]+)" y="([0-9.]+)" class="name">P\(', text)]
+        self.assertTrue(4 <= len(at) <= 20, at)
+        self.assertTrue(all(abs(a[0] - b[0]) + abs(a[1] - b[1]) > 40 for a in at for b in at if a < b), at)
+
+    def test_three_views_have_the_path_at_an_angle_beside_them(self):
+        self.assertIn("isometric, not to scale", self.svg("sphere.apt"))
+        self.assertNotIn("isometric", self.svg("six_lines.apt"))
+
+    def test_a_path_that_is_only_a_start_says_so(self):
+        self.write("s.apt", "CUTTER/10\nFROM/1,2,3\nGO/TO,NOPE\nFINI\n")
+        self.assertExit(1, "view", "s.apt", "-o", "s.svg")
+        text = (self.folder / "s.svg").read_text()
+        self.assertIn("no motion could be computed", text)
+        self.assertNotIn(">geometry<", text)
+        self.assertLess(max(float(r) for r in re.findall(r' r="([0-9.]+)" class="tool"', text)), 100)
+
+    def test_lines_at_fault_at_one_place_share_a_mark(self):
+        self.write("f.apt", "FROM/0,0,0\nGOTO/50,0,0\nGOTO/NO1\nGOTO/NO2\nGOTO/0,50,0\nFINI\n")
+        self.assertExit(1, "view", "f.apt", "-o", "f.svg")
+        self.assertIn(">line 3, 4<", (self.folder / "f.svg").read_text())
+
+    def test_far_from_the_origin_the_extents_tell_the_path(self):
+        self.write("f.apt", "FROM/1000000000,0,0\nGOTO/1000000000.01,.01,0\nGOTO/999999999.99,.02,0\nFINI\n")
+        self.assertExit(0, "view", "f.apt", "-o", "f.svg")
+        self.assertIn("X 999999999.99 to 1000000000.01,", (self.folder / "f.svg").read_text())
+
+    def test_the_part_without_tracut(self):
+        self.assertIn("moved by TRACUT", self.svg("school_xing.apt"))
+        text = self.svg("school_xing.apt", "--part")
+        self.assertNotIn("TRACUT", text)
+        self.assertIn("Y 0 to 7320", text)  # XING stands 4880 mm behind the first line, 2440 mm tall
+
+    def test_standard_output(self):
+        for how, begin in (([], b"<svg "), (["--to", "svg"], b"<svg "), (["--to", "png"], b"\x89PNG"),
+                           (["--to", "html"], b"<!DOCTYPE html>")):
+            with open(self.folder / "out", "wb") as out:
+                self.assertExit(0, "view", EXAMPLES / "six_lines.apt", "-o", "-", *how, stdout=out)
+            self.assertTrue((self.folder / "out").read_bytes().startswith(begin), how)
+
     def test_revolved_surfaces_are_drawn(self):
         text = self.svg("sen_revolved.apt")
         self.assertNotIn("not drawn", text)

@@ -170,6 +170,17 @@ class Spray(ArelemCase):
         self.assertIn("16 sizes at 19 angles", self.err)
         self.assertNotIn("other.cls", self.files())
 
+    def test_passes_have_a_limit(self):
+        small = "G2=GUN/ELLIPS,.01,.01,SPEED,500\n"
+        cases = {"R1,GUN,G1,FILM,.05,OVRLAP,.9999999": "1e+07 passes over each place",
+                 "R1,GUN,G2,FILM,.05": "passes are needed; the limit is 20000",
+                 "(SPHERE/0,0,0,300),GUN,G2,FILM,.05,ULINES": "lines are needed; the limit is 20000"}
+        for words, told in cases.items():
+            self.write("part.apt", GUN + small + PLATE + f"SPRAY/{words}\nFINI\n")
+            self.assertExit(4, "compile", "part.apt", "-o", "part.cls")
+            self.assertIn("E0375", self.err)
+            self.assertIn(told, self.err)
+
     def test_nothing_is_written_after_an_error(self):
         self.write("part.apt", GUN + "R1=REGION/(0,0),(9,9),(9,0),(0,9)\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
         self.assertExit(4, "compile", "part.apt", "-o", "part.cls")

@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from arelem_run import ArelemCase
+from arelem_run import PROJECT, ArelemCase
 
 
 class Time(ArelemCase):
@@ -19,6 +19,31 @@ class Time(ArelemCase):
         self.assertAlmostEqual(table["cutting"], 2 * change + (100 - 2 * 50 * change) / 100, places=9)
         self.assertEqual(table["moves"], 1)
         self.assertEqual(table["rapid"], 0)
+
+    def test_every_example(self):
+        """The parts and the statements add up, and nothing is faster than the machine."""
+        for file in sorted((PROJECT / "examples").glob("*.apt")):
+            with self.subTest(file.name):
+                self.assertExit(0, "time", file, "--json", "--statements", "-I", PROJECT / "examples")
+                table = json.loads(self.out)
+                parts = table["cutting"] + table["rapid"] + table["dwell"] + table["toolChanges"]
+                self.assertAlmostEqual(table["total"], parts, places=6)
+                self.assertAlmostEqual(sum(s["seconds"] for s in table["statements"]), table["total"], places=5)
+                self.assertGreaterEqual(table["cutting"], table["cuttingLength"] / 400)
+                self.assertGreaterEqual(table["rapid"], table["rapidLength"] / 400)
+                self.assertGreater(table["cutting"], 0)
+
+    def test_numbers_that_are_none(self):
+        """With nan every comparison is false: a tolerance of it would let anything pass."""
+        self.write("p.apt", "CUTTER/1\nFROM/0,0,0\nFEDRAT/6000\nGOTO/100,0,0\nFINI\n")
+        self.assertExit(0, "compile", "p.apt", "-o", "p.cls")
+        for number in ("nan", "inf", "-1", "x"):
+            for words in (("time", "p.apt", "--deviation"), ("time", "p.apt", "--velocity"), ("time", "p.apt", "--tool-change"),
+                          ("compile", "p.apt", "--fit"), ("diff", "p.cls", "p.cls", "--tolerance"),
+                          ("diff", "p.cls", "p.cls", "--degrees"), ("verify", "p.apt", "--slack"),
+                          ("verify", "p.cls", "--with", "p.apt", "--tolerance"), ("verify", "p.cls", "--with", "p.apt", "--fit")):
+                with self.subTest(words=words, number=number):
+                    self.assertExit(2, *words, number)
 
     def test_rapid_dwell_and_tools(self):
         table = self.seconds("CUTTER/1\nLOADTL/1\nFROM/0,0,0\nRAPID\nGOTO/500,0,0\nDELAY/2\nLOADTL/2\nFINI\n",

@@ -77,22 +77,38 @@ class Tangent(Torture):
                 self.assertPlace(place, (x, -1, 0), 1e-9 if not mode else 0.001 / (half / 4))
 
     def test_line_into_circle_and_circle_into_circle(self):
-        text = "CUTTER/1\nOUTTOL/.001\nL1=LINE/0,0,1,0\nC1=CIRCLE/10,5,5\nC2=CIRCLE/10,15,5\nL2=LINE/0,15,1,15\n" \
+        text = "{mode}CUTTER/1\nOUTTOL/.001\nL1=LINE/0,0,1,0\nC1=CIRCLE/10,5,5\nC2=CIRCLE/10,15,5\nL2=LINE/0,15,1,15\n" \
                "FROM/0,-3,0\nGO/TO,L1\nTLRGT,GORGT/L1,TANTO,C1\nGOFWD/C1,TANTO,C2\n"
-        motions = self.paths(text)
-        self.assertPlace(motions[-2][-1], (10, -0.5, 0), 1e-6)
-        # Outside of C1 the cutter is 0.5 beyond its radius at the place of contact, (10, 10).
-        self.assertPlace(motions[-1][-1], (10.5, 10, 0), 0.6)
+        motions = self.paths(text.format(mode=""))
+        self.assertPlace(motions[-2][-1], (10, -0.5, 0))
+        self.assertPlace(motions[-1][-1], (10, 10.5, 0))  # above (10, 10), where the circles touch
+        motions = self.paths(text.format(mode="3DCALC\n"))
+        x, y, z = motions[-1][-1][:3]
+        self.assertPlace((x, z), (10, 0))
+        self.assertTrue(10.5 <= y <= 10.501, y)  # within the band of C1
+
+    def test_a_tangency_is_the_same_for_every_kind(self):
+        # Surfaces that touch the plane y = 0 in (10, 0) or (10, 0, z): the tool of radius 1 below it ends at (10, -1).
+        k = 3 * math.sqrt(0.5)
+        standing = f"1,0,0,1,0,-1,0,0,10,0,-1,0,3,0,-9,20,{-k!r},0,0,0,0,0,0,0,{k!r},0,0,0,0,0,0,0,{-k!r},0,0,0,0,0,0,0," \
+                   f"{-k!r},0,0,0,0,0,0,0,{k!r},0,0,0,0,0,0,0,{k!r},0,0,0,0,0,0,0,{math.sqrt(0.5)!r}" + ",0" * 14
+        kinds = ("CIRCLE/10,3,3", "CYLNDR/10,3,0,0,0,1,3", "QADRIC/1,1,0,0,0,0,-20,-6,0,100",
+                 "ELLIPS/CENTER,(POINT/10,2,0),5,2,0", "SPHERE/10,3,0,3", "TORUS/10,5,1,0,0,1,3,2", "POLCON/CANON," + standing)
+        for kind in kinds:
+            card = "$\n".join(part + "," for part in kind.split(",")).rstrip(",")
+            text = f"3DCALC\nCUTTER/2\nOUTTOL/.0001\nL1=LINE/0,0,10,0\nCS={card}\nFROM/0,-1,0\nINDIRV/1,0,0\n" \
+                   "TLRGT,GOFWD/L1,TANTO,CS\n"
+            with self.subTest(kind[:6]):
+                self.assertPlace(self.end(text), (10, -1, 0))
 
     def test_sphere_into_its_tangent_plane(self):
-        # PSTAN: the ball of radius 0.5 rolls over the cylinder of radius 5 until it lies on the plane whose normal
-        # leans 30 degrees: its center is then 5.5 from the cylinder's axis in that direction.
+        # PSTAN: the ball of radius 0.5 rolls over the cylinder of radius 5 until it lies on the plane whose normal leans 30
+        # degrees. Its center is then 5.5 from the cylinder's axis in that direction, and the .8 of OUTTOL by which it rests
+        # above the cylinder, a tenth of the band inside its edge.
         text = "INTOL/.0001\nOUTTOL/.0001\nCUTTER/1,.5\nPS1=CYLNDR/0,0,-5,0,1,0,5\n" \
                f"PL1=PLANE/{SIN30!r},0,{COS30!r},{5 - 5 * COS30!r}\nDS1=PLANE/0,1,0,0\nX0=PLANE/1,0,0,0\n" \
                "FROM/0,0,2\nGO/ON,DS1,TO,PS1,ON,X0\nINDIRV/1,0,0\nTLON,GOFWD/DS1,PSTAN,PL1\n"
-        expected = (5.5 * SIN30, 0, 5.5 * COS30 - 5 - 0.5)
-        # Where two surfaces touch the place is known to the root of the band.
-        self.assertPlace(self.end(text), expected, math.sqrt(2 * 5.5 * 2e-4))
+        self.assertPlace(self.end(text), (5.50008 * SIN30, 0, 5.50008 * COS30 - 5 - 0.5))
 
     def test_motion_along_the_crossing_of_nearly_parallel_planes(self):
         # One degree apart: x of the crossing follows from z = 0 and z = (x - 2) tan 1.

@@ -100,7 +100,7 @@ class Verify(ArelemCase):
         lines[at] = "GOTO / 10.0, -0.984808, 0.173648, 0.0, 0.18, 0.983666"
         self.write("r.cls", "\n".join(lines))
         self.assertExit(5, "verify", "p.apt", "r.cls", "--slack", "1e-5")
-        self.assertIn("E0917", self.err)
+        self.assertIn("E0915", self.err)
         self.write("s.cls", text.replace("VTLAXS / ON, LEFT, 0.0, 2.0, 0.0, RIGHT", "VTLAXS / ON, 7", 1))
         self.assertExit(1, "verify", "p.apt", "s.cls")
         self.assertIn("E0492", self.err)

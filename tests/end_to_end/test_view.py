@@ -162,6 +162,65 @@ class Page(ArelemCase):
         self.assertEqual(told[4], 3)
         self.assertEqual(told[5], "")
 
+    def test_what_is_told_of_a_move(self):
+        # GOFWD/BOTTOM goes along y = -6 from x = -6 to x = 106; it and GOLFT/RIGHT1, which runs into an arc, are straight.
+        readout = "document.getElementById('readout').textContent"
+        end = "(line => { const s = window.arelem.scene, k = [...s.line].indexOf(line); return s.first[k + 1] - 1; })"
+        bottom, right = self.steps(EXAMPLES / "profile.apt", {"get": end + "(19)"}, {"get": end + "(20)"})
+        told = self.steps(EXAMPLES / "profile.apt", {"key": "1"}, {"on": [bottom, 0.25], "get": readout},
+                          {"on": [right, 0.5], "get": readout}, {"press": '.row[data-line="2"]', "get": readout})
+        place = re.search(r"at \(([-0-9.]+), -6, -5\) mm\nmove ends at \(106, -6, -5\)", told[1])
+        self.assertTrue(place, told[1])
+        self.assertAlmostEqual(float(place.group(1)), -6 + 112 / 4, delta=0.6)
+        for text in told[1:3]:
+            self.assertRegex(text, r"curvature 0\n")
+        self.assertEqual(told[3], "line 2: no motion")
+
+    def test_without_a_feed_the_way_is_told(self):
+        self.write("u.apt", "UNITS/MM\nFROM/0,0,0\nGOTO/30,40,0\nGOTO/30,40,10\nFINI\n")
+        clock, told = self.steps(self.folder / "u.apt", {"get": "document.getElementById('clock').textContent"},
+                                 {"on": [1, 0.5], "get": "document.getElementById('readout').textContent"})
+        self.assertEqual(clock, "60 mm of 60 mm")
+        self.assertIn("50 mm along the path", told)
+        self.assertNotIn(" s ", told)
+
+    def test_planes_are_shown_where_the_path_is(self):
+        # The path runs along y = 0 from x = 0 to 100; the plane z = 0 is shown as a strip beside it, not as the whole box.
+        self.write("s.apt", "CUTTER/2\nINTOL/.01\nOUTTOL/.01\nL1=LINE/0,-1,1,-1\nL2=LINE/100,0,100,1\nPL1=PLANE/0,0,1,0\n"
+                            "FROM/0,0,60\nGOTO/0,0,0\nPSIS/PL1\nINDIRV/1,0,0\nTLLFT,GOFWD/L1,ON,L2\nGOTO/100,80,60\nFINI\n")
+        told = self.steps(self.folder / "s.apt", {"get":
+            "(m => { const p = m.geometry.attributes.position, y = []; for (let k = 0; k < p.count; ++k) "
+            "y.push(p.getY(k) + window.arelem.stage.center[1]); return [p.count, Math.min(...y), Math.max(...y)]; })"
+            "(window.arelem.stage.layers.surfaces.children.find(m => m.isMesh && m.name === 'PL1'))"})[0]
+        self.assertEqual(told[0], 4)
+        self.assertGreater(told[1], -12)
+        self.assertLess(told[2], 12)
+
+    def test_errors_come_first_with_numbers_that_mean_something(self):
+        self.write("m.apt", "CLPRNT\nUNITS/MM\nFROM/0,0,0\nGOTO/NOPE\nGOTO/10,0,0\nGOTO/NOPE2\nGOTO/NOPE3\nFINI\n")
+        told = self.steps(self.folder / "m.apt", {"get": "[...document.querySelectorAll('.message')].map(m => m.className)"},
+                          {"get": "document.getElementById('messageHead').textContent"})
+        self.assertEqual(told[0], sorted(told[0]), told)  # "message error" before "message warning"
+        self.assertIn("3 errors, 1 warning", told[1])
+
+    def test_holes_are_drilled(self):
+        # Over the hole at the height of 50, down to the clearance of 2, at 30 mm/min to -30, up again; then over to the next.
+        path = self.write("h.apt", "UNITS/MM\nCUTTER/5\nSPINDL/1000,RPM\nFEDRAT/60\nFROM/0,0,50\nRAPID\nCYCLE/DRILL,30,30,MMPM,2\n"
+                                   "GOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\nGOTO/0,0,50\nFINI\n")
+        self.assertExit(0, "time", path)
+        seconds = float(re.search(r"total ([0-9.]+) s", self.out).group(1))
+        total, places, kinds, line = self.steps(
+            path, {"get": "window.arelem.scene.total"}, {"get": "[...window.arelem.scene.places]"},
+            {"get": "[...window.arelem.scene.kinds]"}, {"get": "[...window.arelem.scene.line]"})
+        self.assertAlmostEqual(total, seconds, delta=0.02)
+        self.assertGreater(total, 2 * 32 / 30 * 60)
+        visited = [tuple(places[3 * i:3 * i + 3]) for i in range(len(kinds))]
+        self.assertEqual(visited[:5], [(0, 0, 50), (10, 0, 50), (10, 0, 2), (10, 0, -30), (10, 0, 2)])
+        self.assertEqual(kinds[:5], [0, 1, 1, 2, 1])
+        self.assertIn((20, 0, -30), visited)
+        self.assertEqual(visited[-1], (0, 0, 50))
+        self.assertEqual(line, [5, 8, 9, 11])
+
     def test_section_and_layers(self):
         shown = {"colors": True}
         told = self.steps(EXAMPLES / "profile.apt", {"key": "1"}, {"press": "#layers label:nth-child(2) input"}, shown, {"key": "x"},

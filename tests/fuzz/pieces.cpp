@@ -77,7 +77,8 @@ void inPieces(const std::string& text) {
   CollectingSink messages;
   std::ostringstream tape;
   const auto writer = backend::findTarget("cltape")->make(tape, {}, messages);
-  app::ClStreamEnd end{*writer, messages};
+  app::ClTexts texts;
+  app::ClStreamEnd end{*writer, messages, texts};
   if (app::streamCl(first, path, *dialect, end, never, rules) == app::Streamed::refused) {
     return;
   }

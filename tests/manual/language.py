@@ -36,7 +36,8 @@ CANON = {
     "SPHERE": "x y z of the center, r",
     "TABCYL": "n intervals, k values behind k, the 3 x 3 matrix of the controlling plane, then u v a b length max min an "
               "interval and the last u v; the first and last interval are straight",
-    "POLCON": "jroots, m1 to m12, t, cb, pb, 7 x 8 coefficients, 7 coefficients of the square root",
+    "POLCON": "jroots, m1 to m12, t, cb, pb, then of each of A B C D L H P the coefficients of d^0 to d^7, then of each that of "
+              "the square root of d",
     "RLDSRF": "sub-forms one after another, each with its type code and count",
     "PATERN": "x y z of each point",
     "TORUS": "x y z of the center, unit axis i j k, radius of the center circle, radius of the tube",
@@ -59,6 +60,17 @@ ABOUT = {
            "here. [Spray painting](../spray.md) tells what it is for.",
     "REGION": "What is painted, in one plane. Boundaries close by themselves, must not cross or touch, and lie in each other: "
               "a HOLE in an outline, an ISLAND in a hole or outside. [Spray painting](../spray.md).",
+    "POLCON": "A polyconic: conics in the planes x = cb + pb d, 0 <= d <= 1. The conic of d begins at (y, z) = (L, H) in the "
+              "direction (C, B) and ends at (L + A + C, H + B + D) in the direction (A, D); (L + C, H + B) is where these two tangents meet. "
+              "P says how full it is: its tangent parallel to the chord touches it at P of the way from the first tangent's "
+              "start to its end, as L + A (1 - P) + C P. P lies between 1/2 and 1: at 0.75 there is a parabola, and 0.70710678 between "
+              "perpendicular tangents of the same length is a quarter of a circle. Each of the seven is k0 + k1 d + ... + k7 d^7 + k sqrt(d). "
+              "jroots is 1 without square roots, else 2: then both signs of the root belong to the surface. The matrix (by rows, the shift in every "
+              "fourth place; twelve zeros: none) turns the part into the system of the conics. What the tool meets lies at t from the "
+              "conics, on the side of the normal: the direction of the conic times the direction of growing d. Beyond its ends a conic "
+              "goes on along its tangents, and the functions along theirs. Drive, part and check surface as any other; the cut vectors "
+              "are proven, but for the tip of a nose, where the normal's direction is not bounded. The example is a quarter of the cylinder of "
+              "radius 5 about the x axis.",
     "REVOLV": "A surface of revolution, for SPRAY. Angles count from the curve's own place.",
     "MESH": "Triangles whose normals, by the order of their corners, stand on the positive side. Drive, part and check surface as "
             "any other; each edge belongs to one triangle or two. Cut vectors are proven over all triangles below them. Lengths "
@@ -157,6 +169,31 @@ def words_page(words):
     return "\n".join(text)
 
 
+def post_words_page(tables):
+    """Section 5: what each word for the machine takes, and the code profiles."""
+    text = [GENERATED, "", "# Words for the machine", "",
+            "Each is passed on unchanged to CL text, CL tapes and JSON, wherever it stands. A parameter is a number, a name or an "
+            "expression in parentheses, or one of the words listed; CLEARP and CLRSRF take surfaces, TRACUT, COPY and TRANS matrices. "
+            "Another word is the warning [W0583](../diagnostics/W0583.md), another count of numbers "
+            "[W0584](../diagnostics/W0584.md), and both are passed on: a postprocessor may have its own meaning. In other "
+            "dialects than `cl` a name that is no word is [W0204](../diagnostics/W0204.md).", "",
+            "*Acts*: outputs, times or the reading of places act on it, and `arelem check FILE --words` calls it understood. The others "
+            "are for a postprocessor alone. *Code*: the number on a CL tape; `--codes apt4` and files of your own change it "
+            "([profiles](../cl-files.md#numbers-of-words-on-tapes)).", "",
+            "| word | code | form | numbers | words that it takes | acts | meaning |", "|---|---|---|---|---|---|---|"]
+    for row in sorted(tables["postWords"], key=lambda r: r["word"]):
+        bare = row["form"] == row["word"]
+        count = row["least"] if row["least"] == row["most"] else f"{row['least']} to {row['most']}"
+        words = {"": "none", "*": "any"}.get(row["words"], row["words"])
+        form = row["word"] if bare else row["form"] if row["bare"] else f"{row['word']}/ {row['form']}"
+        form = form.replace("|", "\\|")
+        text.append(f"| {row['word']} | {row['code']} | `{form}` | {count} | {words} | {row['acts'] or 'no'} | {row['meaning']} |")
+    rest = [r["word"] for r in tables["words"] if r["class"].startswith("post") and r["word"] not in {p["word"] for p in tables["postWords"]}]
+    text += ["", "Without parameters, for a postprocessor alone: " + ", ".join(sorted(rest)) + ".", "",
+             "Texts go with PARTNO, PPRINT and INSERT: [statements](statements.md#lx-09)."]
+    return "\n".join(text) + "\n"
+
+
 def dialects_page(tables):
     names = ["auto", "apt360", "apt4", "cl", "native"]
     text = [GENERATED, "", "# Dialects", "",
@@ -186,7 +223,7 @@ def index_page(nouns, tables):
             "of several, `[a]` may be absent, `a ...` stands once or more. Angles are degrees.", "",
             "`arelem language CIRCLE` prints the forms of a type.", "",
             "* [Statements and rules](statements.md): lines, computing, arrays, control, listing, run control",
-            "* [Dialects](dialects.md) · [limits](limits.md) · [words](words.md) · [ambiguities decided](ambiguities.md)", "",
+            "* [Words for the machine](post-words.md): what each takes, and which of them act", "* [Dialects](dialects.md) · [limits](limits.md) · [words](words.md) · [ambiguities decided](ambiguities.md)", "",
             "| type | forms | canonical numbers |", "|---|---|---|"]
     for noun, rows in nouns.items():
         text.append(f"| [{noun}]({noun.lower()}.md) | {len({public(r['id']) for r in rows})} | {CANON[noun]} |")
@@ -202,7 +239,7 @@ def pages(arelem):
         nouns.setdefault(row["noun"], []).append(row)
     result = {"README.md": index_page(nouns, tables), "statements.md": statements_page(arelem, tables["features"]),
               "words.md": words_page(tables["words"]), "dialects.md": dialects_page(tables),
-              "limits.md": limits_page(tables["limits"])}
+              "limits.md": limits_page(tables["limits"]), "post-words.md": post_words_page(tables)}
     for noun, rows in nouns.items():
         result[noun.lower() + ".md"] = noun_page(arelem, noun, rows)
     return result

@@ -9,7 +9,8 @@ For every pair of kinds of part and drive surface, a number of scenes is drawn. 
   and mirrored motion: the same diagnostics, and stops within a share of the tolerance band.
 
 A scene that fails is named, and written to the folder of --found. Every scene has a number: `--only N` runs it again.
-known.tsv lists scenes whose failure waits to be mended, with its cause.
+`--pair PART,DRIVE --count N` runs N scenes of one pair. `--table FILE` adds what was run to the counts of a table.
+known.tsv lists scenes whose failure waits to be mended, with its cause; counts.tsv is the table of scenes run so far.
 """
 import argparse
 import collections
@@ -19,6 +20,8 @@ import math
 import os
 import pathlib
 import random
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -42,14 +45,14 @@ EXPLAINED = {
 }
 # Stops of moved scenes may lie apart by this share of the band over the sine at which they are met.
 SHARE = 0.5
+# Seconds of the processor for one command: other programs may keep the machine busy.
 TIME_LIMIT = 60
-PAIRS = len(surfaces.PARTS) * len(surfaces.DRIVES)
+PAIRS = len(surfaces.PAIRS)
 
 
 class Scene:
     def __init__(self, index, seed):
-        pairs = [(p, d) for p in surfaces.PARTS for d in surfaces.DRIVES]
-        self.pair = pairs[index % len(pairs)]
+        self.pair = surfaces.PAIRS[index % PAIRS]
         r = random.Random(f"{seed}/{index}")
         u = r.uniform
         self.part = surfaces.part(self.pair[0], u)
@@ -108,8 +111,16 @@ def cards(line):
     yield line
 
 
+class Slow(Exception):
+    pass
+
+
 def execute(arelem, *arguments):
-    return subprocess.run([arelem, *arguments], capture_output=True, text=True, timeout=TIME_LIMIT)
+    done = subprocess.run([arelem, *arguments], capture_output=True, text=True,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (TIME_LIMIT, TIME_LIMIT)))
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise Slow(f"more than {TIME_LIMIT} s: {arelem} {' '.join(arguments)}")
+    return done
 
 
 def write(scene, move, path):
@@ -185,8 +196,8 @@ def trial(arelem, index, seed):
     with tempfile.TemporaryDirectory() as folder:
         try:
             wrong, outcome = problems(arelem, scene, folder)
-        except subprocess.TimeoutExpired as slow:
-            wrong, outcome = [f"more than {TIME_LIMIT} s: {' '.join(map(str, slow.cmd))}"], "slow"
+        except Slow as slow:
+            wrong, outcome = [str(slow)], "slow"
     return index, scene, wrong, outcome
 
 
@@ -197,21 +208,58 @@ def known(seed):
     return {int(scene) for s, scene, _ in cells if int(s) == seed}
 
 
-def main():
+TABLE_HEAD = "# Random scenes run so far: part, drive, scenes, computed, refused with a cause, failed.\n"
+
+
+def add_to_table(path, rows):
+    """Adds {pair: [scenes, computed, refused, failed]} to a table."""
+    table = {}
+    if path.exists():
+        cells = [row.split("\t") for row in path.read_text().splitlines() if not row.startswith("#")]
+        table = {(c[0], c[1]): [int(x) for x in c[2:]] for c in cells}
+    for pair, counts in rows.items():
+        table[pair] = [a + b for a, b in zip(table.get(pair, [0] * 4), counts)]
+    order = [p for p in surfaces.PAIRS if p in table]
+    path.write_text(TABLE_HEAD + "".join("\t".join([*p, *map(str, table[p])]) + "\n" for p in order))
+
+
+def options_of():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--arelem", default=os.environ.get("ARELEM", "build/arelem"))
     parser.add_argument("--scenes", type=int, default=PAIRS, help=f"number of scenes; {PAIRS} is one for every pair")
     parser.add_argument("--first", type=int, default=0, help="number of the first scene: shares work between machines")
+    parser.add_argument("--pair", help="PART,DRIVE: only scenes of this pair, --count of them from the --first one on")
+    parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", type=int, help="number of the one scene to run")
     parser.add_argument("--found", default="", help="folder for the programs of scenes that fail")
+    parser.add_argument("--table", default="", help="table to which the counts are added")
     options = parser.parse_args()
-    indices = [options.only] if options.only is not None else list(range(options.first, options.first + options.scenes))
+    if options.pair and tuple(options.pair.split(",")) not in surfaces.PAIRS:
+        parser.error(f"no pair {options.pair}; parts: {' '.join(surfaces.PARTS)}; drives: {' '.join(surfaces.DRIVES)}")
+    return options
+
+
+def indices_of(options):
+    if options.only is not None:
+        return [options.only]
+    if options.pair:
+        first = surfaces.PAIRS.index(tuple(options.pair.split(",")))
+        return [first + PAIRS * (options.first + k) for k in range(options.count)]
+    return list(range(options.first, options.first + options.scenes))
+
+
+def main():
+    options = options_of()
+    indices = indices_of(options)
     failed, outcomes, waiting = 0, collections.Counter(), known(options.seed)
+    rows = collections.defaultdict(lambda: [0] * 4)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for index, scene, wrong, outcome in pool.map(lambda i: trial(options.arelem, i, options.seed), indices):
             outcomes[outcome] += 1
+            rows[scene.pair][0] += 1
+            rows[scene.pair][3 if wrong else 1 if outcome == "computed" else 2] += 1
             if index in waiting and wrong:
                 outcomes["known to fail"] += 1
                 continue
@@ -219,12 +267,14 @@ def main():
                 continue
             failed += 1
             print(f"scene {index} (seed {options.seed}, part {scene.pair[0]}, drive {scene.pair[1]}):")
-            print("".join(f"  {w}\n" for w in wrong), end="")
+            print("".join(f"  {w}\n" for w in wrong), end="", flush=True)
             if options.found:
                 pathlib.Path(options.found).mkdir(parents=True, exist_ok=True)
                 folder = pathlib.Path(options.found, f"{options.seed}_{index}")
                 folder.mkdir(exist_ok=True)
                 write(scene, scene.moves["as drawn"], folder / "scene.apt")
+    if options.table:
+        add_to_table(pathlib.Path(options.table), rows)
     for outcome, count in outcomes.most_common():
         print(f"{count:7d} {outcome} {EXPLAINED.get(outcome, '')}".rstrip())
     print(f"{len(indices)} scenes, {failed} failed")

@@ -71,6 +71,8 @@ def define(surface, to):
         return "RLDSRF/" + ",".join(
             f"({define(carrier, to)})," + ",".join(f"(POINT/{numbers(to.point(p))})" for p in points)
             for carrier, points in v)
+    if kind == "POLCON":
+        return polyconic(v, to)
     if kind == "MESH":
         return "MESH/STL,'mesh.stl'"
     a, b, c, f, g, h, p, q, r, d = v[0]
@@ -78,6 +80,18 @@ def define(surface, to):
                  [p / 2, q / 2, r / 2, d]])
     return "QADRIC/" + numbers([m[0][0], m[1][1], m[2][2], 2 * m[1][2], 2 * m[0][2], 2 * m[0][1],
                                 2 * m[0][3], 2 * m[1][3], 2 * m[2][3], m[3][3]])
+
+
+def polyconic(v, to):
+    """A POLCON of (three unit directions, origin, t, cb, pb, coefficients of A to P by powers of d)."""
+    frame, origin, thick, cb, pb, rows = v
+    matrix = []
+    for e in map(to.direction, frame):
+        matrix += [*e, -sum(a * b for a, b in zip(e, to.point(origin)))]
+    values = [1, *matrix, to.length(thick), to.length(cb), to.length(pb)]
+    for i, row in enumerate(rows):
+        values += [k if i == 6 else to.length(k) for k in row] + [0] * (8 - len(row))
+    return "POLCON/CANON," + numbers(values + [0] * 7)
 
 
 def stl(triangles, to):
@@ -108,6 +122,18 @@ def hills(u):
     at = [[(x * 2.5 - 10, y * 2 - 6, u(-0.4, 0.4)) for y in range(7)] for x in range(9)]
     return [t for x in range(8) for y in range(6)
             for t in ((at[x][y], at[x + 1][y], at[x + 1][y + 1]), (at[x][y], at[x + 1][y + 1], at[x][y + 1]))]
+
+
+def arch(u, frame, origin):
+    """A POLCON: arcs to both sides of the third direction, whose radius, height, side and shoulder change along the first."""
+    r, half = u(7, 20), u(0.5, 0.9)
+    sine, cosine = math.sin(half), math.cos(half)
+    fall, share = r * sine * sine / cosine, cosine / (1 + cosine)
+    grows = u(-0.15, 0.15)
+    rows = [[k, grows * k] for k in (-r * sine, fall, -r * sine, -fall)]
+    rows += [[r * sine, grows * r * sine + u(-1, 1), u(-1, 1)], [r * cosine - r, u(-1, 1), u(-1, 1)],
+             [0.5 * (1 + share), u(-0.04, 0.04)]]
+    return ("POLCON", frame, origin, u(-0.2, 0.2), -10, 20, rows)
 
 
 def part(kind, u):
@@ -143,6 +169,11 @@ def part(kind, u):
                 (("CYLNDR", (0, 4, z - far), (0, 1, 0), far), ((-4.5, 4, z - 2), (4.5, 4, z - 2), (0, 4, z + 2))))
     if kind == "mesh":
         return ("MESH", hills(u))
+    if kind == "slanted":
+        _, _, points = wave(u, 0, "y", 0.5)
+        return ("TABCYL", (u(-0.3, 0.3), 1, u(-0.3, 0.3)), points)
+    if kind == "polyconic":
+        return arch(u, ((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0, 0, z))
     raise KeyError(kind)
 
 
@@ -173,6 +204,11 @@ def drive(kind, u):
         return wave(u, 0, "z", 0.5)
     if kind == "quadric":
         return ("QADRIC", (u(0.005, 0.01), 1, u(0.001, 0.01), 0, 0, 0, 0, u(3, 6), 0, u(-1, 1)))
+    if kind == "slanted":
+        _, _, points = wave(u, 0, "z", 0.5)
+        return ("TABCYL", (u(-0.2, 0.2), u(-0.2, 0.2), 1), points)
+    if kind == "polyconic":
+        return arch(u, ((0, 0, 1), (1, 0, 0), (0, 1, 0)), (0, y, 0))
     raise KeyError(kind)
 
 
@@ -188,3 +224,7 @@ def check(u, choice):
 PARTS = ["plane", "sphere", "hollow", "cylinder", "cone", "torus", "ellipsoid", "saddle", "bowl",
          "tabcyl", "ruled", "mesh"]
 DRIVES = ["plane", "wall", "circle", "cylinder", "sphere", "hollow", "quadric", "cone", "torus", "tabcyl"]
+# Scenes keep their numbers: what was added later stands behind.
+PAIRS = [(p, d) for p in PARTS for d in DRIVES]
+for added in ("polyconic", "slanted"):
+    PAIRS += [(added, d) for d in DRIVES] + [(p, added) for p in [*PARTS, added]]

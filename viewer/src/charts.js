@@ -8,7 +8,8 @@ const straight = 1e-6;
 const names = ["speed", "curvature", "deviation"];
 
 export class Charts {
-  constructor(scene, onPick) {
+  constructor(scene, moment, onPick) {
+    this.moment = moment;
     this.scene = scene;
     this.canvas = document.getElementById("charts");
     this.from = 0;
@@ -59,7 +60,7 @@ export class Charts {
     const s = this.scene, box = document.getElementById("pointed");
     if (this.pointed === null || s.count < 2) { box.textContent = ""; return; }
     const i = Math.min(s.count - 1, locationAt(s, this.pointed) + 1), k = s.stretchOf[i], feed = this.feedAt(i);
-    box.textContent = `${this.pointed.toFixed(2)} s: line ${s.line[k]}, ${number(s.speed[i], 4)} ${s.unit}/s` + (feed > 0 ? ` of ${number(feed, 4)}` : "") +
+    box.textContent = `${this.moment(this.pointed)}: line ${s.line[k]}` + (s.timed ? `, ${number(s.speed[i], 4)} ${s.unit}/s` : "") + (feed > 0 ? ` of ${number(feed, 4)}` : "") +
       `, curvature ${number(s.curvature[i], 3)}` + (Number.isNaN(s.inner[k]) ? "" : `, off by ${number(s.inner[k], 2)} to ${number(s.outer[k], 2)}`);
   }
 
@@ -101,7 +102,7 @@ export class Charts {
       g.strokeStyle = ink("--line");
       g.strokeRect(left - 0.5, y0 - 0.5, width + 1, tall + 1);
       g.fillStyle = ink("--soft");
-      const most = this.top[row] > 0 ? number(this.top[row], 3) : "", unit = most ? [this.scene.unit + "/s", "1/" + this.scene.unit, this.scene.unit][row] : "";
+      const most = this.top[row] > 0 ? number(this.top[row], 3) : "", unit = most ? [this.scene.unit + "/s", "1/" + this.scene.unit.replace(/units$/, "unit"), this.scene.unit][row] : "";
       const words = tall < 30 ? [name, `${most} ${unit}`] : [name, most, unit];
       words.forEach((text, k) => g.fillText(text, 8, y0 + 11 + 12.5 * k));
       if (this.scene.count < 2 || !(this.top[row] > 0)) {

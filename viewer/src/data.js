@@ -72,6 +72,7 @@ function derive(s) {
     s.time[i] = s.time[i - 1] + s.seconds[i];
     s.speed[i] = s.seconds[i] > 0 ? length / s.seconds[i] : 0;
   }
+  s.extent = n ? size(high[0] - low[0], high[1] - low[1], high[2] - low[2]) : 0;
   curvatures(s);
   for (const f of s.films) for (let i = 0; i < f.corners.length; ++i) {
     low[i % 3] = Math.min(low[i % 3], f.corners[i]);
@@ -114,7 +115,20 @@ function curvatures(s) {
     // The first and last cut vectors of a motion are shorter than the others, and end elsewhere in the tolerance.
     if (last - first > 3) { at[first] = at[first + 1]; at[last] = at[last - 1]; }
   }
-  for (let i = 1; i < n; ++i) s.curvature[i] = Math.max(at[i - 1], at[i]);
+  // Where a long move meets a short one the circle through both tells nothing of the long one, which is straight: pieces of a
+  // curve do not differ that much.
+  const longest = 3, length = i => s.way[i] - s.way[i - 1];
+  for (let i = 1; i < n; ++i) {
+    const before = i > 1 && length(i) <= longest * length(i - 1) ? at[i - 1] : 0;
+    const behind = i + 1 < n && length(i) <= longest * length(i + 1) ? at[i] : 0;
+    s.curvature[i] = Math.max(before, behind);
+  }
+  for (let k = 0; k < s.first.length; ++k) { // motions straight in all their cut vectors
+    const first = s.first[k], last = (k + 1 < s.first.length ? s.first[k + 1] : n) - 1;
+    let bend = 0;
+    for (let i = Math.max(1, first); i < last; ++i) bend = Math.max(bend, at[i]);
+    if (last > first && bend * s.extent < 1e-6) s.curvature.fill(0, Math.max(1, first), last + 1);
+  }
 }
 
 // Of the circle through three places that follow one another: 4 areas over the product of the sides; 0 at a corner.
@@ -134,6 +148,14 @@ export function locationAt(s, time) {
     if (s.time[m] <= time) a = m; else b = m - 1;
   }
   return a;
+}
+
+// A place of the path, as exact as its size makes sense of, and as a double is.
+export function coordinate(v) {
+  if (!Number.isFinite(v)) return "-";
+  const whole = Math.max(1, Math.floor(Math.log10(Math.max(1, Math.abs(v)))) + 1);
+  const digits = Math.min(6 - Math.floor(Math.log10(scene.size)), 15 - whole);
+  return String(+v.toFixed(Math.max(0, Math.min(9, digits))));
 }
 
 export const number = (v, digits = 6) => Number.isFinite(v) ? String(+v.toPrecision(digits)) : "-";

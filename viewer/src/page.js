@@ -1,6 +1,6 @@
 // Puts the page together: what is chosen, what time it is, and who has to know.
 import * as THREE from "three";
-import {scene, locationAt, number, GUN, START, RAPID, ARC} from "./data.js";
+import {scene, locationAt, number, coordinate, GUN, START, RAPID, ARC} from "./data.js";
 import {Stage, viewNames} from "./stage.js";
 import {Source, visible} from "./source.js";
 import {Charts} from "./charts.js";
@@ -16,14 +16,32 @@ $("summary").title = $("summary").textContent = scene.count
   ? `${scene.count.toLocaleString("en")} locations, ${number(scene.way[scene.count - 1], 6)} ${scene.unit}, ${scene.timed ? seconds(scene.total) : "no feed: not timed"}`
   : "no motion";
 
-// ---- messages
-for (const m of scene.messages) {
+// A moment of the path: its time, or how far along it is where no time is known.
+const along = t => {
+  const i = locationAt(scene, t), next = Math.min(i + 1, scene.count - 1), span = scene.time[next] - scene.time[i];
+  return scene.count ? scene.way[i] + (span > 0 ? (t - scene.time[i]) / span * (scene.way[next] - scene.way[i]) : 0) : 0;
+};
+const moment = t => scene.timed ? seconds(t) : `${number(along(t), 5)} ${scene.unit}`;
+
+// ---- messages: errors first; numbers to what can be told apart
+const rounded = text => text.replace(/-?\d+\.\d{7,}(?:e[-+]?\d+)?/g, v => coordinate(Number(v)));
+const sorted = [...scene.messages].sort((a, b) => Number(b.error) - Number(a.error));
+const errors = sorted.filter(m => m.error).length, warnings = sorted.filter(m => !m.error && m.code).length;
+const counted = (n, word) => n ? [`${n} ${word}${n > 1 ? "s" : ""}`] : [];
+if (sorted.length > 3) {
+  $("messageHead").hidden = false;
+  $("messageHead").textContent = [...counted(errors, "error"), ...counted(warnings, "warning"), ...counted(sorted.length - errors - warnings, "note")].join(", ");
+}
+for (const m of sorted) {
   const row = document.createElement("div");
   row.className = "message " + (m.error ? "error" : m.code ? "warning" : "note");
-  row.textContent = (m.code ? `${m.code}${m.line ? ", line " + m.line : ""}: ` : "") + visible(m.text);
+  row.textContent = (m.code ? `${m.code}${m.line ? ", line " + m.line : ""}: ` : "") + rounded(visible(m.text));
   if (m.line) { row.tabIndex = 0; row.addEventListener("click", () => source.mark(m.file, m.line)); }
-  $("messages").append(row);
+  $("messageList").append(row);
 }
+const cue = () => { const l = $("messageList"); $("messages").classList.toggle("more", l.scrollHeight - l.scrollTop - l.clientHeight > 6); };
+$("messageList").addEventListener("scroll", cue);
+new ResizeObserver(cue).observe($("messageList"));
 
 // ---- choice of a statement, both ways
 function choose(stretch, scroll = true) {
@@ -34,30 +52,40 @@ function choose(stretch, scroll = true) {
   stage.request();
 }
 
-function tell(index) {
-  const k = scene.stretchOf[index], p = [0, 1, 2].map(a => number(scene.places[3 * index + a], 9)), lines = [];
+const show = place => `(${place.map(coordinate).join(", ")})`;
+// What is known of the move to a location; `at`: the place of it that was clicked.
+function tell(index, at = null) {
+  const k = scene.stretchOf[index], end = [0, 1, 2].map(a => scene.places[3 * index + a]), lines = [];
+  const ends = at && Math.hypot(...at.map((v, a) => v - end[a])) <= 1e-9 * scene.size;
   lines.push(`line ${scene.line[k]}   ${["start", "rapid", "feed", "arc"][scene.kinds[index] & 15]}${scene.kinds[index] & GUN ? ", gun on" : ""}`);
-  lines.push(`(${p.join(", ")}) ${scene.unit}`);
-  lines.push(`${seconds(scene.time[index])}   ${number(scene.speed[index], 4)} ${scene.unit}/s   curvature ${number(scene.curvature[index], 4)}`);
+  if (at && !ends) lines.push(`at ${show(at)} ${scene.unit}`, `move ends at ${show(end)}`);
+  else lines.push(`${show(end)} ${scene.unit}`);
+  lines.push((scene.timed ? `${seconds(scene.time[index])}   ${number(scene.speed[index], 4)} ${scene.unit}/s   ` : `${moment(scene.time[index])} along the path   `) + `curvature ${number(scene.curvature[index], 4)}`);
   if (!Number.isNaN(scene.inner[k])) {
-    lines.push(`proven: ${number(scene.inner[k], 3)} to ${number(scene.outer[k], 3)} off its surfaces, ${number(-scene.allowedInner[k], 3)} to ${number(scene.allowedOuter[k], 3)} allowed`);
+    const bound = v => number(Math.abs(v) < 1e-9 * scene.size ? 0 : v, 3);
+    lines.push(`proven: ${bound(scene.inner[k])} to ${bound(scene.outer[k])} off its surfaces, ${bound(-scene.allowedInner[k])} to ${bound(scene.allowedOuter[k])} allowed`);
   }
   $("readout").textContent = lines.join("\n");
 }
 
 const source = new Source(scene, (file, line, stretches) => {
   source.mark(file, line, false);
-  if (!stretches.length) return;
+  if (!stretches.length) {
+    choose(-1);
+    source.mark(file, line, false);
+    $("readout").textContent = `line ${line}: no motion`;
+    return;
+  }
   const next = stretches[(stretches.indexOf(state.chosen) + 1) % stretches.length]; // again: the next execution
   choose(next, false);
   const last = (next + 1 < scene.first.length ? scene.first[next + 1] : scene.count) - 1;
   tell(last);
   setTime(scene.time[last]);
 });
-const charts = new Charts(scene, time => { pause(); setTime(time); const i = locationAt(scene, time); choose(scene.stretchOf[i]); tell(i); });
+const charts = new Charts(scene, moment, time => { pause(); setTime(time); const i = locationAt(scene, time); choose(scene.stretchOf[i]); tell(i); });
 
 function tellPlace(found) {
-  const lines = [visible(found.name), `(${found.place.map(v => number(v, 6)).join(", ")}) ${scene.unit}`], f = found.film;
+  const lines = [visible(found.name), `${show(found.place)} ${scene.unit}`], f = found.film;
   if (f) lines.push(f.relative ? `film ${number(100 * f.value, 3)} % of the mean` : `film ${number(1000 * f.value, 3)} \u00b5m, wanted ${number(1000 * f.wanted, 3)}`);
   $("readout").textContent = lines.join("\n");
 }
@@ -71,7 +99,7 @@ stage.canvas.addEventListener("pointerup", e => {
   if (!found) { choose(-1); $("readout").textContent = ""; return; }
   if (found.index < 0) { tellPlace(found); return; }
   choose(scene.stretchOf[found.index]);
-  tell(found.index);
+  tell(found.index, found.place);
 });
 
 // ---- measuring
@@ -80,7 +108,7 @@ function measure(found) {
   if (state.measured.length === 2) state.measured = [];
   state.measured.push(found.place);
   stage.measure(state.measured);
-  const [a, b] = state.measured, show = p => "(" + p.map(v => number(v, 8)).join(", ") + ")";
+  const [a, b] = state.measured;
   if (!b) { $("readout").textContent = `from ${show(a)}\nclick the second place`; return; }
   const d = b.map((v, k) => v - a[k]);
   $("readout").textContent = `from ${show(a)}\nto   ${show(b)}\ndistance ${number(Math.hypot(...d), 8)} ${scene.unit}\ndx ${number(d[0], 8)}   dy ${number(d[1], 8)}   dz ${number(d[2], 8)}`;
@@ -105,7 +133,7 @@ function setTime(time) {
     stage.tool.put(place, axis, i, (scene.kinds[next] & GUN) !== 0);
   }
   $("time").value = scene.total > 0 ? 10000 * state.time / scene.total : 10000;
-  $("clock").textContent = `${seconds(state.time)} of ${seconds(scene.total)}`;
+  $("clock").textContent = `${moment(state.time)} of ${moment(scene.total)}`;
   charts.draw(state.time);
   stage.request();
 }
@@ -143,9 +171,10 @@ const colorings = {
   kind: {text: "kind"},
   speed: {text: "speed", value: i => scene.speed[i], top: charts.top[0], unit: scene.unit + "/s"},
   feed: {text: "programmed feed", value: i => scene.feed[scene.stretchOf[i]] || NaN, top: scene.feed.reduce((a, b) => Math.max(a, b), 0), unit: scene.unit + "/min"},
-  curvature: {text: "curvature", value: i => scene.curvature[i], top: charts.top[1], unit: "1/" + scene.unit},
+  curvature: {text: "curvature", value: i => scene.curvature[i], top: charts.top[1], unit: "1/" + scene.unit.replace(/units$/, "unit")},
   deviation: {text: "deviation bound", value: i => Math.max(Math.abs(scene.inner[scene.stretchOf[i]]), Math.abs(scene.outer[scene.stretchOf[i]])), top: charts.top[2], unit: scene.unit},
-  time: {text: "time", value: i => scene.time[i], top: scene.total, unit: "s"},
+  time: scene.timed ? {text: "time", value: i => scene.time[i], top: scene.total, unit: "s"}
+    : {text: "way", value: i => scene.way[i], top: scene.count ? scene.way[scene.count - 1] : 0, unit: scene.unit},
 };
 for (const [name, c] of Object.entries(colorings)) $("coloring").add(new Option(c.text, name));
 function color(name) {
@@ -171,14 +200,11 @@ function legend() {
     box.append(d);
   };
   const ramp = (stops, low, high) => {
-    const d = document.createElement("div"), ends = document.createElement("div"), a = document.createElement("span"), b = document.createElement("span");
-    d.className = "ramp";
-    d.style.background = `linear-gradient(90deg, ${stops})`;
-    ends.className = "ends";
-    a.textContent = low;
-    b.textContent = high;
-    ends.append(a, b);
-    box.append(d, ends);
+    const d = document.createElement("div"), bar = document.createElement("span");
+    bar.className = "ramp";
+    bar.style.background = `linear-gradient(90deg, ${stops})`;
+    d.append(low, bar, high);
+    box.append(d);
   };
   box.replaceChildren();
   if (c.value) {
@@ -211,7 +237,7 @@ function scaleBar() {
   const most = 120 * stage.unitsPerPixel(), power = 10 ** Math.floor(Math.log10(most)), size = [5, 2, 1].map(f => f * power).find(v => v <= most);
   line.style.width = size / stage.unitsPerPixel() + "px";
   $("thinned").textContent = stage.path.thinned;
-  $("barText").textContent = `${number(size, 3)} ${scene.unit}`;
+  $("barText").textContent = `${number(size, 3)} ${size === 1 && scene.unit === "units" ? "unit" : scene.unit}`;
 }
 stage.afterRender = scaleBar;
 

@@ -37,7 +37,7 @@ void main() {
     ink *= (0.65 + 0.5 * height) * (1.0 - 0.4 * steep);
   }
   if (marked) ink = palette[0];
-  fade = index > head ? 0.16 : 1.0;
+  fade = index > head ? 0.38 : 1.0;
   if (kind == 0.0) end = vec4(2.0, 2.0, 2.0, 1.0);
   vec4 mvPosition = modelViewMatrix * vec4(side_.x < 0.5 ? a.xyz : b.xyz, 1.0);
   #include <clipping_planes_vertex>

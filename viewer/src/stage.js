@@ -8,7 +8,7 @@ import {Speed} from "./speed.js";
 
 const palettes = {
   light: ["#ff7a00", "#d1242f", "#1f5fbf", "#0a8f6c", "#b5179e", "#9aa3ad"],
-  dark: ["#ffb020", "#ff6b6b", "#6cb2ff", "#3ddc97", "#ff6bd6", "#5c6672"],
+  dark: ["#ffb020", "#ff7a4d", "#6cb2ff", "#3ddc97", "#d58bff", "#5c6672"],
 };
 export const viewNames = {plan: [0, 0, 1], front: [0, -1, 0], side: [1, 0, 0], iso: [0.62, -0.72, 0.55]};
 
@@ -145,7 +145,7 @@ export class Stage {
     if (index >= 0) return {index, place: this.path.place};
     const ray = new THREE.Raycaster();
     ray.setFromCamera(new THREE.Vector2(2 * x / w - 1, 1 - 2 * y / h), this.camera);
-    const solid = [this.layers.surfaces, this.layers.unnamed, this.layers.film].filter(l => l.visible).flatMap(l => l.children);
+    const solid = [this.layers.surfaces, this.layers.unnamed, this.layers.film].filter(l => l.visible).flatMap(l => l.children.filter(o => o.isMesh));
     const hit = ray.intersectObjects(solid, false).find(h => this.shows(h.point, h.object.userData.sides));
     if (!hit) return null;
     const film = hit.object.userData.film;
@@ -193,7 +193,7 @@ export class Stage {
   // Each name at the first of its places that is in sight, not behind a panel and not taken by another name.
   writeLabels() {
     const w = this.canvas.clientWidth, h = this.canvas.clientHeight, taken = [];
-    for (const id of ["legend", "layers", "readout", "cut"]) {
+    for (const id of ["layers", "readout", "cut"]) {
       const e = document.getElementById(id);
       if (e.offsetWidth) taken.push({x: e.offsetLeft + e.offsetWidth / 2, y: e.offsetTop + e.offsetHeight / 2 + 7, wide: e.offsetWidth, tall: e.offsetHeight});
     }

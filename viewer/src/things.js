@@ -43,7 +43,7 @@ export function drawEntities(scene, center, material) {
       foot.addScaledVector(along, middle.clone().sub(foot).dot(along)).setZ(floor);
       if (Math.hypot(foot.x - middle.x, foot.y - middle.y) > reach) continue;
       group.add(wire([foot.clone().addScaledVector(along, -reach), foot.clone().addScaledVector(along, reach)], material));
-      label(e.name, ...[0.8, -0.8, 0.55, -0.55].map(t => foot.clone().addScaledVector(along, t * reach)));
+      label(e.name, ...[0.8, -0.8, 0.55, -0.55, 0.42, -0.42, 0.3, -0.3].map(t => foot.clone().addScaledVector(along, t * reach)));
     } else if (e.type === "CIRCLE") {
       const p = at(c).setZ(floor);
       if (c[6] > 3 * scene.size) continue;
@@ -84,8 +84,9 @@ function labelSurfaces(scene, center, labels) {
   for (const m of scene.meshes) {
     if (m.auxiliary || labels.some(l => l.name === m.name)) continue;
     let best = -Infinity, place = null;
-    for (let k = 0; k < m.places.length; k += 3) {
-      const p = m.places.subarray(k, k + 3), inside = [0, 1, 2].every(a => p[a] >= scene.box[2 * a] && p[a] <= scene.box[2 * a + 1]);
+    const places = partOf(scene, m) ? partOf(scene, m).places : m.places;
+    for (let k = 0; k < places.length; k += 3) {
+      const p = places.subarray(k, k + 3), inside = [0, 1, 2].every(a => p[a] >= scene.box[2 * a] && p[a] <= scene.box[2 * a + 1]) || places !== m.places;
       const height = 3 * p[2] + p[0] - p[1];
       if (inside && height > best) { best = height; place = p; }
     }
@@ -108,24 +109,71 @@ function sidesOf(scene, center) {
 // Those that have a name or are part surfaces, or the others.
 export function drawSurfaces(scene, center, auxiliary) {
   const group = new THREE.Group(), sides = sidesOf(scene, center);
-  const opacity = Math.max(0.13, 0.34 * Math.min(1, 6 / scene.meshes.length)); // many would hide the path
+  const shown = scene.meshes.filter(m => !m.auxiliary).length;
   scene.meshes.forEach((m, i) => {
     if (m.auxiliary !== auxiliary) return;
-    const places = m.places.slice();
+    const color = surfaceInks[i % surfaceInks.length], flat = partOf(scene, m);
+    const places = (flat || m).places.slice();
     for (let k = 0; k < places.length; ++k) places[k] -= center[k % 3];
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(m.normals, 3));
-    geometry.setIndex(new THREE.BufferAttribute(m.triangles, 1));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(flat ? flat.normals : m.normals, 3));
+    geometry.setIndex(new THREE.BufferAttribute(flat ? flat.triangles : m.triangles, 1));
+    const opacity = Math.max(flat ? 0.02 : 0.05, (flat ? 0.24 : 0.36) * Math.min(1, 5 / Math.max(1, shown))); // many would hide the path
     const mesh = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({
-      color: surfaceInks[i % surfaceInks.length], side: THREE.DoubleSide, transparent: true, opacity, roughness: 0.62,
+      color, side: THREE.DoubleSide, transparent: true, opacity, roughness: 0.62,
       metalness: 0.05, depthWrite: false, clippingPlanes: sides,
     }));
     mesh.userData.sides = sides;
     mesh.name = m.name;
     group.add(mesh);
+    if (flat) {
+      const corners = [0, 1, 2, 3].map(k => new THREE.Vector3().fromArray(places, 3 * k));
+      const outline = new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(corners), new THREE.LineBasicMaterial({color, transparent: true, opacity: 0.7, clippingPlanes: sides}));
+      outline.userData.sides = sides;
+      group.add(outline);
+    }
   });
   return group;
+}
+
+function partOf(scene, m) {
+  if (m.part === undefined) m.part = flatPart(scene, m);
+  return m.part;
+}
+
+const flatness = 1e-5; // of normals
+const most = 20000; // locations that are looked at
+
+// Of a plane only the part where the path runs near it is shown, with an outline: planes go on for ever, and dozens of them
+// hide everything. Nothing of a surface that is not flat, or that the path does not come near.
+function flatPart(scene, m) {
+  const n = new THREE.Vector3(m.normals[0], m.normals[1], m.normals[2]).normalize(), v = new THREE.Vector3();
+  for (let k = 0; k < m.normals.length; k += 3) if (1 - Math.abs(v.fromArray(m.normals, k).normalize().dot(n)) > flatness) return null;
+  const first = new THREE.Vector3().fromArray(m.places, 0), along = new THREE.Vector3(0, 0, 1).cross(n);
+  if (along.lengthSq() < 1e-6) along.set(1, 0, 0);
+  along.normalize();
+  const up = n.clone().cross(along), reach = 0.02 * scene.extent + 0.55 * scene.cutters.reduce((a, c) => Math.max(a, c.diameter), 0);
+  const rims = () => [Infinity, -Infinity, Infinity, -Infinity];
+  const take = (r, p) => {
+    const x = p.dot(along), y = p.dot(up);
+    r[0] = Math.min(r[0], x); r[1] = Math.max(r[1], x); r[2] = Math.min(r[2], y); r[3] = Math.max(r[3], y);
+  };
+  const near = rims(), whole = rims(), step = Math.max(1, Math.floor(scene.count / most));
+  for (let i = 0; i < scene.count; i += step) {
+    v.fromArray(scene.places, 3 * i).sub(first);
+    if (Math.abs(v.dot(n)) <= reach) take(near, v);
+  }
+  for (let k = 0; k < m.places.length; k += 3) take(whole, v.fromArray(m.places, k).sub(first));
+  if (!(near[0] <= near[1])) return null;
+  const margin = 0.04 * scene.size, r = [Math.max(near[0] - margin, whole[0]), Math.min(near[1] + margin, whole[1]), Math.max(near[2] - margin, whole[2]), Math.min(near[3] + margin, whole[3])];
+  if (!(r[0] < r[1] && r[2] < r[3])) return null;
+  const places = new Float32Array(12), normals = new Float32Array(12);
+  [[0, 2], [1, 2], [1, 3], [0, 3]].forEach(([x, y], k) => {
+    first.clone().addScaledVector(along, r[x]).addScaledVector(up, r[y]).toArray(places, 3 * k);
+    n.toArray(normals, 3 * k);
+  });
+  return {places, normals, triangles: new Uint32Array([0, 1, 2, 0, 2, 3])};
 }
 
 // Blue is too thin, green right, red too thick; white is no film.

@@ -5,10 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Dense>
-
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/kinds/ruled_curve.h"
+#include "runtime/geometry/kinds/sheet.h"
 
 namespace arelem::surface {
 
@@ -20,11 +19,6 @@ constexpr double smallStep = 1e-8;
 /// are at most this many times as long as straight ones.
 constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
-
-/// A place of the sheet with all derivatives that the search for a foot needs.
-struct SheetPlace {
-  Vec3 place, byF, byG, byFF, byFG;
-};
 }  // namespace
 
 class Ruled::Sheet {
@@ -82,6 +76,15 @@ class Ruled::Sheet {
     Vec3 from, to;
   };
 
+  /// Bounds of one of the curves as the sheet follows it: beyond its ends the tangents are
+  /// straight.
+  [[nodiscard]] std::optional<CurveRange> range(const RuledCurve& curve,
+                                                double f,
+                                                double half) const {
+    const double from = std::max(f - half, low_);
+    const double to = std::min(f + half, high_);
+    return from < to ? curve.range(0.5 * (from + to), 0.5 * (to - from)) : CurveRange{};
+  }
   static CurvePlace onTangent(const CurvePlace& end, double beyond) {
     return {end.place + beyond * end.first, end.first, Vec3::Zero()};
   }
@@ -105,32 +108,6 @@ class Ruled::Sheet {
 
 Ruled::Ruled(const geometry::RuledSurface& surface)
     : sheet_(std::make_shared<const Sheet>(surface)) {}
-
-namespace {
-/// Solution of the symmetric system (a b; b c) x = r.
-Eigen::Vector2d solved(double a, double b, double c, const Eigen::Vector2d& r) {
-  return Eigen::Vector2d(c * r.x() - b * r.y(), a * r.y() - b * r.x()) / (a * c - b * b);
-}
-
-struct Descent {
-  Eigen::Vector2d step;
-  bool newton = true;
-};
-
-/// One Newton step on half the squared distance, turned to Gauss-Newton where it is not convex.
-Descent descent(const SheetPlace& s, const Vec3& rest) {
-  const Eigen::Vector2d slope(rest.dot(s.byF), rest.dot(s.byG));
-  const double ff = s.byF.squaredNorm();
-  const double fg = s.byF.dot(s.byG);
-  const double gg = s.byG.squaredNorm();
-  const double a = ff - rest.dot(s.byFF);
-  const double b = fg - rest.dot(s.byFG);
-  if (a > 0.0 && a * gg - b * b > 0.0) {
-    return {solved(a, b, gg, slope), true};
-  }
-  return {solved(ff, fg, gg, slope), false};
-}
-}  // namespace
 
 Foot Ruled::foot(const Vec3& p, Hint& hint) const {
   Hint at = hint.valid ? hint : sheet_->seed(p);
@@ -163,18 +140,7 @@ double Ruled::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
   if (!hint.valid) {
     return 0.0;
   }
-  const SheetPlace s = sheet_->at(hint.f, hint.g);
-  // With first form I and second form L (towards the normal) the shape operator of the distance is
-  // -I^-1 L, and that of the parallel surface at d is (I - d L)^-1 (-L), all in the basis byF, byG.
-  Eigen::Matrix2d first, second;
-  first << s.byF.squaredNorm(), s.byF.dot(s.byG), s.byF.dot(s.byG), s.byG.squaredNorm();
-  second << foot.normal.dot(s.byFF), foot.normal.dot(s.byFG), foot.normal.dot(s.byFG), 0.0;
-  const Eigen::Vector2d products(s.byF.dot(t), s.byG.dot(t));
-  const Eigen::Vector2d components = solved(first(0, 0), first(0, 1), first(1, 1), products);
-  const Eigen::Matrix2d parallel = first - foot.distance * second;
-  const Eigen::Vector2d carried =
-      solved(parallel(0, 0), parallel(0, 1), parallel(1, 1), -second * components);
-  return products.dot(carried);
+  return sheetBend(sheet_->at(hint.f, hint.g), foot.normal, foot.distance, t);
 }
 
 Vec3 Ruled::ruling(const Vec3& p) const {
@@ -198,8 +164,8 @@ std::optional<Bends> Ruled::Sheet::curvatures(double f, double g, double reach) 
   const double way = sheetSlack * reach / area;  // along the sheet, through the inverse of its form
   const double halfF = way * longG;
   const double halfG = way * longF;
-  const auto a = first_.range(f, halfF);
-  const auto b = second_.range(f, halfF);
+  const auto a = range(first_, f, halfF);
+  const auto b = range(second_, f, halfF);
   if (!a || !b) {
     return std::nullopt;
   }
@@ -243,8 +209,6 @@ std::optional<Bends> Ruled::Sheet::curvatures(double f, double g, double reach) 
 }
 
 Bends Ruled::bends(const Vec3& p, const Foot& foot, double radius) const {
-  const Bends any = bendsOfAnySet(foot.distance, radius);
-  const double away = std::abs(foot.distance);
   const Vec3 on = p - foot.distance * foot.normal;
   Hint hint = sheet_->seedOn(on);
   (void)this->foot(on, hint);
@@ -252,6 +216,12 @@ Bends Ruled::bends(const Vec3& p, const Foot& foot, double radius) const {
     hint = {};
     (void)this->foot(p, hint);
   }
+  return bends(p, foot, radius, hint);
+}
+
+Bends Ruled::bends(const Vec3&, const Foot& foot, double radius, const Hint& hint) const {
+  const Bends any = bendsOfAnySet(foot.distance, radius);
+  const double away = std::abs(foot.distance);
   // Feet of all places within the radius lie within 2 (away + radius) of the foot.
   const auto range = sheet_->curvatures(hint.f, hint.g, 2.0 * (away + radius));
   if (!range) {

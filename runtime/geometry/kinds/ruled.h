@@ -28,6 +28,8 @@ class Ruled {
   [[nodiscard]] Vec3 ruling(const Vec3& p) const;
 
   [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
+  /// `hint` is that of the foot.
+  [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius, const Hint& hint) const;
 
  private:
   std::shared_ptr<const Sheet> sheet_;

@@ -105,6 +105,16 @@ double partBound(const Piece& p, const Local& q, double from, double to) {
   return dx * dx + dy * dy;
 }
 
+/// True where the squared distance to a piece has no second minimum: its second derivative, 1 + s^2
+/// + (y - q.y) y'', is positive all over it.
+bool hasOneMinimum(const Piece& p, const Local& q) {
+  const double s0 = second(p, 0.0);
+  const double s1 = second(p, p.length);
+  const double below = p.lowY - q.y;
+  const double above = p.highY - q.y;
+  return std::min({below * s0, below * s1, above * s0, above * s1}) > -1.0;
+}
+
 /// The nearest place of a piece, if it is nearer than `bound`.
 Nearest nearestOf(const Piece& p, const Local& q, double bound) {
   if (p.a == 0.0 && p.b == 0.0) {
@@ -144,12 +154,9 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
     bestPiece = hint.piece;
   }
   for (int i = 0; i < count; ++i) {
-    if (i == hint.piece) {
-      continue;
-    }
     const Piece& p = curve.pieces[static_cast<std::size_t>(i)];
     const Local q = toLocal(p, u, v);
-    if (boxBound(p, q) >= best.squared) {
+    if (i == hint.piece ? hasOneMinimum(p, q) : boxBound(p, q) >= best.squared) {
       continue;
     }
     const Nearest found = nearestOf(p, q, best.squared);

@@ -154,7 +154,9 @@ class Builder {
     if (p.v0 < lowest_ || p.v1 > highest_) {
       return fail(
           diag::SurfaceLimits, spell(entity_.type), "limits beyond its ends",
-          fmt::format("v lies between {:.9g} and {:.9g}", lowest_ / vUnit_, highest_ / vUnit_));
+          std::isfinite(highest_)
+              ? fmt::format("v lies between {:.9g} and {:.9g}", lowest_ / vUnit_, highest_ / vUnit_)
+              : fmt::format("v is at least {:.9g}: the vertex has no normal", lowest_ / vUnit_));
     }
     if (p.u0 < lowestU_ || p.u1 > highestU_) {
       return fail(
@@ -322,15 +324,36 @@ class Builder {
 };
 }  // namespace
 
+namespace {
+/// The derivative of a place by its parameter, with as little error at the ends of its range as
+/// inside.
+Vec3 slope(const std::function<Vec3(double)>& at, double t, double from, double to, double step) {
+  if (t - step < from) {
+    return (4.0 * at(t + step) - 3.0 * at(t) - at(t + 2.0 * step)) / 2.0;
+  }
+  if (t + step > to) {
+    return (3.0 * at(t) - 4.0 * at(t - step) + at(t - 2.0 * step)) / 2.0;
+  }
+  return (at(t + step) - at(t - step)) / 2.0;
+}
+}  // namespace
+
 Vec3 Patch::normal(double u, double v) const {
-  // Inside by a step, so that poles and ends have the normal of what lies beside them.
   const double hu = tolerance::normalStep * (u1 - u0);
   const double hv = tolerance::normalStep * (v1 - v0);
+  const auto spanned = [&](double uAt, double vAt) -> Vec3 {
+    return slope([&](double t) { return at(t, vAt); }, uAt, u0, u1, hu)
+        .cross(slope([&](double t) { return at(uAt, t); }, vAt, v0, v1, hv));
+  };
   const double uc = std::clamp(u, u0 + hu, u1 - hu);
   const double vc = std::clamp(v, v0 + hv, v1 - hv);
-  const Vec3 ru = at(uc + hu, vc) - at(uc - hu, vc);
-  const Vec3 rv = at(uc, vc + hv) - at(uc, vc - hv);
-  const Vec3 n = ru.cross(rv).normalized();
+  Vec3 n = spanned(uc, vc);
+  if (uc != u || vc != v) {
+    // At a pole nothing is spanned: it has the normal of what lies beside it.
+    const Vec3 here = spanned(u, v);
+    n = here.norm() > 0.5 * n.norm() ? here : n;
+  }
+  n.normalize();
   return flipped ? Vec3(-n) : n;
 }
 

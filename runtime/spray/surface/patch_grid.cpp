@@ -8,13 +8,14 @@ namespace arelem::spray {
 
 namespace {
 constexpr std::size_t fewestSteps = 160;
-constexpr int deepest = 12;  // halvings of a step
+constexpr int deepest = 16;  // halvings of a step
 constexpr int lines = 17;    // of the other parameter that are looked at
 
 /// Nodes of one parameter.
 class Nodes {
  public:
-  Nodes(const Patch& patch, bool ofU, double chord) : patch_(patch), ofU_(ofU), chord_(chord) {}
+  Nodes(const Patch& patch, bool ofU, double chord, std::uint64_t most)
+      : patch_(patch), ofU_(ofU), chord_(chord), most_(most) {}
 
   std::vector<double> run() {
     const double from = ofU_ ? patch_.u0 : patch_.v0;
@@ -31,7 +32,7 @@ class Nodes {
 
  private:
   void divide(double from, double to, int depth) {
-    if (nodes_.size() > PatchGrid::mostSteps + 1) {
+    if (nodes_.size() > most_) {
       return;  // told when all are counted
     }
     const double middle = (from + to) / 2.0;
@@ -60,16 +61,18 @@ class Nodes {
   const Patch& patch_;
   bool ofU_;
   double chord_;
+  std::uint64_t most_;
   std::vector<double> nodes_;
 };
 }  // namespace
 
-Result<PatchGrid> PatchGrid::of(const Patch& patch, double chord) {
+Result<PatchGrid> PatchGrid::of(const Patch& patch, double chord, std::uint64_t most) {
   PatchGrid grid;
-  grid.u_ = Nodes(patch, true, chord).run();
-  grid.v_ = Nodes(patch, false, chord).run();
-  if (std::max(grid.columns(), grid.rows()) > mostSteps) {
-    return fail(diag::SectionGrid, mostSteps, chord);
+  grid.u_ = Nodes(patch, true, chord, most / fewestSteps).run();
+  grid.v_ = Nodes(patch, false, chord, most / fewestSteps).run();
+  const double nodes = static_cast<double>(grid.u_.size()) * static_cast<double>(grid.v_.size());
+  if (nodes > static_cast<double>(most)) {
+    return fail(diag::SprayPoints, nodes, chord, most).withHelp("a larger CHORD needs fewer");
   }
   grid.places_.reserve(grid.u_.size() * grid.v_.size());
   for (const double u : grid.u_) {

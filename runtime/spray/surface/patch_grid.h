@@ -8,9 +8,10 @@ namespace arelem::spray {
 /// surface lies within the chord tolerance of what is straight between neighboring nodes.
 class PatchGrid {
  public:
-  static constexpr std::size_t mostSteps = 2048;  ///< of one parameter
-  /// Error E0358: more steps than that.
-  [[nodiscard]] static Result<PatchGrid> of(const Patch& patch, double chord);
+  /// Error E0358: more nodes than `most`.
+  [[nodiscard]] static Result<PatchGrid> of(const Patch& patch,
+                                            double chord,
+                                            std::uint64_t most = arelem::Limits{}.points);
 
   [[nodiscard]] std::size_t columns() const { return u_.size() - 1; }
   [[nodiscard]] std::size_t rows() const { return v_.size() - 1; }

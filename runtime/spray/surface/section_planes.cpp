@@ -59,6 +59,7 @@ struct Levels {
   std::vector<double> values;
   double start = 0.0;  ///< of angles, degrees
   double step = 0.0;   ///< mm, where they are farthest apart
+  bool closed = false;
 };
 
 /// Equal steps between the extremes; the outermost sections lie a little inside. Radial sections of
@@ -89,9 +90,8 @@ Result<Levels> levelsOf(const SurfaceJob& job, double widest) {
   }
   const auto [low, high] = wholeTurn ? std::pair{0.0, 360.0} : rangeOf(grid, levels.field);
   const double length = (high - low) * lengthOfUnit;
-  if (!(length / widest <= mostSections)) {
-    return fail(diag::SprayPasses, static_cast<std::size_t>(mostSections),
-                job.gun.footprint.across);
+  if (auto failure = objectionToLines(length / widest)) {
+    return *std::move(failure);
   }
   const LineCount count = lineCount(length, widest);
   const double margin = tolerance::sectionMargin * (high - low);
@@ -100,6 +100,7 @@ Result<Levels> levelsOf(const SurfaceJob& job, double widest) {
     levels.values.push_back(low + margin + (high - low - 2.0 * margin) * i / count.intervals);
   }
   levels.step = count.step;
+  levels.closed = wholeTurn;
   return levels;
 }
 }  // namespace
@@ -111,6 +112,7 @@ Result<SectionPlanes> sectionPlanes(const SurfaceJob& job, double widest) {
     return levels.failure();
   }
   result.step = levels->step;
+  result.closed = levels->closed;
   for (const double level : levels->values) {
     CuttingPlane& plane = result.planes.emplace_back();
     if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job.lines)) {

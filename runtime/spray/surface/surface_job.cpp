@@ -6,15 +6,16 @@
 #include "ir/diag/spray.h"
 #include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
-#include "runtime/spray/surface/kept.h"
-#include "runtime/spray/surface/patch_grid.h"
+#include "runtime/spray/surface/laid_lines.h"
 #include "runtime/spray/surface/section_planes.h"
 #include "runtime/spray/surface/spacing.h"
+#include "runtime/spray/surface/walls.h"
 
 namespace arelem::spray {
 
 namespace {
 constexpr double alike = 0.999;         // radii that are measured to less are the same
+constexpr double alikeOfMesh = 0.95;    // triangles blur them
 constexpr double piecesOfRadius = 4.0;  // of the footprint, over which a mesh's bend is measured
 constexpr double bentMost = 0.95;       // of the way: at its sharpest bends the gun slows down
 
@@ -41,10 +42,16 @@ class Planner {
     if (!(job_.film > 0.0) || !std::isfinite(job_.film)) {
       return fail(diag::SprayValue, "FILM", job_.film, "above 0 mm");
     }
-    if (!(job_.chord > 0.0)) {
-      return fail(diag::SprayValue, "CHORD", job_.chord, "above 0");
+    if (!(job_.chord >= tolerance::coincidence)) {
+      return fail(diag::SprayValue, "CHORD", job_.chord,
+                  fmt::format("at least {:.6g} mm", tolerance::coincidence));
     }
     widest_ = job_.step > 0.0 ? job_.step : job_.gun.footprint.across;
+    const double farthest = 4.0 * std::max(job_.gun.footprint.along, job_.gun.footprint.across);
+    if (!(job_.past >= 0.0 && job_.past <= farthest)) {
+      return fail(diag::SprayValue, "PAST", job_.past,
+                  fmt::format("0 to {:.6g} mm, two footprints", farthest));
+    }
     if (job_.step < 0.0 || widest_ > 2.0 * job_.gun.footprint.across) {
       return fail(diag::SprayValue, "STEP", job_.step,
                   fmt::format("above 0 and at most {:.6g} mm, the width of the footprint",
@@ -78,7 +85,7 @@ class Planner {
     if (way != nullptr && along < alike * across) {
       s_.advice = fmt::format("{} would run where the surface bends less",
                               *way == SurfaceJob::Way::alongU ? "VLINES" : "ULINES");
-    } else if (job_.mesh && along < alike * across) {
+    } else if (job_.mesh && along < alikeOfMesh * across) {
       s_.advice = "sections square to these would run where the surface bends less";
     }
     const double smallest = std::min(along, across);
@@ -100,84 +107,27 @@ class Planner {
   }
 
   std::optional<Failure> layOut() {
-    if (const auto* way = std::get_if<SurfaceJob::Way>(&job_.lines)) {
-      const bool alongU = *way == SurfaceJob::Way::alongU;
-      if (longestWay(job_.patch, !alongU) / widest_ > mostSections) {
-        return fail(diag::SprayPasses, static_cast<std::size_t>(mostSections),
-                    job_.gun.footprint.across);
-      }
-      LineSet set = linesOn(job_.patch, {alongU, widest_, job_.chord});
-      whole_ = std::move(set.lines);
-      s_.step = set.count.step;
-      cutOff();
-      leaveOutShort();
-    } else {
-      const Result<SectionPlanes> sections = sectionPlanes(job_, widest_);
-      if (!sections) {
-        return sections.failure();
-      }
-      s_.step = sections->step;
-      if (job_.mesh) {
-        lines_ = job_.mesh->sections(sections->planes, job_.chord);
-      } else if (auto failure = cutPatch(sections->planes)) {
-        return failure;
-      }
+    const bool mayMeet = job_.gun.standOff > 0.0 && (job_.mesh || std::isfinite(hollow_));
+    std::optional<Walls> walls;
+    if (mayMeet && job_.checkRadius) {
+      walls = job_.mesh ? Walls((job_.wholeMesh ? job_.wholeMesh : job_.mesh)->mesh())
+                        : Walls::of(job_.patch);
     }
-    s_.lines = lines_.size();
+    Result<LaidLines> laid = layLines(job_, widest_, walls ? &*walls : nullptr);
+    if (!laid) {
+      return laid.takeFailure();
+    }
+    laid_ = *std::move(laid);
+    s_.step = laid_.step;
+    s_.lines = laid_.lines.size();
+    s_.leftOut = laid_.leftOut;
+    s_.shortest = laid_.shortest;
+    s_.past = job_.past;
     s_.area = job_.mesh ? job_.mesh->area() : areaOf(job_.patch);
-    if (lines_.empty()) {
+    if (laid_.lines.empty()) {
       return fail(diag::SprayValue, "the number of sections", 0.0, "at least 1");
     }
-    return std::nullopt;
-  }
-
-  /// Lines at a pole or a vertex: their nozzle goes far while their spray does not move.
-  void leaveOutShort() {
-    const double least = tolerance::shortestLine * job_.gun.footprint.across;
-    std::vector<SurfaceLine> kept;
-    std::vector<std::size_t> ranks;
-    for (std::size_t n = 0; n < lines_.size(); ++n) {
-      double length = 0.0;
-      for (std::size_t i = 1; i < lines_[n].size(); ++i) {
-        length += (lines_[n][i].place - lines_[n][i - 1].place).norm();
-      }
-      if (length < least) {
-        ++s_.leftOut;
-        s_.shortest = std::min(s_.shortest, length);
-        continue;
-      }
-      kept.push_back(std::move(lines_[n]));
-      ranks.push_back(ranks_[n]);
-    }
-    lines_ = std::move(kept);
-    ranks_ = std::move(ranks);
-  }
-
-  /// The lines of u or v between the planes of LIMITS.
-  void cutOff() {
-    for (std::size_t i = 0; i < whole_.size(); ++i) {
-      for (SurfaceLine& piece : keptPieces(job_.patch, whole_[i])) {
-        lines_.push_back(std::move(piece));
-        ranks_.push_back(i);
-      }
-    }
-  }
-
-  std::optional<Failure> cutPatch(const std::vector<CuttingPlane>& planes) {
-    const Result<PatchGrid> grid = PatchGrid::of(job_.patch, job_.chord);
-    if (!grid) {
-      return grid.failure();
-    }
-    for (const CuttingPlane& plane : planes) {
-      for (const SurfaceLine& line : sectionOf(job_.patch, *grid, plane, job_.chord)) {
-        for (SurfaceLine& piece : onItsSide(line, plane)) {
-          if (piece.size() >= 2) {
-            appendToAndFro(lines_, std::move(piece));
-          }
-        }
-      }
-    }
-    return std::nullopt;
+    return walls ? objectionToWalls(laid_.lines, job_.gun.standOff, *walls) : std::nullopt;
   }
 
   /// How much faster the nozzle goes than its spray, 1 where it goes slower.
@@ -192,7 +142,7 @@ class Planner {
   [[nodiscard]] double aheadMostly() const {
     std::vector<std::pair<double, double>> pieces;  // how much, and length
     double all = 0.0;
-    for (const SurfaceLine& line : lines_) {
+    for (const SurfaceLine& line : laid_.lines) {
       for (std::size_t i = 1; i < line.size(); ++i) {
         pieces.emplace_back(ahead(line[i - 1], line[i]),
                             (line[i].place - line[i - 1].place).norm());
@@ -214,10 +164,10 @@ class Planner {
   [[nodiscard]] double narrowest() const {
     double least = 1.0;
     if (speedFollowsSpacing()) {
-      const Spacing spacing(whole_);
-      for (std::size_t n = 0; n < lines_.size(); ++n) {
-        for (const LinePoint& point : lines_[n]) {
-          least = std::min(least, spacing.share(ranks_[n], point.place));
+      const Spacing spacing(laid_.whole);
+      for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
+        for (const LinePoint& point : laid_.lines[n]) {
+          least = std::min(least, spacing.share(laid_.ranks[n], point));
         }
       }
     }
@@ -263,24 +213,24 @@ class Planner {
   /// largest speed forbids. Not with SPEED.
   [[nodiscard]] bool speedFollowsSpacing() const {
     return std::holds_alternative<SurfaceJob::Way>(job_.lines) && !job_.speed &&
-           job_.gun.flow > 0.0 && whole_.size() > 1;
+           job_.gun.flow > 0.0 && laid_.whole.size() > 1;
   }
 
   void strokes() {
     Trial& chosen = s_.chosen;
     chosen.across = job_.gun.footprint.across;
-    chosen.passes = lines_.size();
+    chosen.passes = laid_.lines.size();
     const bool follows = speedFollowsSpacing();
-    const Spacing spacing(follows ? whole_ : none_);
+    const Spacing spacing(follows ? laid_.whole : none_);
     double seconds = 0.0;
-    for (std::size_t n = 0; n < lines_.size(); ++n) {
-      const SurfaceLine& line = lines_[n];
+    for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
+      const SurfaceLine& line = laid_.lines[n];
       if (n > 0) {
-        chosen.lengths.unpainted += (line.front().place - lines_[n - 1].back().place).norm();
+        chosen.lengths.unpainted += (line.front().place - laid_.lines[n - 1].back().place).norm();
       }
       bool begins = true;
       for (std::size_t i = 1; i < line.size(); ++i) {
-        const SurfaceLine pieces = follows ? divided(spacing, ranks_[n], line[i - 1], line[i])
+        const SurfaceLine pieces = follows ? divided(spacing, laid_.ranks[n], line[i - 1], line[i])
                                            : SurfaceLine{line[i - 1], line[i]};
         for (std::size_t k = 1; k < pieces.size(); ++k) {
           const LinePoint& a = pieces[k - 1];
@@ -289,7 +239,7 @@ class Planner {
           if (length == 0.0) {
             continue;
           }
-          const double share = follows ? spacing.share(ranks_[n], (a.place + b.place) / 2.0) : 1.0;
+          const double share = follows ? spacing.share(laid_.ranks[n], middleOf(a, b)) : 1.0;
           const double fastest = job_.gun.speed > 0.0 ? job_.gun.speed / ahead(a, b) : HUGE_VAL;
           const double speed = std::min(chosen.operation.speed / share, fastest);
           s_.strokes.push_back(
@@ -315,12 +265,18 @@ class Planner {
   Sprayed s_;
   double widest_ = 0.0;
   double hollow_ = HUGE_VAL;  // smallest radius where the surface bends towards the gun
-  std::vector<SurfaceLine> lines_;
-  std::vector<SurfaceLine> whole_;  // of u or v, before planes cut them
-  std::vector<std::size_t> ranks_;  // which of these a line is a piece of
+  LaidLines laid_;
   const std::vector<SurfaceLine> none_;
 };
 }  // namespace
+
+std::optional<Failure> objectionToLines(double lines) {
+  if (lines <= static_cast<double>(mostPasses)) {
+    return std::nullopt;
+  }
+  return fail(diag::SprayPasses, std::ceil(lines), "lines", mostPasses)
+      .withHelp("a larger STEP or footprint needs fewer");
+}
 
 Result<Sprayed> spraySurface(const SurfaceJob& job) {
   return Planner(job).run();

@@ -27,11 +27,23 @@ struct SurfaceJob {
   std::variant<Way, Parallel, Radial> lines = Way::alongU;
   double step = 0.0;  ///< largest distance of lines; 0: the half width of the footprint
   double chord = 0.5;
-  bool checkRadius = true;
+  bool checkRadius = true;  ///< and hollows, and walls before the gun
+  double past = 0.0;        ///< lines go on so far beyond the edges
+  /// With `past`: the planes that end the surface, moved out by it; what they keep in place of the
+  /// patch or of the mesh. Lines lie on that.
+  std::vector<HalfSpace> ends;
+  std::optional<Patch> widePatch;
+  std::shared_ptr<const MeshSurface> wideMesh;
+  std::shared_ptr<const MeshSurface> wholeMesh;  ///< without planes: what the gun may run into
   std::optional<double> speed;
+  std::uint64_t mostPoints = arelem::Limits{}.points;
 };
 
-/// Lines, speed from the flow, curvature check. Errors: E0373, E0374, E0376, E0379, E0389.
+/// Error E0375 for more lines than `mostPasses`.
+[[nodiscard]] std::optional<Failure> objectionToLines(double lines);
+
+/// Lines, speed from the flow, curvature check. Errors: E0349, E0358, E0373 to E0376, E0379,
+/// E0389.
 [[nodiscard]] Result<Sprayed> spraySurface(const SurfaceJob& job);
 
 }  // namespace arelem::spray

@@ -10,7 +10,7 @@ namespace arelem::spray {
 
 namespace {
 constexpr int samples = 64;  // of a parameter, for lengths, areas and radii
-constexpr int deepest = 14;  // halvings of a line
+constexpr int deepest = 20;  // halvings of a line
 
 double between(double from, double to, double share) {
   return from + share * (to - from);
@@ -19,8 +19,12 @@ double between(double from, double to, double share) {
 /// The line of parameter t = 0 ... 1 at a fixed other parameter.
 class Tracer {
  public:
-  Tracer(const Patch& patch, bool alongU, double other, double chord)
-      : patch_(patch), alongU_(alongU), other_(other), chord_(chord) {}
+  Tracer(const Patch& patch, const Layout& layout, double other)
+      : patch_(patch),
+        alongU_(layout.alongU),
+        other_(other),
+        chord_(layout.chord),
+        mostPoints_(layout.mostPoints) {}
 
   SurfaceLine trace() {
     constexpr int begin = 4;  // pieces to begin with, so that a whole turn does not look straight
@@ -51,7 +55,7 @@ class Tracer {
       const double length = step.norm();
       off = std::max(off, length > 0.0 ? p.cross(step).norm() / length : p.norm());
     }
-    if (off <= chord_ || depth == 0) {
+    if (off <= chord_ || depth == 0 || line_.size() > mostPoints_) {
       add(to);
       return;
     }
@@ -67,6 +71,7 @@ class Tracer {
   bool alongU_;
   double other_;
   double chord_;
+  std::uint64_t mostPoints_;
   SurfaceLine line_;
 };
 
@@ -109,15 +114,15 @@ double keptShare(const Patch& patch, const Vec2& low, const Vec2& high) {
   }
   return kept / double{parts * parts};
 }
+}  // namespace
 
-bool closed(const Patch& patch, bool alongU) {
+bool closesAlong(const Patch& patch, bool alongU) {
   const Vec3 a = alongU ? patch.at(patch.u0, between(patch.v0, patch.v1, 0.37))
                         : patch.at(between(patch.u0, patch.u1, 0.37), patch.v0);
   const Vec3 b = alongU ? patch.at(patch.u1, between(patch.v0, patch.v1, 0.37))
                         : patch.at(between(patch.u0, patch.u1, 0.37), patch.v1);
   return (a - b).norm() <= tolerance::coincidence;
 }
-}  // namespace
 
 double longestWay(const Patch& patch, bool alongU) {
   double longest = 0.0;
@@ -187,15 +192,45 @@ Radii smallestRadii(const Patch& patch) {
   return {radius(alongU), radius(alongV), radius(hollow)};
 }
 
+double pointsNeeded(const Patch& patch, const Layout& layout) {
+  const LineCount count = lineCount(longestWay(patch, !layout.alongU), layout.widest);
+  constexpr int looks = 16;  // lines
+  double chords = 0.0;
+  for (int k = 0; k <= looks; ++k) {
+    const double other = layout.alongU ? between(patch.v0, patch.v1, k / double{looks})
+                                       : between(patch.u0, patch.u1, k / double{looks});
+    const auto at = [&](double t) {
+      return layout.alongU ? patch.at(between(patch.u0, patch.u1, t), other)
+                           : patch.at(other, between(patch.v0, patch.v1, t));
+    };
+    constexpr double h = 1.0 / samples;
+    for (int i = 0; i < samples; ++i) {
+      // An arc of the length s and the bend k has chords of the length sqrt(8 chord / k).
+      const Vec3 step = (at((i + 1) * h) - at(i * h)) / h;
+      const Vec3 bend = (at((i + 1) * h) - 2.0 * at((i + 0.5) * h) + at(i * h)) * (4.0 / (h * h));
+      const double speed = step.norm();
+      const double across = speed > 0.0 ? step.cross(bend).norm() / speed : 0.0;
+      chords += std::sqrt(across / (8.0 * layout.chord)) * h;
+    }
+  }
+  return (chords / (looks + 1) + 1.0) * count.lines();
+}
+
 LineSet linesOn(const Patch& patch, const Layout& layout) {
   LineSet set;
   set.count = lineCount(longestWay(patch, !layout.alongU), layout.widest);
-  const int last = set.count.intervals - (closed(patch, !layout.alongU) ? 1 : 0);
+  std::uint64_t points = 0;
+  const int last = set.count.intervals - (closesAlong(patch, !layout.alongU) ? 1 : 0);
   for (int i = 0; i <= last; ++i) {
     const double share = i / static_cast<double>(set.count.intervals);
     const double other =
         layout.alongU ? between(patch.v0, patch.v1, share) : between(patch.u0, patch.u1, share);
-    SurfaceLine line = withoutStraight(Tracer(patch, layout.alongU, other, layout.chord).trace());
+    SurfaceLine line = withoutStraight(Tracer(patch, layout, other).trace());
+    points += line.size();
+    if (points > layout.mostPoints) {
+      set.complete = false;
+      return set;
+    }
     if (i % 2 == 1) {
       std::reverse(line.begin(), line.end());
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "ir/limits.h"
 #include "runtime/spray/lines.h"
 #include "runtime/spray/outline.h"
 #include "runtime/spray/surface/patch.h"
@@ -21,12 +22,17 @@ struct Layout {
   bool alongU = true;   ///< lines of constant v
   double widest = 0.0;  ///< largest distance of neighboring lines, mm
   double chord = 0.5;   ///< largest distance of a chord from its line, mm
+  std::uint64_t mostPoints = arelem::Limits{}.points;
 };
 
 struct LineSet {
   std::vector<SurfaceLine> lines;
-  LineCount count;  ///< intervals and their length where the lines are farthest apart
+  LineCount count;       ///< intervals and their length where the lines are farthest apart
+  bool complete = true;  ///< false: more points than the layout allows; lines are missing
 };
+
+/// About how many points the lines need, by how much they bend. Sampled: a corner may hide.
+[[nodiscard]] double pointsNeeded(const Patch& patch, const Layout& layout);
 
 /// Lines at equal parameter steps, so many that they are nowhere farther apart than asked for:
 /// intervals = ceil(L / r), L the longest way across. The last line of a closed turn is left out.
@@ -47,6 +53,8 @@ struct Radii {
 };
 [[nodiscard]] Radii smallestRadii(const Patch& patch);
 
+/// Whether the surface comes back to where it began along u (or v).
+[[nodiscard]] bool closesAlong(const Patch& patch, bool alongU);
 /// Area of the patch, mm2.
 [[nodiscard]] double areaOf(const Patch& patch);
 /// Longest way along u (or v), mm.

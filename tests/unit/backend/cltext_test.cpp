@@ -95,7 +95,7 @@ TEST(ClText, HostileTextStaysOneStatement) {
                     record(2, cl::Text{Word::INSERT, "COST $$ 5\xc3\xa4"}),
                     record(3, cl::Text{Word::PPRINT, "   "}),
                     record(4, cl::Post{Word::LOADTL, "", {std::string("A,B$\nEND")}})}),
-              ElementsAre("PPRINT / A GOTO / 1,2,3  [2J#", "INSERT / COST ## 5?", "PPRINT",
+              ElementsAre("PPRINT / A GOTO / 1,2,3  [2J#", "INSERT / COST $$ 5\xc3\xa4", "PPRINT",
                           "LOADTL / A B# END"));
 }
 

@@ -54,11 +54,26 @@ TEST(Complete, WordsOfStatements) {
   EXPECT_THAT(after("GOTO/M"), IsEmpty());
 }
 
-TEST(Complete, WordsOfAMachineTakeNoEntities) {
-  const auto found = after("AIR/");
-  EXPECT_THAT(found, Contains("ON"));
-  EXPECT_THAT(found, Contains("A1"));
-  EXPECT_THAT(found, Not(Contains("P1")));
+TEST(Complete, WordsOfAMachineHaveTheirUsualParameters) {
+  EXPECT_THAT(after("AIR/"), ElementsAre("OFF", "ON"));
+  EXPECT_THAT(after("VTLAXS/"), ElementsAre("OFF", "ON"));
+  EXPECT_THAT(after("VTLAXS/ON,"), ElementsAre("LEFT", "RIGHT"));
+  EXPECT_THAT(after("ARCSLP/"),
+              ElementsAre("AUTO", "CIRCUL", "LINCIR", "LINEAR", "OFF", "ON", "PARAB", "START"));
+  EXPECT_THAT(after("MCHTOL/"), Contains("A1"));
+  EXPECT_THAT(after("MCHTOL/"), Not(Contains("P1")));  // they take no entities
+  EXPECT_THAT(after("RAPID/"), IsEmpty());
+}
+
+TEST(Complete, NumbersThatMeanSomething) {
+  EXPECT_THAT(after("READ/"), ElementsAre("1", "2"));
+  EXPECT_THAT(after("CUTTER/OPTION,"), ElementsAre("1", "2"));
+}
+
+TEST(Complete, CopiesAreOfTheSameType) {
+  EXPECT_THAT(after("X=LINE/P1,"), Not(Contains("CANON")));
+  EXPECT_THAT(after("X=LINE/L1,"), ElementsAre("CANON"));
+  EXPECT_THAT(after("X=VECTOR/"), Not(Contains("C1")));
 }
 
 TEST(Complete, LabelsMacrosAndHeads) {

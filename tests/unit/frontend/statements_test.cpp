@@ -224,5 +224,16 @@ TEST(Dialects, EveryRuleIsTakenBySomeDialectAndRefusedByAnother) {
   }
 }
 
+TEST(Statements, AProgramWithoutAnyTellsWhatAFirstOneLooksLike) {
+  for (const char* const text : {"", "\n\n", "$$ nothing but a comment\n"}) {
+    const auto empty = compileText(text, Dialect::native);
+    ASSERT_EQ(empty->codes(), "E0289") << text;
+    EXPECT_NE(empty->sink.all()[0].help.find("FROM/0,0,0"), std::string::npos) << text;
+  }
+  const auto other = compileText("A=1\n", Dialect::native);
+  ASSERT_EQ(other->codes(), "E0289");
+  EXPECT_EQ(other->sink.all()[0].help, "");
+}
+
 }  // namespace
 }  // namespace arelem::frontend

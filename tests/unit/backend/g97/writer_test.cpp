@@ -145,6 +145,28 @@ TEST(G97Writer, RefusesWhatHasNoForm) {
               ElementsAre("E0667"));
 }
 
+/// One message of a kind: the worst location, how many there are and which.
+TEST(G97Writer, TellsEachKindOnceWithTheWorst) {
+  robot::Machine machine = painter();
+  machine.speed = 1000.0;
+  machine.envelope.emplace().reach = {0, 500};
+  backend::Context context;
+  context.machine = &machine;
+  CollectingSink sink;
+  const std::string text =
+      written("g97",
+              {at({0, 0, 0}), feed(1200), at({600, 0, 0}), feed(1500), at({100, 0, 0}), feed(900),
+               at({0, 700, 0}), at({0, 550, 0}), feed(1100), at({0, 0, 0})},
+              context, sink);
+  ASSERT_EQ(sink.all().size(), 2U);
+  EXPECT_EQ(sink.all()[0].kind().code, "E0667");
+  EXPECT_THAT(sink.all()[0].message, HasSubstr("700"));
+  EXPECT_THAT(sink.all()[0].notes, ElementsAre(HasSubstr("3 of 6 locations")));
+  EXPECT_EQ(sink.all()[1].kind().code, "E0666");
+  EXPECT_THAT(sink.all()[1].message, HasSubstr("1500"));
+  EXPECT_THAT(sink.all()[1].notes, ElementsAre(HasSubstr("2 of 6 locations")));
+}
+
 TEST(G97Writer, LiteralsOfTheMachineFile) {
   robot::Machine machine = painter();
   machine.g97.s63 = "S63,1,1,1";

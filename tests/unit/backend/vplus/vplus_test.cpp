@@ -243,6 +243,30 @@ TEST(Vplus, HalfATurnHasOneSign) {
   }
 }
 
+/// A real of V+ has 24 bits, which are seven digits.
+TEST(Vplus, NumbersHaveAtMostSevenDigits) {
+  const std::string text =
+      program({record(1, pose({9999.9994, -12345.678, 123456.78, 0, 0, 1})),
+               record(1, post(Word::RAPID)), record(1, pose({-1234567.8, 1e-9, 0, 0, 0, 1}))});
+  EXPECT_THAT(text, HasSubstr("TRANS(9999.999, -12345.68, 123456.8, "));
+  EXPECT_THAT(text, HasSubstr("TRANS(-1234568, 0.000, 0.000, "));
+}
+
+TEST(Vplus, LongTextsGoOnInFurtherComments) {
+  std::string words = "A";
+  for (int i = 0; i < 40; ++i) {
+    words += " word" + std::to_string(i);
+  }
+  const std::string text = program({record(1, cl::Text{Word::PPRINT, words})});
+  std::string joined;
+  for (std::size_t at = 0; (at = text.find("  ; ", at)) != std::string::npos; at += 4) {
+    const std::size_t end = text.find('\r', at);
+    EXPECT_LE(end - at, 80U);
+    joined += text.substr(at + 3, end - at - 3);
+  }
+  EXPECT_THAT(joined, HasSubstr(words));
+}
+
 TEST(Vplus, LimitsOfTheRobotAreKept) {
   robot::Machine machine;
   machine.scara.emplace();

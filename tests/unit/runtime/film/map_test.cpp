@@ -2,6 +2,7 @@
 #include "runtime/film/map.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,37 @@ TEST(FilmMap, OnePassIsTheDepositionProfile) {
   // Half the footprint has passed over the place where the gun is switched on.
   EXPECT_NEAR(filmAt(s, {s.strokes[0].from.x(), 15.0}),
               rate * Profile::ellipse().density(0.0) / 2.0, 1e-12);
+}
+
+/// A footprint of 30 m over a plate of 0.3 m: one pass, whose film is that of its middle, 2 q / (pi
+/// v b), everywhere.
+TEST(FilmMap, OfAFootprintThatIsFarLargerThanTheWork) {
+  RegionJob job = square(300.0);
+  job.gun.footprint = {30'000.0, 30'000.0};
+  job.gun.flow = 0.0;
+  job.overlap = 0.0;
+  const Sprayed s = sprayed(job);
+  ASSERT_EQ(s.strokes.size(), 1U);
+  const Map map = mapOf(s, 0.0);
+  // The passes would lie 2 b apart, so that q / v = 2 b h.
+  const double expected = 4.0 / std::numbers::pi * job.film;
+  EXPECT_NEAR(map.statistics.mean, expected, 1e-3 * expected);
+  EXPECT_NEAR(map.statistics.smallest, expected, 1e-3 * expected);
+  EXPECT_NEAR(map.statistics.area, 300.0 * 300.0, 0.1 * 300.0 * 300.0);
+  const double paint = s.chosen.cost.used * job.gun.efficiency;
+  EXPECT_NEAR(map.statistics.deposited + map.statistics.outside, paint, 1e-6 * paint);
+}
+
+/// Offset corners of a sharp outline are in the picture: the gun is switched there.
+TEST(FilmMap, ShowsWhereTheGunIsSwitched) {
+  RegionJob job = square(300.0);
+  job.region =
+      *region::regionOf({{region::Boundary::Role::outline, {{0, 0, 0}, {300, 0, 0}, {0, 300, 0}}}});
+  const Sprayed s = sprayed(job);
+  const Map map = mapOf(s, 0.0);
+  // The mitre at (300, 0): the sides move out by 40 and by hypot(30, 40) / sqrt(2).
+  const double corner = 300.0 + 50.0 + 40.0;
+  EXPECT_GT(map.low.x() + map.cell * static_cast<double>(map.columns), corner);
 }
 
 }  // namespace

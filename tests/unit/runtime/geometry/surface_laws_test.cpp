@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/geometry/kinds.h"
+#include "runtime/geometry/polyconic.h"
 
 // The laws of runtime/geometry/surface.h, for every kind, on random surfaces and points (fixed
 // seed).
@@ -119,10 +120,44 @@ Ruled arbitrary(Random& r) {
                         {-8, 5, -2}, {8, 5, -2})});
 }
 
+/// Canonical numbers of an arc of `half` degrees to both sides of the top of the circle of radius r
+/// about the x axis, in planes x = cb + pb d, from +y to -y. The control point of its tangents is
+/// r / cos(half) high, and the arc's weight there cos(half).
+std::vector<double> arch(double r, double half, double cb, double pb, double growth = 0.0) {
+  const double sine = std::sin(half);
+  const double cosine = std::cos(half);
+  std::vector<double> canon(79, 0.0);
+  canon[0] = 1.0;
+  canon[14] = cb;
+  canon[15] = pb;
+  const double fall = r * sine * sine / cosine;
+  const double share = cosine / (1.0 + cosine);
+  const std::array<double, 7> at0{-r * sine, fall,       -r * sine,          -fall,
+                                  r * sine,  r * cosine, 0.5 * (1.0 + share)};
+  for (std::size_t i = 0; i < at0.size(); ++i) {
+    canon[16 + 8 * i] = at0[i];
+    canon[17 + 8 * i] = i < 6 ? growth * at0[i] : 0.0;
+  }
+  return canon;
+}
+
+template <>
+Polyconic arbitrary(Random& r) {
+  // A long arch that bends along x too, its top near z = 0.
+  const double radius = r.in(20, 40);
+  std::vector<double> canon = arch(radius, r.in(0.5, 0.8), -15, 30, r.in(-0.1, 0.1));
+  canon[13] = r.in(-0.5, 0.5);
+  canon[16 + 8 * 5] -= radius;
+  canon[18 + 8 * 5] += r.in(-3, 3);
+  canon[17 + 8 * 4] += r.in(-2, 2);
+  canon[17 + 8 * 6] += r.in(-0.05, 0.05);
+  return Polyconic(geometry::Polyconic::of(canon));
+}
+
 template <class S>
 class SurfaceLaws : public ::testing::Test {};
-using Kinds =
-    ::testing::Types<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder, Ruled>;
+using Kinds = ::testing::
+    Types<Plane, Sphere, Cylinder, Cone, Torus, Quadric, TabulatedCylinder, Ruled, Polyconic>;
 TYPED_TEST_SUITE(SurfaceLaws, Kinds);
 
 TYPED_TEST(SurfaceLaws, FootLiesOnTheSurfaceAndNormalIsTheGradient) {
@@ -252,6 +287,31 @@ TEST(TabulatedCylinderFoot, IsExactNextToACenterOfCurvature) {
   TabulatedCylinder::Hint hint{};
   const Foot foot = cylinderOf({arch}).foot({2.033935122, -7.696062904, 0.0}, hint);
   EXPECT_NEAR(foot.distance, -7.9287477372366, 1e-9);
+}
+
+/// A sharp S over one chord: wherever the last foot was, the foot is the nearest of many places of
+/// the curve, to their distance of 0.001.
+TEST(TabulatedCylinderFoot, IsTheNearestWhateverTheHint) {
+  TabulatedCylinder::Piece wave{};
+  wave.dirU = 1.0;
+  wave.length = 3.625;
+  wave.a = -0.285336;
+  wave.b = 1.34036;
+  wave.c = -wave.length * (wave.a * wave.length + wave.b);
+  wave.lowY = -0.2554;
+  wave.highY = 1.1631;
+  const TabulatedCylinder s = cylinderOf({wave});
+  Random r;
+  TabulatedCylinder::Hint hint{};
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p(r.in(-1, 5), r.in(-3, 4), 0.0);
+    double least = 1e300;
+    for (double x = 0.0; x <= wave.length; x += 0.001) {
+      const double y = ((wave.a * x + wave.b) * x + wave.c) * x;
+      least = std::min(least, std::hypot(x - p.x(), y - p.y()));
+    }
+    EXPECT_NEAR(std::abs(s.foot(p, hint).distance), least, 0.002) << i;
+  }
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ TEST(Drawing, PointsAreCountedBeforeTheyAreMade) {
   r.mostPoints = 200'000;
   const Result<Drawing> drawing = readDrawing(file(arcs), "a.dxf", r);
   ASSERT_FALSE(drawing.ok());
-  EXPECT_NE(drawing.failure().message.find("more than 200000 points"), std::string::npos);
+  EXPECT_NE(drawing.failure().message.find("more than 200000 corners"), std::string::npos);
 }
 
 TEST(Drawing, CurvesBeyondAllNumbersAreRefused) {

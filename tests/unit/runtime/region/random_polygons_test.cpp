@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/geometry/exact_polygon.h"
+#include "runtime/geometry/nesting.h"
 #include "runtime/region/region.h"
 
 namespace arelem::region {
@@ -110,8 +111,16 @@ TEST(Region, OfRandomCorners) {
       for (std::size_t i = 0; i < places.size(); ++i) {
         border = border || onSegment(p, places[i], places[(i + 1) % places.size()]);
       }
+      if (border) {
+        continue;
+      }
+      // No edge passes nearer to a place of the grid than 1 / 1000: a speck there is off all.
       const spray::Vec2 place(static_cast<double>(p[0]), static_cast<double>(p[1]));
-      EXPECT_EQ(geometry::isInside(place, outline.loops[0]), !border && inside(p, places));
+      const spray::Vec2 right = place + spray::Vec2(1e-4, 0);
+      const spray::Vec2 above = place + spray::Vec2(0, 1e-4);
+      const std::vector<geometry::Polygon> both = {outline.loops[0], {place, right, above}};
+      EXPECT_EQ(geometry::nestingDepths(both),
+                (std::vector<std::size_t>{0, inside(p, places) ? 1U : 0U}));
     }
   }
   EXPECT_GT(good, 100);
@@ -139,8 +148,35 @@ TEST(Region, SignsAreExact) {
   apart[1][0].x() = beyond;
   EXPECT_TRUE(geometry::firstMeeting(touching));
   EXPECT_FALSE(geometry::firstMeeting(apart));
-  EXPECT_FALSE(geometry::isInside({0.3, 0.5}, touching[0]));
-  EXPECT_TRUE(geometry::isInside({std::nextafter(0.3, 0.0), 0.5}, touching[0]));
+}
+
+/// Squares around one middle, each in the one before, given inside out and turned either way;
+/// beside them a comb whose teeth hold one more square each.
+TEST(Region, DepthOfNestedPolygons) {
+  std::vector<geometry::Polygon> polygons;
+  std::vector<std::size_t> depths;
+  for (int k = 1; k <= 50; ++k) {
+    const double h = k;
+    polygons.push_back({{-h, -h}, {h, -h}, {h, h}, {-h, h}});
+    if (k % 3 == 0) {
+      std::reverse(polygons.back().begin(), polygons.back().end());
+    }
+    depths.push_back(static_cast<std::size_t>(50 - k));
+  }
+  geometry::Polygon comb = {{100, 0}, {500, 0}};
+  for (int tooth = 99; tooth >= 0; --tooth) {
+    const double x = 100 + 4 * tooth;
+    comb.insert(comb.end(), {{x + 3, 90}, {x + 1, 90}, {x + 1, 10}, {x, 10}});
+    const double y = tooth % 2 == 0 ? 50 : 5;  // in a tooth, or between the teeth's feet and below
+    polygons.push_back({{x + 1.5, y}, {x + 2, y}, {x + 2, y + 1}});
+    depths.push_back(1);
+    polygons.push_back({{x + 0.2, 50}, {x + 0.8, 50}, {x + 0.5, 51}});  // in a gap
+    depths.push_back(0);
+  }
+  polygons.push_back(comb);
+  depths.push_back(0);
+  ASSERT_FALSE(geometry::firstMeeting(polygons));
+  EXPECT_EQ(geometry::nestingDepths(polygons), depths);
 }
 
 }  // namespace

@@ -130,5 +130,32 @@ TEST(Region, TenThousandCornersAndTwoHundredHoles) {
   EXPECT_LT(seconds, 20.0);
 }
 
+/// The corner that is lifted is named, not the first of those that lie well.
+TEST(Region, NamesTheCornerThatIsOff) {
+  for (std::size_t lifted = 0; lifted < 4; ++lifted) {
+    Corners four = rectangle(0, 0, 100, 50);
+    four[lifted].z() = 3.0;
+    const Result<Region> region = regionOf({{Role::outline, four}});
+    ASSERT_FALSE(region.ok());
+    EXPECT_EQ(region.failure().row->code, "E0361");
+    const std::string named =
+        fmt::format("the corner ({:.9g}, {:.9g}, 3) is 3 off", four[lifted].x(), four[lifted].y());
+    EXPECT_NE(region.failure().message.find(named), std::string::npos) << region.failure().message;
+  }
+}
+
+TEST(Region, RefusesTheSameBoundaryTwiceAndWhatLiesTooFar) {
+  Corners turned = rectangle(2, 2, 3, 3);
+  std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  std::reverse(turned.begin(), turned.end());
+  EXPECT_EQ(codeOf({{Role::outline, rectangle(0, 0, 10, 10)},
+                    {Role::hole, rectangle(2, 2, 3, 3)},
+                    {Role::hole, turned}}),
+            "E0343");
+  Corners far = rectangle(0, 0, 10, 10);
+  far[1].x() = 1e300;
+  EXPECT_EQ(codeOf({{Role::outline, far}}), "E0348");
+}
+
 }  // namespace
 }  // namespace arelem::region

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/smoothing/source_time.h"
 #include "runtime/smooth/polygon.h"
 #include "runtime/smooth/smooth.h"
 #include "runtime/timing/spline_limits.h"
-#include "tests/unit/runtime/smooth/source_time.h"
 #include "tests/unit/runtime/spline/naseath_cases.h"
 
 namespace arelem::smooth {

@@ -1,8 +1,9 @@
 // What the methods gain on the source's cases, and his trends.
+#include "bench/smoothing/source_inputs.h"
+#include "bench/smoothing/source_time.h"
 #include <gtest/gtest.h>
 
 #include "runtime/smooth/smooth.h"
-#include "tests/unit/runtime/smooth/source_time.h"
 #include "tests/unit/runtime/spline/naseath_cases.h"
 
 namespace arelem::smooth {
@@ -74,6 +75,24 @@ TEST(SmoothGain, TwiceTheTimeOfTheSourceByItsOwnLaw) {
       const double most = before - curve.length() / machine.velocity;
       EXPECT_GE(now, std::min(2.0 * saved, 0.85 * most)) << which << ' ' << radius;
       EXPECT_EQ(2.0 * saved > most, which == 5 && radius == 0.25);
+    }
+  }
+}
+
+/// Against the percentages that he publishes, by his time law and his machine, on inputs of his
+/// control points, length and time: at least twice, or nearly the straight line at full speed.
+TEST(SmoothGain, TwiceThePublishedTime) {
+  constexpr int samples = 50;
+  for (const source::PublishedCase& one : source::publishedCases()) {
+    const double before = source::machiningTime(one.curve, samples);
+    EXPECT_EQ(one.curve.control().size(), one.controlPoints) << one.name;
+    EXPECT_NEAR(one.curve.length(), one.length, 0.005) << one.name;
+    EXPECT_NEAR(before, one.time, 0.005) << one.name;
+    for (const source::PublishedGain& row : one.gains) {
+      const CubicSpline now = smoothed(one.curve, row.radius, Method::time).curve;
+      const double gain = 1.0 - source::machiningTime(now, samples) / before;
+      const double most = 1.0 - source::leastTime(one.corners, row.radius) / before;
+      EXPECT_GE(gain, std::min(2.0 * row.time, 0.95 * most)) << one.name << ' ' << row.radius;
     }
   }
 }

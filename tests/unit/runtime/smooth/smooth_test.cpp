@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/smoothing/source_inputs.h"
 #include "runtime/smooth/banded.h"
 #include "runtime/smooth/polygon.h"
 #include "tests/unit/runtime/spline/naseath_cases.h"
@@ -149,6 +150,30 @@ TEST(BothMethods, ClosedSpatialRing) {
       }
       EXPECT_LE(sampledDeviation(curve, result->curve), 0.1);
       EXPECT_LT((result->curve.at(curve.begin()) - result->curve.at(curve.end())).norm(), 1e-9);
+    }
+  }
+}
+
+/// Knots that know nothing of the distances between the points: the curve makes loops, about which the
+/// convex problems lead far away.
+TEST(BothMethods, LoopsDoNotLeadAway) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 28; ++i) {
+    points.emplace_back(3.7 * i, 0.0, 0.0);
+    if (i == 9 || i == 18) {
+      points.emplace_back(3.7 * i + 0.25, 0.2, 0.0);
+    }
+  }
+  const CubicSpline loops = source::through(points, 0.0);
+  for (const double radius : {0.025, 0.125, 0.25, 2.0}) {
+    for (const Method method : {Method::source, Method::tube, Method::time}) {
+      const auto found = smooth(loops, {.tolerance = radius, .method = method});
+      ASSERT_TRUE(found.ok());
+      EXPECT_TRUE(std::isfinite(found->curve.length()));
+      EXPECT_LE(found->deviation, radius);
+      for (double t = 0.0; t < loops.end(); t += 0.1) {
+        EXPECT_LE((found->curve.at(t) - loops.at(t)).norm(), radius * (1.0 + 1e-9));
+      }
     }
   }
 }

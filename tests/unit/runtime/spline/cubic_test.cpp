@@ -111,10 +111,15 @@ TEST(CubicSpline, KnotInsertionKeepsTheCurve) {
       const CubicSpline fine = curve.refined();
       EXPECT_EQ(finer->control().size(), curve.control().size() + 1);
       EXPECT_EQ(fine.spans(), 2 * curve.spans());
+      std::vector<bool> marked(curve.spans(), false);
+      marked.front() = marked.back() = true;
+      const CubicSpline partly = curve.refined(marked);
+      EXPECT_EQ(partly.spans(), curve.spans() + 2);
       for (int i = 0; i <= 100; ++i) {
         const double t = curve.begin() + i / 100.0 * (curve.end() - curve.begin());
         EXPECT_LT((curve.at(t) - finer->at(t)).norm(), 1e-11) << closed << ' ' << seed << ' ' << t;
         EXPECT_LT((curve.at(t) - fine.at(t)).norm(), 1e-11) << closed << ' ' << seed << ' ' << t;
+        EXPECT_LT((curve.at(t) - partly.at(t)).norm(), 1e-11) << closed << ' ' << seed << ' ' << t;
       }
     }
   }

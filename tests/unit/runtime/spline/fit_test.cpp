@@ -1,5 +1,6 @@
 // Curves through and along points.
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,31 @@ TEST(SplineFit, LeastSquaresNeedFewControlPoints) {
   for (const Vec3& p : points) {
     EXPECT_LE(curve->nearest(p).distance, 0.001);
   }
+}
+
+TEST(SplineFit, LeastSquaresGoRound) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 720; ++i) {
+    const double a = i * std::numbers::pi / 360.0;
+    points.emplace_back(50.0 * std::cos(a), 30.0 * std::sin(a), 0.0);
+  }
+  const auto curve = approximate(points, 0.01, true);
+  ASSERT_TRUE(curve.ok());
+  EXPECT_TRUE(curve->closed());
+  EXPECT_LT(curve->control().size(), 40U);
+  for (const Vec3& p : points) {
+    EXPECT_LE(curve->nearest(p).distance, 0.01);
+  }
+  // Ramanujan's perimeter of an ellipse of 50 and 30.
+  EXPECT_NEAR(curve->length(), 255.27, 0.05);
+  // Four points through which nothing smooth of four control points goes: interpolated.
+  const std::vector<Vec3> few{{0, 0, 0}, {9, 0, 0}, {9, 1, 0}, {0, 1, 0}, {-3, .5, 0}};
+  const auto exact = approximate(few, 1e-9, true);
+  ASSERT_TRUE(exact.ok());
+  for (const Vec3& p : few) {
+    EXPECT_LE(exact->nearest(p).distance, 1e-9);
+  }
+  EXPECT_FALSE(approximate(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 0.1, true).ok());
 }
 
 TEST(SplineFit, CoincidentPointsAreRefused) {

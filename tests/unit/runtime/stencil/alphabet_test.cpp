@@ -117,7 +117,7 @@ struct Bad {
 
 TEST(Alphabet, DamageIsNamedWithItsPlace) {
   const std::vector<Bad> all = {
-      {"", "line 0, column 1: the file ends without GRID"},
+      {"", "line 1, column 1: the file ends without GRID"},
       {"SYMBOL A", "line 1, column 1: `SYMBOL` stands where GRID is expected"},
       {"GRID 4", "line 1, column 7: the end of the line stands where a positive height"},
       {"GRID 4 -25", "line 1, column 8: `-25` stands where a positive height"},

@@ -41,6 +41,7 @@ TEST(Transition, TimeAndPlaceBelongTogether) {
     for (int i = 0; i <= 50; ++i) {
       const double t = change.duration() * i / 50.0;
       EXPECT_NEAR(change.timeAt(change.at(t).place), t, 1e-7 * change.duration() + 1e-7);
+      EXPECT_NEAR(change.placeOf(change.at(t).speed), change.at(t).place, 1e-6);
     }
   }
 }

@@ -1,0 +1,94 @@
+#include "runtime/certify/follow_proof.h"
+
+#include <cmath>
+
+namespace arelem::certify {
+
+namespace {
+double bandOf(const GuideTask& task) {
+  return task.allowed.inner + task.allowed.outer;
+}
+}  // namespace
+
+FollowProof::FollowProof(MotionCheck& check,
+                         const Modal& modal,
+                         const Named& drive,
+                         const Location& first,
+                         const InterruptFlag* interrupted)
+    : check_(check),
+      modal_(modal),
+      first_(first),
+      end_{first},
+      drive_(driveTask(drive), first),
+      part_(partTask(), first),
+      interrupted_(interrupted) {}
+
+GuideTask FollowProof::driveTask(const Named& drive) const {
+  GuideTask task = check_.taskOf(modal_, driveRole, drive, modal_.toolOnDrive());
+  if (!modal_.driveRelation) {
+    // No tool position was ever given: ON if the tool end is on the drive surface.
+    const Touch end = touch(drive.surface, {nullptr, 1.0, 0.0}, first_, task.allowed);
+    if (std::abs(end.high) <= bandOf(task) + startLength) {
+      task.cutter = nullptr;
+      task.thick = 0.0;
+    }
+  }
+  return task;
+}
+
+GuideTask FollowProof::partTask() const {
+  GuideTask task = check_.taskOf(modal_, partRole, modal_.partSurface(), modal_.toolOnPart());
+  if (!modal_.partRelation) {
+    // No such word was ever given: ON if the tool end is on the part surface and the cutter is not.
+    const double slack = startLength + bandOf(task);
+    const surface::AnySurface& part = task.surface.surface;
+    const auto isOff = [&](const Relation& r) {
+      return std::abs(touch(part, r, first_, task.allowed).high) > slack;
+    };
+    if (isOff({task.cutter, 1.0, task.thick}) && isOff({task.cutter, -1.0, task.thick}) &&
+        !isOff({nullptr, 1.0, 0.0})) {
+      task.cutter = nullptr;
+      task.thick = 0.0;
+    }
+  }
+  return task;
+}
+
+void FollowProof::add(const Location& next) {
+  if (interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed)) {
+    return;
+  }
+  if (cutVectors_ == 0) {
+    firstStep_ = next.toolEnd - first_.toolEnd;
+  }
+  drive_.add(next);
+  part_.add(next);
+  end_.moveTo(next);
+  ++cutVectors_;
+}
+
+StatementResult FollowProof::finish(const runtime::Action& action,
+                                    std::span<const Goal> goals,
+                                    std::size_t met) {
+  const auto figures = [](const GuideStream& s) {
+    return GuideFigures{s.task().surface.name, s.task().allowed, s.result()};
+  };
+  StatementResult result;
+  result.origin = action.origin;
+  result.isn = action.isn;
+  result.statement = spell(std::get<runtime::Follow>(action.body).heading);
+  result.cutVectors = cutVectors_;
+  result.drive = figures(drive_);
+  result.part = figures(part_);
+  check_.judge(result, action, *result.part);
+  check_.judge(result, action, *result.drive);
+  if (drive_.task().cutter != nullptr) {
+    check_.judgeHand(modal_, action, *result.drive, firstStep_, first_.axis);
+  }
+  if (met < goals.size()) {
+    check_.judgeStop(result, modal_, action, goals[met], met, end_, drive_.task().surface.surface);
+  }
+  return result;
+}
+
+}  // namespace arelem::certify

@@ -1,0 +1,42 @@
+#pragma once
+#include <span>
+
+#include "runtime/certify/motion_check.h"
+
+namespace arelem::certify {
+
+/// A motion along a drive and a part surface, proven while its locations come: its memory does not
+/// grow with their number. The modal state must stay as it is meanwhile.
+class FollowProof {
+ public:
+  /// `first` is where the motion begins.
+  FollowProof(MotionCheck& check,
+              const Modal& modal,
+              const Named& drive,
+              const Location& first,
+              const InterruptFlag* interrupted);
+
+  void add(const Location& next);
+  [[nodiscard]] const PathEnd& end() const { return end_; }
+  [[nodiscard]] std::uint64_t cutVectors() const { return cutVectors_; }
+
+  /// What is to be said of the motion, its end at the goal that was met; `met` may lie behind them.
+  [[nodiscard]] StatementResult finish(const runtime::Action& action,
+                                       std::span<const Goal> goals,
+                                       std::size_t met);
+
+ private:
+  [[nodiscard]] GuideTask driveTask(const Named& drive) const;
+  [[nodiscard]] GuideTask partTask() const;
+
+  MotionCheck& check_;
+  const Modal& modal_;
+  Location first_;
+  PathEnd end_;
+  GuideStream drive_, part_;
+  Vec3 firstStep_ = Vec3::Zero();
+  std::uint64_t cutVectors_ = 0;
+  const InterruptFlag* interrupted_;
+};
+
+}  // namespace arelem::certify

@@ -1,0 +1,165 @@
+// The locations of a file, one by one, to the statements that they belong to.
+#include "ir/diag/verify.h"
+#include "runtime/certify/association.h"
+
+namespace arelem::certify {
+
+using runtime::Action;
+using runtime::Follow;
+
+void Association::begin(std::optional<int> isn, bool withAxis) {
+  Taking& t = taking_.emplace();
+  t.numbered = isn.has_value();
+  t.run.withAxis = withAxis;
+  const Action* action = advance();
+  while (isn && action != nullptr && action->isn != *isn && numberAhead(*isn)) {
+    miss(*action);
+    action = advance();
+  }
+  t.copy = order_.expectsCopy();
+  if (t.copy || action == nullptr || (isn && action->isn != *isn)) {
+    return;
+  }
+  t.action = action;
+  if (const auto* follow = std::get_if<Follow>(&action->body)) {
+    t.follow = follow;
+    ++index_;  // what comes behind it implies check surfaces
+    beginFollow(*follow);
+  } else if (const auto* along = std::get_if<runtime::FollowSpline>(&action->body); along && !isn) {
+    if (auto curve = spline::CubicSpline::of(along->curve->canon)) {
+      t.curve = *std::move(curve);
+      t.walk.emplace(*t.curve, options_.slack);
+    }
+  }
+}
+
+void Association::add(const Location& location, bool withAxis) {
+  if (!taking_) {
+    begin(std::nullopt, withAxis);
+  }
+  Taking& t = *taking_;
+  if (!t.counts()) {
+    if (!gaveUp_ && surplus_++ == 0) {
+      firstSurplus_ = location.toolEnd;
+    }
+    return;
+  }
+  if (t.follow == nullptr || t.copy || order_.keeps()) {
+    t.run.locations.push_back(location);
+  }
+  if (t.follow != nullptr) {
+    addFollow(order_.programmed(location));
+  }
+  if (!t.numbered && complete()) {
+    end();
+  }
+}
+
+void Association::end() {
+  if (!taking_) {
+    return;
+  }
+  Taking& t = *taking_;
+  if (t.copy && !t.run.locations.empty()) {
+    judgeCopy(t.run);
+    order_.keep(t.run);
+  } else if (t.follow != nullptr) {
+    order_.keep(t.run);
+    endFollow();
+  } else if (t.action != nullptr && !t.run.locations.empty()) {
+    order_.keep(t.run);
+    judge(*t.action, order_.programmed(t.run));
+  }
+  taking_.reset();
+}
+
+bool Association::complete() {
+  const Taking& t = *taking_;
+  if (t.copy) {
+    return t.run.locations.size() >= order_.copyLength();
+  }
+  if (t.walk) {
+    return taking_->walk->arrives(order_.programmed(t.run.locations.back()).toolEnd);
+  }
+  if (t.follow == nullptr || !t.drive || !t.proof) {
+    return t.follow == nullptr || !t.drive;
+  }
+  for (std::size_t g = 0; g < t.goals.size(); ++g) {
+    if (check_.missed(modal_, t.goals[g], g, t.proof->end(), t.drive->surface) == 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Association::beginFollow(const Follow& follow) {
+  Taking& t = *taking_;
+  modal_.takeAutomaticPart();
+  t.goals = goalsOf(follow);
+  auto drive = named(follow.drive);
+  if (!drive) {
+    StatementResult result;
+    result.origin = t.action->origin;
+    result.isn = t.action->isn;
+    result.statement = spell(follow.heading);
+    check_.report(result, *t.action, fail(diag::NotCertified, drive.failure().message));
+    add(std::move(result));
+    return;
+  }
+  t.drive = *std::move(drive);
+  if (modal_.positioned) {
+    t.proof.emplace(check_, modal_, *t.drive, Location{modal_.toolEnd, modal_.axis},
+                    options_.interrupted);
+  } else {
+    report(*t.action,
+           fail(diag::NotCertified, std::string("the file does not tell where it begins")));
+    ++summary_.faults;
+  }
+}
+
+void Association::addFollow(const Location& location) {
+  Taking& t = *taking_;
+  Location l = location;
+  if (!t.run.withAxis) {
+    l.axis = t.drive ? modal_.axisAt(l.toolEnd, t.drive->surface) : modal_.axis;
+  }
+  if (t.proof) {
+    t.proof->add(l);
+  } else if (t.drive) {
+    t.proof.emplace(check_, modal_, *t.drive, l, options_.interrupted);
+  } else {
+    t.last = l;
+  }
+}
+
+/// The check surface that was met: of several the one that the end is nearest to.
+std::size_t Association::metOf(const Taking& t) const {
+  std::size_t met = 0;
+  double least = unbounded;
+  for (std::size_t i = 0; i < t.goals.size(); ++i) {
+    const double missed = check_.missed(modal_, t.goals[i], i, t.proof->end(), t.drive->surface);
+    if (missed < least) {
+      least = missed;
+      met = i;
+    }
+  }
+  return met;
+}
+
+void Association::endFollow() {
+  Taking& t = *taking_;
+  const std::size_t met = t.proof && t.goals.size() > 1 ? metOf(t) : 0;
+  if (t.proof && t.proof->cutVectors() > 0) {
+    add(t.proof->finish(*t.action, t.goals, met));
+  }
+  const std::optional<Location> last = t.proof ? t.proof->end().place : t.last;
+  modal_.consumeOneShots();
+  if (last) {
+    moveTo(*last);
+  }
+  if (met < t.follow->checks.size() && t.follow->checks[met].label) {
+    jump(*t.follow->checks[met].label);
+  }
+}
+
+}  // namespace arelem::certify

@@ -1,0 +1,111 @@
+#include "runtime/spray/surface/walls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ir/space/spray_tolerance.h"
+
+namespace arelem::spray {
+
+namespace {
+constexpr std::uint32_t steps = 96;  // of each parameter of a patch
+
+/// The first triangle on a straight way.
+class FirstCrossing : public geometry::TriangleSearch {
+ public:
+  FirstCrossing(const geometry::TriangleMesh& mesh, const Vec3& from, const Vec3& to)
+      : mesh_(mesh), from_(from), way_(to - from) {}
+
+  [[nodiscard]] bool enters(const Vec3& center, const Vec3& half) override {
+    double first = 0.0;
+    double last = share_;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const double low = center[i] - half[i] - from_[i];
+      const double high = center[i] + half[i] - from_[i];
+      if (way_[i] == 0.0) {
+        if (low > 0.0 || high < 0.0) {
+          return false;
+        }
+        continue;
+      }
+      const double a = low / way_[i];
+      const double b = high / way_[i];
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b));
+    }
+    return first <= last;
+  }
+
+  void visit(std::size_t t) override {
+    const Vec3& a = mesh_.corner(t, 0);
+    const Vec3 normal = (mesh_.corner(t, 1) - a).cross(mesh_.corner(t, 2) - a).normalized();
+    const double before = normal.dot(from_ - a);
+    const double behind = normal.dot(from_ + way_ - a);
+    if (!(before * behind < 0.0) ||
+        std::min(std::abs(before), std::abs(behind)) <= tolerance::wallTouch) {
+      return;
+    }
+    const double share = before / (before - behind);
+    const Vec3 place = from_ + share * way_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& corner = mesh_.corner(t, k);
+      if ((mesh_.corner(t, (k + 1) % 3) - corner).cross(place - corner).dot(normal) < 0.0) {
+        return;
+      }
+    }
+    share_ = std::min(share_, share);
+    found_ = true;
+  }
+
+  [[nodiscard]] std::optional<double> distance() const {
+    return found_ ? std::optional(share_ * way_.norm()) : std::nullopt;
+  }
+
+ private:
+  const geometry::TriangleMesh& mesh_;
+  Vec3 from_, way_;
+  double share_ = 1.0;
+  bool found_ = false;
+};
+}  // namespace
+
+Walls::Walls(const geometry::TriangleMesh& mesh) : mesh_(mesh), tree_(geometry::makeTree(mesh)) {}
+
+Walls Walls::of(const Patch& patch) {
+  const auto at = [&patch](double i, double k) {
+    return patch.at(patch.u0 + (patch.u1 - patch.u0) * i / steps,
+                    patch.v0 + (patch.v1 - patch.v0) * k / steps);
+  };
+  geometry::TriangleMesh mesh;
+  double blur = 0.0;
+  for (std::uint32_t i = 0; i <= steps; ++i) {
+    for (std::uint32_t k = 0; k <= steps; ++k) {
+      mesh.vertices.push_back(at(i, k));
+      if (i == steps || k == steps) {
+        continue;
+      }
+      const std::uint32_t own = i * (steps + 1) + k;
+      const std::uint32_t right = own + steps + 1;
+      mesh.triangles.push_back({own, right, right + 1});
+      mesh.triangles.push_back({own, right + 1, own + 1});
+      const Vec3 middle = (at(i, k) + at(i + 1.0, k + 1.0)) / 2.0;
+      blur = std::max(blur, (at(i + 0.5, k + 0.5) - middle).norm());
+    }
+  }
+  std::erase_if(mesh.triangles, [&mesh](const auto& t) {
+    const Vec3& a = mesh.vertices[t[0]];
+    return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm() == 0.0;
+  });
+  Walls walls(mesh);
+  walls.blur_ = blur;
+  return walls;
+}
+
+std::optional<double> Walls::between(const Vec3& from, const Vec3& to) const {
+  FirstCrossing search(mesh_, from, to);
+  tree_->search(search);
+  return search.distance();
+}
+
+}  // namespace arelem::spray

@@ -1,0 +1,29 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "runtime/geometry/triangle_tree.h"
+#include "runtime/spray/surface/patch.h"
+
+namespace arelem::spray {
+
+/// What a gun may run into: the triangles of the work, mm.
+class Walls {
+ public:
+  explicit Walls(const geometry::TriangleMesh& mesh);
+  /// The whole range of the parameters of a patch, in triangles.
+  [[nodiscard]] static Walls of(const Patch& patch);
+
+  /// How far from `from`, on the straight way to `to`, lies the first triangle that the way goes
+  /// through; none where it goes through none. To touch one is not to go through it.
+  [[nodiscard]] std::optional<double> between(const Vec3& from, const Vec3& to) const;
+  /// Triangles lie as far beside the surface that they stand for, mm; 0 of a mesh.
+  [[nodiscard]] double blur() const { return blur_; }
+
+ private:
+  geometry::TriangleMesh mesh_;
+  std::unique_ptr<geometry::TriangleTree> tree_;
+  double blur_ = 0.0;
+};
+
+}  // namespace arelem::spray
