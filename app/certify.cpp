@@ -8,18 +8,31 @@
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "ir/cl/post_word.h"
 #include "ir/diag/verify.h"
 #include "runtime/certify/certificate.h"
+#include "runtime/interpret/passed_post.h"
 #include "runtime/path/chords.h"
 #include "runtime/path/swarf.h"
 
 namespace arelem::app {
 
 namespace {
-/// Hands the records of a CL file to the certificate, its arcs and splines as cut vectors. False
-/// when it cannot be read.
-bool readPath(const std::string& file,
-              std::string bytes,
+/// WCORN, whose locations the program gives and no upright tool.
+std::optional<Span> firstCorner(const std::vector<runtime::Action>& actions) {
+  for (const runtime::Action& action : actions) {
+    const cl::Post* post = runtime::passedPost(action);
+    if (post != nullptr && cl::is(*post, Word::WCORN)) {
+      return action.origin;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Hands the records of a CL file to the certificate, its arcs and splines as cut vectors and its
+/// swarf sections upright. False when it cannot be read.
+bool readPath(ClFile& file,
+              double slack,
               const Settings& settings,
               cl::RecordSink& records,
               const InterruptFlag& interrupted,
@@ -27,8 +40,11 @@ bool readPath(const std::string& file,
   Settings reading = settings;
   reading.dialect = frontend::Dialect::cl;
   Compilation job(reading);
-  const auto chords = path::makeChordStage(records, job.log);
-  const bool good = readRecords(job, file, std::move(bytes), *chords, interrupted);
+  const auto upright = path::makeUprightStage(records, slack, job.log);
+  const auto chords = path::makeChordStage(*upright, job.log);
+  bool good = readRecords(job, file, *chords, interrupted);
+  upright->finish();
+  good = good && job.log.errors() == 0;
   job.log.print(job.sources, job.main, settings);
   exit = worse(exit, job.log.exitCode());
   return good;
@@ -46,37 +62,38 @@ ExitCode certify(const CertifyRequest& request,
     options.limits = settings.limits;
     options.interrupted = &interrupted;
     options.file = displayName(request.path.empty() ? request.program : request.path);
-    std::string bytes;
+    std::optional<ClFile> file;
     if (!request.path.empty()) {
-      Result<std::string> read = readBytes(request.path, settings.limits);
-      if (!read) {
-        job.log.accept(read.takeFailure());
+      Result<ClFile> opened = ClFile::open(request.path, settings.limits);
+      if (!opened) {
+        job.log.accept(opened.takeFailure());
         job.log.print(job.sources, job.main, settings);
         return job.log.exitCode();
       }
-      bytes = *std::move(read);
-      options.numbered = formatOf(bytes) != InputFormat::text;
+      file = *std::move(opened);
+      options.numbered = file->format() != InputFormat::text;
     }
     double seconds = 0.0;
     const auto certificate = certify::makeCertificate(job.evaluation.actions, options, job.log);
     bool whole = false;
     {
       const Stopwatch watch(seconds);
-      const auto swarf = path::firstSwarf(job.evaluation.actions);
+      const auto corner = firstCorner(job.evaluation.actions);
       if (request.path.empty()) {
         whole = execute(job, *certificate, interrupted, true);
-      } else if (swarf) {
-        Diagnostic refusal = diagnose(*swarf, diag::NotCertified,
-                                      "a CL file has the tilted tool of the section, whose walls "
-                                      "are not surfaces of the program");
+      } else if (corner) {
+        Diagnostic refusal =
+            diagnose(*corner, diag::NotCertified,
+                     "a CL file has the tool as WCORN turned it in the corner, where its locations "
+                     "no longer follow from those of the upright tool");
         refusal.help =
             "`arelem verify CL --with PROGRAM` compares its locations and axes; without "
             "the file the path is proven as it was before the tool was tilted";
         job.log.accept(std::move(refusal));
       } else {
-        whole = readPath(request.path, std::move(bytes), settings, *certificate, interrupted, exit);
+        whole = readPath(*file, request.slack, settings, *certificate, interrupted, exit);
       }
-      const bool judged = !swarf || request.path.empty();
+      const bool judged = !corner || request.path.empty();
       if (judged && (whole || job.log.errors() > 0)) {
         certificate->finish();
       }

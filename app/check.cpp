@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "app/cl_stream.h"
 #include "app/command.h"
 #include "app/messages.h"
 #include "app/options.h"
@@ -15,42 +16,89 @@ struct Tally {
   std::size_t files = 0, failed = 0, errors = 0, warnings = 0;
 };
 
-ExitCode checkOne(const std::string& path,
-                  const Settings& settings,
-                  const std::string& report,
-                  bool words,
-                  const InterruptFlag& interrupted,
-                  Tally& tally) {
-  Compilation job(settings);
+struct CheckOptions {
+  Settings settings;
+  std::string report;
+  bool words = false;
+};
+
+/// Large CL text, piece by piece. False when the file is to be read at once.
+bool checkPieces(Compilation& job,
+                 const std::string& path,
+                 WordCounts& words,
+                 const InterruptFlag& interrupted) {
+  const auto dialect = streamDialect(path, job.settings);
+  if (!dialect) {
+    return false;
+  }
+  ClTexts texts;
+  ClReading reading(job, texts, path, *dialect, interrupted);
+  while (reading.open()) {
+    const std::unique_ptr<ClPiece> piece = reading.read();
+    if (piece == nullptr) {
+      return false;
+    }
+    std::vector<Span> told;
+    for (const Diagnostic& diagnostic : piece->messages) {
+      told.push_back(diagnostic.at);
+    }
+    words.add(piece->program, texts.map(), piece->text, told);
+  }
+  return reading.finish();
+}
+
+void checkWhole(Compilation& job,
+                const std::string& path,
+                WordCounts& words,
+                const InterruptFlag& interrupted) {
   if (load(job, path, interrupted) && job.log.errors() == 0) {
     static_cast<void>(evaluate(job, interrupted));
   }
-  if (!report.empty() && !interrupted) {
-    writeRunReport(job, report, false);
+  std::vector<Span> told;
+  for (const Diagnostic& diagnostic : job.log.all()) {
+    told.push_back(diagnostic.at);
   }
-  if (words && !interrupted) {
-    printWordCounts(std::cout, job);
+  if (job.sources.size() > 0) {
+    words.add(job.program, job.sources, job.sources.text(job.main), told);
   }
-  printTrace(std::cerr, job);
-  job.log.print(job.sources, job.main, settings);
+}
+
+ExitCode checkOne(const std::string& path,
+                  const CheckOptions& options,
+                  const InterruptFlag& interrupted,
+                  Tally& tally) {
+  auto job = std::make_unique<Compilation>(options.settings);
+  auto words = std::make_unique<WordCounts>();
+  if (!options.report.empty() || !checkPieces(*job, path, *words, interrupted)) {
+    job = std::make_unique<Compilation>(options.settings);
+    words = std::make_unique<WordCounts>();
+    checkWhole(*job, path, *words, interrupted);
+  }
+  if (!options.report.empty() && !interrupted) {
+    writeRunReport(*job, options.report, false);
+  }
+  if (options.words && !interrupted) {
+    words->print(std::cout);
+  }
+  printTrace(std::cerr, *job);
+  job->log.print(job->sources, job->main, options.settings);
   ++tally.files;
-  tally.failed += job.log.errors() > 0 ? 1 : 0;
-  tally.errors += job.log.errors();
-  tally.warnings += job.log.warnings();
-  return job.log.exitCode();
+  tally.failed += job->log.errors() > 0 ? 1 : 0;
+  tally.errors += job->log.errors();
+  tally.warnings += job->log.warnings();
+  return job->log.exitCode();
 }
 }  // namespace
 
 int runCheck(const Invocation& invocation) {
   CLI::App app("Reads and evaluates part programs without computing any motion.", "check");
-  Settings settings;
+  CheckOptions options;
+  Settings& settings = options.settings;
   std::vector<std::string> files;
-  std::string report;
-  bool words = false;
   app.add_option("FILE", files, "part programs; - is standard input")->required();
-  app.add_option("--report", report, "what the program uses, as JSON; for one file")
+  app.add_option("--report", options.report, "what the program uses, as JSON; for one file")
       ->type_name("FILE");
-  app.add_flag("--words", words,
+  app.add_flag("--words", options.words,
                "how often each word begins a statement, and what became of it: understood, passed "
                "on, reported");
   addSourceOptions(app, settings);
@@ -58,7 +106,7 @@ int runCheck(const Invocation& invocation) {
   if (const auto code = parse(app, invocation.words)) {
     return *code;
   }
-  if (!report.empty() && files.size() != 1) {
+  if (!options.report.empty() && files.size() != 1) {
     printUsageError("check", "`--report` is for one file");
     return static_cast<int>(ExitCode::wrongUse);
   }
@@ -67,7 +115,7 @@ int runCheck(const Invocation& invocation) {
   Tally tally;
   for (const std::string& file : files) {
     if (!interrupted) {
-      result = worse(result, checkOne(file, settings, report, words, interrupted, tally));
+      result = worse(result, checkOne(file, options, interrupted, tally));
     }
   }
   if (!settings.quiet && settings.format != DiagnosticFormat::json) {

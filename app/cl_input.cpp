@@ -1,7 +1,9 @@
 #include "app/cl_input.h"
 
-#include <sstream>
+#include <array>
 
+#include "app/byte_stream.h"
+#include "app/cl_stream.h"
 #include "app/code_file.h"
 #include "app/source_file.h"
 
@@ -19,31 +21,79 @@ InputFormat formatOf(std::string_view bytes) {
                                                                 : InputFormat::text;
 }
 
+Result<ClFile> ClFile::open(const std::string& path, const Limits& limits) {
+  Result<std::unique_ptr<std::istream>> in = openBytes(path, limits);
+  if (!in) {
+    return in.takeFailure();
+  }
+  ClFile file(path, *std::move(in));
+  constexpr std::size_t enough = 4096;  // blanks before the brace of JSON do not matter
+  std::string begin(enough, '\0');
+  file.in_->read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.in_->gcount()));
+  file.format_ = formatOf(begin);
+  file.in_->clear();
+  file.in_->seekg(0);
+  return file;
+}
+
+std::string ClFile::text() {
+  std::string all;
+  std::array<char, 1U << 16U> block{};
+  while (in_->read(block.data(), block.size()) || in_->gcount() > 0) {
+    all.append(block.data(), static_cast<std::size_t>(in_->gcount()));
+  }
+  return all;
+}
+
 bool readRecords(Compilation& job,
-                 const std::string& path,
-                 std::string bytes,
+                 ClFile& file,
                  cl::RecordSink& records,
                  const InterruptFlag& interrupted) {
-  const InputFormat format = formatOf(bytes);
-  if (format == InputFormat::text) {
-    return load(job, path, std::move(bytes), interrupted) && evaluate(job, interrupted) &&
+  if (file.format() == InputFormat::text) {
+    return load(job, file.path(), file.text(), interrupted) && evaluate(job, interrupted) &&
            execute(job, records, interrupted);
   }
-  job.main = job.sources.add(displayName(path), "");
+  const std::string name = displayName(file.path());
+  job.main = job.sources.add(name, "");
   std::unique_ptr<cl::RecordSink> frames;
   if (job.settings.partFrame) {
     frames = frameStage(job.settings, records, job.log);
   }
   cl::RecordSink& first = frames ? *frames : records;
   bool whole = false;
-  if (format == InputFormat::json) {
-    whole = backend::readJsonRecords(bytes, displayName(path), first, job.log);
+  if (file.format() == InputFormat::json) {
+    whole = backend::readJsonRecords(file.stream(), name, first, job.log);
   } else {
-    std::istringstream in(std::move(bytes));
-    whole = readCodes(job) &&
-            backend::readTape(in, first, job.log, job.settings.limits, job.codes).complete;
+    whole =
+        readCodes(job) &&
+        backend::readTape(file.stream(), first, job.log, job.settings.limits, job.codes).complete;
   }
   return whole && job.log.errors() == 0 && !interrupted;
+}
+
+ReadFile readFile(const Settings& settings,
+                  const std::string& path,
+                  const BeginRecords& begin,
+                  const InterruptFlag& interrupted,
+                  bool inPieces) {
+  if (const auto dialect = inPieces ? streamDialect(path, settings) : std::nullopt) {
+    ReadFile streamed{std::make_unique<Compilation>(settings), true};
+    CollectingSink messages;
+    ClTexts texts;
+    ClStreamEnd end{*begin(*streamed.job, &texts), messages, texts};
+    if (streamCl(*streamed.job, path, *dialect, end, interrupted) == Streamed::whole) {
+      return streamed;
+    }
+  }
+  ReadFile read{std::make_unique<Compilation>(settings), false};
+  Result<ClFile> file = ClFile::open(path, settings.limits);
+  if (!file) {
+    read.job->log.accept(file.takeFailure());
+  } else if (cl::RecordSink* records = begin(*read.job, nullptr)) {
+    read.whole = readRecords(*read.job, *file, *records, interrupted);
+  }
+  return read;
 }
 
 }  // namespace arelem::app

@@ -3,75 +3,23 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <optional>
+#include <future>
 
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "ir/diag/interpret.h"
+#include "ir/diag/render_text.h"
+#include "runtime/path/curve_needs.h"
+#include "runtime/path/feed_override.h"
 #include "runtime/path/movnrb.h"
+#include "runtime/path/swarf.h"
 
 namespace arelem::app {
 
 namespace {
-/// Bytes of a piece: some ten thousand statements.
-constexpr std::size_t pieceSize = 1U << 20U;
-/// Smaller files are read at once.
-constexpr std::uintmax_t worthIt = 4U * pieceSize;
 /// What is looked at to find out whether a text is CL text.
 constexpr std::size_t beginning = 1U << 16U;
-
-/// Only whether anything was said: the ordinary way says it again, with its place.
-class Silent : public DiagnosticSink {
- public:
-  void accept(Diagnostic /*diagnostic*/) override { said = true; }
-  bool said = false;
-};
-
-/// Cuts a file at ends of statements.
-class Pieces {
- public:
-  explicit Pieces(const std::string& path) : in_(path, std::ios::binary) {}
-
-  /// The next piece; empty at the end.
-  std::string next() {
-    std::string piece = std::move(rest_);
-    rest_.clear();
-    for (std::size_t wanted = pieceSize;; wanted += pieceSize) {
-      while (piece.size() < wanted && in_) {
-        const std::size_t before = piece.size();
-        piece.resize(wanted);
-        in_.read(piece.data() + before, static_cast<std::streamsize>(wanted - before));
-        piece.resize(before + static_cast<std::size_t>(in_.gcount()));
-      }
-      if (!in_) {
-        return piece;
-      }
-      if (const std::size_t end = statementEnd(piece); end != 0) {
-        rest_ = piece.substr(end);
-        piece.resize(end);
-        return piece;
-      }
-    }
-  }
-  [[nodiscard]] bool atEnd() const { return rest_.empty() && !in_; }
-  [[nodiscard]] bool good() const { return !in_.bad(); }
-
- private:
-  /// Behind the last line feed whose line is not continued; 0 when there is none.
-  static std::size_t statementEnd(const std::string& piece) {
-    for (std::size_t feed = piece.rfind('\n'); feed != std::string::npos && feed > 0;
-         feed = piece.rfind('\n', feed - 1)) {
-      const std::size_t last = piece.find_last_not_of(" \t\r", feed - 1);
-      if (last == std::string::npos || piece[last] != '$') {
-        return feed + 1;
-      }
-    }
-    return 0;
-  }
-
-  std::ifstream in_;
-  std::string rest_;
-};
 
 /// Statements that need nothing but what is carried from piece to piece.
 bool standsAlone(const ir::Statement& statement) {
@@ -82,6 +30,8 @@ bool standsAlone(const ir::Statement& statement) {
       case WordClass::postWithoutParameters:
       case WordClass::arelemValue:
       case WordClass::arelemSwitch:
+      case WordClass::toolPosition:
+      case WordClass::runControl:
       case WordClass::units:
       case WordClass::motion:
         return true;
@@ -101,134 +51,314 @@ bool standsAlone(const ir::Program& program) {
     return false;
   }
   const auto& statements = program.blocks[0].statements;
-  return std::all_of(statements.begin(), statements.end(),
-                     [](const ir::Statement& s) { return standsAlone(s); });
+  return !statements.empty() && std::all_of(statements.begin(), statements.end(),
+                                            [](const ir::Statement& s) { return standsAlone(s); });
 }
 
-/// The pieces of one file, and what they have in common.
-class Stream {
+/// Actions whose motion is rewritten over the whole program, unless a CAM system did so already.
+bool needsAll(const std::vector<runtime::Action>& actions, frontend::Dialect dialect) {
+  return dialect != frontend::Dialect::cl &&
+         (path::overridesFeeds(actions) || path::firstSwarf(actions).has_value() ||
+          path::needsChords(actions));
+}
+}  // namespace
+
+class ClReading::Reader {
  public:
-  Stream(Compilation& job, cl::RecordSink& records, const InterruptFlag& interrupted)
-      : job_(job), interrupted_(interrupted) {
-    runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}};
-    options.axesFollow = true;
-    options.keepsFacts = false;
-    frames_ = frameStage(job.settings, records, silent_);
-    splines_ = path::makeMovnrbCheck(*frames_, silent_);
-    execution_.emplace(options, *splines_, silent_);
-  }
+  Reader(Compilation& job,
+         ClTexts& texts,
+         const std::string& path,
+         frontend::Dialect dialect,
+         const InterruptFlag& interrupted,
+         const ClStreamRules& rules)
+      : job_(job),
+        texts_(texts),
+        path_(path),
+        dialect_(dialect),
+        interrupted_(interrupted),
+        pieces_(path, rules.piece) {}
 
-  /// False when the file must be read at once.
-  bool take(std::string text, const std::string& path, bool last) {
-    if (objectionToText(path, text) || ended_) {
-      return ended_ && text.find_first_not_of(" \t\r\n") == std::string::npos;
-    }
-    const bool single = compile(std::move(text), path);
-    if (!single || silent_.said || interrupted_) {
+  bool open() {
+    std::optional<ClPieces::Piece> piece = pieces_.next();
+    if (!piece) {
       return false;
     }
-    const auto& statements = program_.blocks[0].statements;
-    statements_ += statements.size();
-    evaluate();
-    ended_ = statements.back().span.length > 0;  // a FINI that was written
-    if (!ended_ && !last) {
-      evaluation_.actions.pop_back();  // that of the end of the piece
-      --statements_;
-      --job_.evaluation.steps;
+    last_ = piece->last;
+    size_ = piece->text.size();
+    good_ = good_ && !objectionToText(path_, piece->text);
+    if (!last_ && frontend::rulesOf(dialect_).missingFini == frontend::Leave::refused) {
+      piece->text += "FINI\n";  // the end of a piece is no end of the program
     }
-    if (job_.evaluation.steps > job_.settings.limits.steps) {
-      return false;
-    }
-    {
-      const Stopwatch watch(job_.seconds.execute);
-      execution_->feed(evaluation_.actions);
-    }
-    return !silent_.said && !interrupted_;
+    buffer_ = texts_.add(displayName(path_), std::move(piece->text), piece->start);
+    return true;
   }
 
+  std::unique_ptr<ClPiece> read() {
+    const std::string_view text = texts_.map().text(buffer_).substr(0, size_);
+    if (!good_ || !pieces_.good() ||
+        (ended_ && text.find_first_not_of(" \t\r\n") != std::string_view::npos)) {
+      return nullptr;
+    }
+    auto piece = std::make_unique<ClPiece>();
+    piece->buffer = buffer_;
+    piece->text = text;
+    if (ended_) {
+      return piece;
+    }
+    CollectingSink messages;
+    if (!compile(*piece, messages)) {
+      return nullptr;
+    }
+    evaluate(*piece, messages);
+    const bool most = job_.evaluation.steps > job_.settings.limits.steps;
+    return tell(*piece, messages.all()) && good_ && !most && !interrupted_ ? std::move(piece)
+                                                                           : nullptr;
+  }
+
+  bool take(const std::vector<Diagnostic>& messages) {
+    for (const Diagnostic& d : messages) {
+      late_.push_back(texts_.inWhole(d));
+    }
+    return check(messages);
+  }
+
+  /// Messages in the order in which a reading at once tells them.
   bool finish() {
-    job_.motion = execution_->finish();
-    return !silent_.said && job_.motion.complete;
+    for (const runtime::Ignored& known : ignored_) {
+      told_.push_back(texts_.inWhole(
+          diagnose(known.first, diag::NoEffect, known.what, known.why, known.times)));
+    }
+    told_.insert(told_.end(), late_.begin(), late_.end());
+    if (told_.empty()) {
+      return pieces_.good();
+    }
+    Result<std::string> text = readBytes(path_, job_.settings.limits);
+    if (!text) {
+      return false;
+    }
+    job_.main = job_.sources.add(displayName(path_), *std::move(text));
+    for (Diagnostic& d : told_) {
+      job_.log.accept(std::move(d));
+    }
+    return pieces_.good();
   }
   [[nodiscard]] std::size_t statements() const { return statements_; }
 
  private:
-  bool compile(std::string text, const std::string& path) {
-    const Stopwatch watch(job_.seconds.parse);
-    frontend::Options options;
-    options.dialect = frontend::Dialect::cl;
-    options.limits = job_.settings.limits;
-    options.interrupted = &interrupted_;
-    SourceMap sources;
-    const BufferId buffer = sources.add(displayName(path), std::move(text));
-    program_ = frontend::compile(sources, buffer, options, silent_);
-    return standsAlone(program_) && !program_.blocks[0].statements.empty();
+  /// What has no effect is counted and told at the end.
+  bool tell(ClPiece& piece, const std::vector<Diagnostic>& messages) {
+    for (const Diagnostic& d : messages) {
+      if (d.row != diag::NoEffect.row) {
+        piece.messages.push_back(d);
+        told_.push_back(texts_.inWhole(d));
+      }
+    }
+    for (const runtime::Ignored& here : piece.evaluation.ignored) {
+      const auto known =
+          std::find_if(ignored_.begin(), ignored_.end(),
+                       [&](const runtime::Ignored& i) { return i.what == here.what; });
+      if (known != ignored_.end()) {
+        known->times += here.times;
+        continue;
+      }
+      ignored_.push_back(here);
+      piece.messages.push_back(
+          diagnose(here.first, diag::NoEffect, here.what, here.why, here.times));
+    }
+    return check(piece.messages);
   }
 
-  void evaluate() {
+  /// False for what is not told, or not in the same way, of a file in pieces.
+  bool check(const std::vector<Diagnostic>& messages) {
+    const bool good = std::all_of(messages.begin(), messages.end(), [](const Diagnostic& d) {
+      return d.at.buffer != nowhere.buffer && d.severity() != Severity::error;
+    });
+    // Beyond these some are only counted, and not the same ones as for a text read at once.
+    const std::uint64_t most =
+        std::min<std::uint64_t>(DiagnosticLog::kept, 4 * job_.settings.limits.errors);
+    return good && told_.size() + late_.size() <= most;
+  }
+
+  bool compile(ClPiece& piece, DiagnosticSink& messages) {
+    const Stopwatch watch(job_.seconds.parse);
+    frontend::Options options;
+    options.dialect = dialect_;
+    options.limits = job_.settings.limits;
+    options.interrupted = &interrupted_;
+    SourceMap& map = texts_.map();
+    const std::size_t texts = map.size();
+    piece.program = frontend::compile(map, buffer_, options, messages);
+    // A piece may look like the text of a CAM system where the beginning of the file does not.
+    return standsAlone(piece.program) && map.size() == texts &&
+           (piece.program.dialect == frontend::spell(dialect_));
+  }
+
+  void evaluate(ClPiece& piece, DiagnosticSink& messages) {
     const Stopwatch watch(job_.seconds.evaluate);
+    auto& statements = piece.program.blocks[0].statements;
     runtime::Options options{job_.settings.limits, &interrupted_, {}, false, {}, {}};
     options.carried = &carried_;
-    evaluation_ = runtime::evaluate(program_, options, silent_);
-    job_.evaluation.steps += evaluation_.steps;
-    for (runtime::Action& action : evaluation_.actions) {
+    piece.evaluation = runtime::evaluate(piece.program, options, messages);
+    for (runtime::Action& action : piece.evaluation.actions) {
       action.isn += isn_;
-      action.origin = {};  // its text is gone soon
     }
+    const ir::Statement& end = statements.back();
     // The end of a piece has the number of the statement behind it.
-    isn_ += static_cast<int>(program_.blocks[0].statements.back().isn) - 1;
+    isn_ += static_cast<int>(end.isn) - 1;
+    ended_ = end.span.length > 0 && end.span.begin < size_;  // a FINI that was written
+    statements_ += statements.size();
+    job_.evaluation.steps += piece.evaluation.steps;
+    if (!ended_ && !last_) {
+      piece.evaluation.actions.pop_back();  // that of the end of the piece
+      statements.pop_back();
+      --statements_;
+      --job_.evaluation.steps;
+    }
+    good_ = good_ && piece.evaluation.complete && !needsAll(piece.evaluation.actions, dialect_);
   }
 
   Compilation& job_;
+  ClTexts& texts_;
+  std::string path_;
+  frontend::Dialect dialect_;
   const InterruptFlag& interrupted_;
-  Silent silent_;
+  ClPieces pieces_;
+  runtime::Carried carried_;
+  BufferId buffer_;
+  std::size_t size_ = 0;  ///< of the piece as it stands in the file
+  int isn_ = 0;
+  std::vector<Diagnostic> told_;  ///< of Section 1
+  std::vector<Diagnostic> late_;  ///< of the motion: told behind those of Section 1
+  std::vector<runtime::Ignored> ignored_;
+  std::size_t statements_ = 0;
+  bool last_ = false, ended_ = false, good_ = true;
+};
+
+ClReading::ClReading(Compilation& job,
+                     ClTexts& texts,
+                     const std::string& path,
+                     frontend::Dialect dialect,
+                     const InterruptFlag& interrupted,
+                     const ClStreamRules& rules)
+    : reader_(std::make_unique<Reader>(job, texts, path, dialect, interrupted, rules)) {}
+ClReading::~ClReading() = default;
+bool ClReading::open() {
+  return reader_->open();
+}
+std::unique_ptr<ClPiece> ClReading::read() {
+  return reader_->read();
+}
+bool ClReading::take(const std::vector<Diagnostic>& messages) {
+  return reader_->take(messages);
+}
+bool ClReading::finish() {
+  return reader_->finish();
+}
+std::size_t ClReading::statements() const {
+  return reader_->statements();
+}
+
+namespace {
+/// Sections 2 and 3 of the pieces, each beside the reading of the next one.
+class ClMotion {
+ public:
+  ClMotion(Compilation& job,
+           frontend::Dialect dialect,
+           ClStreamEnd& end,
+           const InterruptFlag& interrupted)
+      : job_(job), messages_(end.messages) {
+    runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}};
+    options.axesFollow = dialect == frontend::Dialect::cl;
+    options.keepsFacts = false;
+    cl::RecordSink* first = &end.records;
+    if (options.axesFollow) {
+      frames_ = frameStage(job.settings, *first, messages_);
+      splines_ = path::makeMovnrbCheck(*frames_, messages_);
+      first = splines_.get();
+    }
+    execution_.emplace(options, *first, messages_);
+  }
+  ~ClMotion() {
+    if (running_.valid()) {
+      running_.wait();
+    }
+  }
+  ClMotion(const ClMotion&) = delete;
+  ClMotion& operator=(const ClMotion&) = delete;
+
+  void begin(std::unique_ptr<ClPiece> piece) {
+    running_ = std::async(std::launch::async, [this, piece = std::move(piece)] {
+      const Stopwatch watch(job_.seconds.execute);
+      execution_->feed(piece->evaluation.actions);
+    });
+  }
+  /// What the piece in work has told.
+  std::vector<Diagnostic> wait() {
+    if (running_.valid()) {
+      running_.get();
+    }
+    std::vector<Diagnostic> told = messages_.all();
+    messages_.clear();
+    return told;
+  }
+  bool finish() {
+    job_.motion = execution_->finish();
+    return job_.motion.complete;
+  }
+
+ private:
+  Compilation& job_;
+  CollectingSink& messages_;
   std::unique_ptr<cl::RecordSink> frames_, splines_;
   std::optional<runtime::Execution> execution_;
-  runtime::Carried carried_;
-  ir::Program program_;
-  runtime::Evaluation evaluation_;
-  int isn_ = 0;
-  std::size_t statements_ = 0;
-  bool ended_ = false;
+  std::future<void> running_;
 };
 }  // namespace
 
-bool isLargeCl(const std::string& path, const Settings& settings) {
+std::optional<frontend::Dialect> streamDialect(const std::string& path,
+                                               const Settings& settings,
+                                               const ClStreamRules& rules) {
   std::error_code error;
   const bool fits = path != "-" && std::filesystem::is_regular_file(path, error) &&
-                    std::filesystem::file_size(path, error) >= worthIt &&
+                    std::filesystem::file_size(path, error) >= rules.smallest &&
                     std::filesystem::file_size(path, error) <= settings.limits.bytes;
   if (!fits || error || !settings.defines.empty()) {
-    return false;
-  }
-  if (settings.dialect != frontend::Dialect::automatic) {
-    return settings.dialect == frontend::Dialect::cl;
+    return std::nullopt;
   }
   std::string begin(beginning, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(in.gcount()));
-  return begin.find('\0') == std::string::npos && frontend::looksLikeCl(begin).has_value();
+  if (begin.find('\0') != std::string::npos || begin.starts_with('{')) {
+    return std::nullopt;
+  }
+  const bool named =
+      settings.dialect == frontend::Dialect::automatic && frontend::looksLikeCl(begin).has_value();
+  return named ? frontend::Dialect::cl : settings.dialect;
 }
 
 Streamed streamCl(Compilation& job,
                   const std::string& path,
-                  cl::RecordSink& records,
-                  std::size_t& statements,
-                  const InterruptFlag& interrupted) {
-  Pieces pieces(path);
-  Stream stream(job, records, interrupted);
-  do {
-    std::string piece = pieces.next();
-    const bool last = pieces.atEnd();
-    if (!pieces.good() || !stream.take(std::move(piece), path, last)) {
+                  frontend::Dialect dialect,
+                  ClStreamEnd& end,
+                  const InterruptFlag& interrupted,
+                  const ClStreamRules& rules) {
+  ClReading reading(job, end.texts, path, dialect, interrupted, rules);
+  ClMotion motion(job, dialect, end, interrupted);
+  bool more = reading.open();
+  while (more) {
+    std::unique_ptr<ClPiece> piece = reading.read();
+    if (!reading.take(motion.wait()) || piece == nullptr) {
       return Streamed::refused;
     }
-  } while (!pieces.atEnd());
-  if (!stream.finish()) {
+    more = reading.open();  // not beside the motion, which may look at texts
+    motion.begin(std::move(piece));
+  }
+  const bool good = reading.take(motion.wait()) && motion.finish() && (!end.close || end.close());
+  if (!good || !reading.take(motion.wait()) || !reading.finish()) {
     return Streamed::refused;
   }
-  statements = stream.statements();
+  end.statements = reading.statements();
   return Streamed::whole;
 }
 

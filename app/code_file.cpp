@@ -7,7 +7,7 @@
 namespace arelem::app {
 
 namespace {
-Result<backend::tape::Codes> codesOf(const Settings& settings) {
+Result<backend::tape::Codes> codesOf(const Settings& settings, std::vector<std::string>& read) {
   if (settings.codes.empty()) {
     return backend::tape::Codes();
   }
@@ -19,12 +19,13 @@ Result<backend::tape::Codes> codesOf(const Settings& settings) {
   if (!file) {
     return file.takeFailure();
   }
+  read.push_back(file->name);
   return backend::tape::Codes::read(file->text, file->name);
 }
 }  // namespace
 
 bool readCodes(Compilation& job) {
-  Result<backend::tape::Codes> codes = codesOf(job.settings);
+  Result<backend::tape::Codes> codes = codesOf(job.settings, job.filesRead);
   if (!codes) {
     job.log.accept(codes.takeFailure());
     return false;

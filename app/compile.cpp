@@ -8,6 +8,7 @@
 #include "app/code_file.h"
 #include "app/command.h"
 #include "app/depfile.h"
+#include "app/library_file.h"
 #include "app/machine.h"
 #include "app/options.h"
 #include "app/output_plan.h"
@@ -176,6 +177,21 @@ class Delivery {
   std::unique_ptr<path::ArcFitter> fitter_;
 };
 
+/// Messages, the tally of a batch and the summary.
+void tellEnd(Compilation& job,
+             const PlannedJob& plan,
+             std::size_t statements,
+             const OutputSet& outputs,
+             const CompileOptions& options) {
+  job.log.print(job.sources, job.main, options.settings);
+  if (options.tally >= 0) {
+    writeTally(options.tally, job.log.errors(), job.log.warnings(), job.motion.cutVectors);
+  }
+  if (options.settings.verbose && !options.settings.quiet) {
+    printSummary(plan, job, statements, outputs);
+  }
+}
+
 /// From evaluated program to files. Nothing gets a final name unless all went well.
 void produce(Compilation& job,
              OutputSet& outputs,
@@ -206,7 +222,7 @@ void produce(Compilation& job,
 void rewrite(Compilation& job,
              OutputSet& outputs,
              const PlannedJob& plan,
-             std::string bytes,
+             ClFile& file,
              const CompileOptions& options,
              const InterruptFlag& interrupted) {
   backend::Context context = backendContext(job);
@@ -216,48 +232,48 @@ void rewrite(Compilation& job,
     return;
   }
   const auto fitter = path::makeArcFitter(outputs, options.fitShare);
-  const bool whole = readRecords(job, plan.input, std::move(bytes), *fitter, interrupted);
+  const bool whole = readRecords(job, file, *fitter, interrupted);
   fitter->finish();
   if (whole || (options.keepGoing && !interrupted)) {
     static_cast<void>(outputs.close(!whole));
   }
 }
 
-/// Large CL text, piece by piece. False when the file is to be read at once.
-bool stream(const PlannedJob& plan,
-            const CompileOptions& options,
-            const InterruptFlag& interrupted) {
-  if (!plan.report.empty() || !options.depfile.empty() || !options.machine.file.empty() ||
-      !options.machine.compat.empty() || needsProgram(plan) ||
-      !isLargeCl(plan.input, options.settings)) {
-    return false;
+/// What must be done with a whole program.
+bool wantsAll(const PlannedJob& plan, const CompileOptions& options) {
+  return !plan.report.empty() || !options.depfile.empty() || !options.machine.file.empty() ||
+         !options.machine.compat.empty() || needsProgram(plan);
+}
+
+/// Large CL text, piece by piece. None when the file is to be read at once.
+std::optional<ExitCode> stream(const PlannedJob& plan,
+                               const CompileOptions& options,
+                               const InterruptFlag& interrupted) {
+  const auto dialect =
+      wantsAll(plan, options) ? std::nullopt : streamDialect(plan.input, options.settings);
+  if (!dialect) {
+    return std::nullopt;
   }
   Compilation job(options.settings);
-  OutputSet outputs(job.log);
-  if (!readCodes(job)) {
-    return false;
-  }
+  CollectingSink messages;
+  OutputSet outputs(messages);
   backend::Context context = backendContext(job);
   context.decimals = options.decimals;
-  if (!outputs.open(plan.outputs, context)) {
-    return false;  // and then with a message
+  if (!readCodes(job) || !outputs.open(plan.outputs, context)) {
+    return std::nullopt;  // and then with a message
   }
   Delivery delivery(outputs, nullptr, options);
-  std::size_t statements = 0;
-  if (streamCl(job, plan.input, delivery.first(), statements, interrupted) == Streamed::refused) {
-    return false;
+  ClTexts texts;
+  ClStreamEnd end{delivery.first(), messages, texts};
+  end.close = [&] {
+    delivery.finish(job);
+    return outputs.close(false);
+  };
+  if (streamCl(job, plan.input, *dialect, end, interrupted) == Streamed::refused) {
+    return std::nullopt;
   }
-  delivery.finish(job);
-  if (job.log.errors() > 0 || job.log.warnings() > 0 || !outputs.close(false)) {
-    return false;
-  }
-  if (options.tally >= 0) {
-    writeTally(options.tally, 0, 0, job.motion.cutVectors);
-  }
-  if (options.settings.verbose && !options.settings.quiet) {
-    printSummary(plan, job, statements, outputs);
-  }
-  return true;
+  tellEnd(job, plan, end.statements, outputs, options);
+  return job.log.exitCode();
 }
 
 /// Whatever kind of file the input is.
@@ -269,21 +285,31 @@ void compileInto(OutputSet& outputs,
   if (!readCodes(job)) {
     return;
   }
-  Result<std::string> bytes = readBytes(plan.input, options.settings.limits);
-  if (!bytes) {
-    job.log.accept(bytes.takeFailure());
-  } else if (formatOf(*bytes) != InputFormat::text) {
-    rewrite(job, outputs, plan, *std::move(bytes), options, interrupted);
-  } else if (load(job, plan.input, *std::move(bytes), interrupted) && evaluate(job, interrupted)) {
+  Result<ClFile> file = ClFile::open(plan.input, options.settings.limits);
+  if (!file) {
+    job.log.accept(file.takeFailure());
+  } else if (file->format() != InputFormat::text) {
+    rewrite(job, outputs, plan, *file, options, interrupted);
+  } else if (load(job, plan.input, file->text(), interrupted) && evaluate(job, interrupted)) {
     produce(job, outputs, plan, options, interrupted);
   }
+}
+
+/// The machine file of --machine, where it was found.
+std::vector<std::string> machineFiles(const CompileOptions& options) {
+  if (options.machine.file.empty()) {
+    return {};
+  }
+  const Result<LibraryFile> file =
+      readLibraryFile(options.machine.file, options.settings, "machines");
+  return file ? std::vector{(*file).name} : std::vector<std::string>{};
 }
 
 ExitCode compileOne(const PlannedJob& plan,
                     const CompileOptions& options,
                     const InterruptFlag& interrupted) {
-  if (stream(plan, options, interrupted)) {
-    return ExitCode::ok;
+  if (const std::optional<ExitCode> code = stream(plan, options, interrupted)) {
+    return *code;
   }
   Compilation job(options.settings);
   job.progress = progressOnTerminal();
@@ -293,18 +319,10 @@ ExitCode compileOne(const PlannedJob& plan,
     writeRunReport(job, plan.report, options.settings.verbose);
   }
   if (!options.depfile.empty() && job.log.errors() == 0 && !interrupted) {
-    const std::string& machine = options.machine.file;
-    writeDepfile(job, plan, machine.empty() ? std::vector<std::string>{} : std::vector{machine},
-                 options.depfile);
+    writeDepfile(job, plan, machineFiles(options), options.depfile);
   }
   printTrace(std::cerr, job);
-  job.log.print(job.sources, job.main, options.settings);
-  if (options.tally >= 0) {
-    writeTally(options.tally, job.log.errors(), job.log.warnings(), job.motion.cutVectors);
-  }
-  if (options.settings.verbose && !options.settings.quiet) {
-    printSummary(plan, job, statementCount(job.program), outputs);
-  }
+  tellEnd(job, plan, statementCount(job.program), outputs, options);
   return job.log.exitCode();
 }
 

@@ -8,7 +8,6 @@
 #include "app/options.h"
 #include "app/path_options.h"
 #include "app/pipeline.h"
-#include "app/source_file.h"
 #include <nlohmann/json.hpp>
 
 #include "runtime/path/arc_fit.h"
@@ -143,13 +142,13 @@ int runTime(const Invocation& invocation) {
   timing::CutTimer timer(*machine, job.log);
   Lines lines(timer);
   const auto fitter = path::makeArcFitter(lines, options.fitShare);
-  Result<std::string> bytes = readBytes(options.input, options.settings.limits);
-  if (!bytes) {
-    job.log.accept(bytes.takeFailure());
+  Result<ClFile> file = ClFile::open(options.input, options.settings.limits);
+  if (!file) {
+    job.log.accept(file.takeFailure());
     job.log.print(job.sources, job.main, options.settings);
     return static_cast<int>(job.log.exitCode());
   }
-  const bool done = readRecords(job, options.input, *std::move(bytes), *fitter, interrupted);
+  const bool done = readRecords(job, *file, *fitter, interrupted);
   fitter->finish();
   if (done) {
     const timing::TimeTable table = timer.finish();

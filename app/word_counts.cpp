@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <array>
 #include <map>
 #include <set>
 
@@ -43,10 +42,10 @@ bool isUnderstood(const ir::Body& body) {
 /// Places of diagnostics, to find out whether a statement has one.
 class Reported {
  public:
-  explicit Reported(const Compilation& job) {
-    for (const Diagnostic& diagnostic : job.log.all()) {
-      if (diagnostic.at.length > 0) {
-        places_.insert({diagnostic.at.buffer.index, diagnostic.at.begin});
+  explicit Reported(const std::vector<Span>& told) {
+    for (const Span& at : told) {
+      if (at.length > 0) {
+        places_.insert({at.buffer.index, at.begin});
       }
     }
   }
@@ -94,35 +93,52 @@ std::uint64_t commentsOf(std::string_view text) {
   return comments;
 }
 
-void print(std::ostream& out, const std::string& word, std::uint64_t count, std::string_view what) {
+void printCount(std::ostream& out,
+                const std::string& word,
+                std::uint64_t count,
+                std::string_view what) {
   if (count > 0) {
     out << fmt::format("{:<24} {:>10}  {}\n", word, count, what);
   }
 }
 }  // namespace
 
-void printWordCounts(std::ostream& out, const Compilation& job) {
-  std::map<std::string, Count> counts;
-  Reported reported(job);
-  for (const ir::Block& block : job.program.blocks) {
+struct WordCounts::Counts {
+  std::map<std::string, Count> words;
+  std::uint64_t comments = 0;
+};
+
+WordCounts::WordCounts() : counts_(std::make_unique<Counts>()) {}
+WordCounts::~WordCounts() = default;
+
+void WordCounts::add(const ir::Program& program,
+                     const SourceMap& sources,
+                     std::string_view text,
+                     const std::vector<Span>& told) {
+  Reported reported(told);
+  for (const ir::Block& block : program.blocks) {
     for (const ir::Statement& statement : block.statements) {
       if (statement.span.length == 0) {
         continue;  // the FINI of a program without one
       }
-      Count& count = counts[statementWord(statement.body)];
-      const bool told = reported.take(statement.span);
-      ++(told ? count.reported : isUnderstood(statement.body) ? count.understood : count.passed);
+      Count& count = counts_->words[statementWord(statement.body)];
+      const bool isTold = reported.take(statement.span);
+      ++(isTold ? count.reported : isUnderstood(statement.body) ? count.understood : count.passed);
     }
   }
   for (const auto& [buffer, offset] : reported.rest()) {
-    ++counts[wordAt(job.sources.text(BufferId{buffer}), offset)].reported;
+    ++counts_->words[wordAt(sources.text(BufferId{buffer}), offset)].reported;
   }
-  for (const auto& [word, count] : counts) {
-    print(out, word, count.understood, "understood");
-    print(out, word, count.passed, "passed on");
-    print(out, word, count.reported, "reported");
+  counts_->comments += commentsOf(text);
+}
+
+void WordCounts::print(std::ostream& out) const {
+  for (const auto& [word, count] : counts_->words) {
+    printCount(out, word, count.understood, "understood");
+    printCount(out, word, count.passed, "passed on");
+    printCount(out, word, count.reported, "reported");
   }
-  print(out, "$$", commentsOf(job.sources.text(job.main)), "comments, not in the CL data");
+  printCount(out, "$$", counts_->comments, "comments, not in the CL data");
 }
 
 }  // namespace arelem::app

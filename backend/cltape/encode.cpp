@@ -1,6 +1,7 @@
 #include "backend/cltape/encode.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "ir/cl/post_word.h"
 
@@ -128,16 +129,20 @@ int subclass(const cl::Body& body, const Codes& codes, int usual) {
 }  // namespace
 
 std::optional<Word> modifierOf(int code) {
+  static const auto later = [] {
+    std::unordered_map<int, Word> map;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
+      if (const auto word = static_cast<Word>(i); isLaterModifier(word)) {
+        map.emplace(row(word).code, word);
+      }
+    }
+    return map;
+  }();
   if (const auto word = findModifier(code)) {
     return word;
   }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
-    const auto word = static_cast<Word>(i);
-    if (isLaterModifier(word) && row(word).code == code) {
-      return word;
-    }
-  }
-  return std::nullopt;
+  const auto found = later.find(code);
+  return found == later.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<int> modifierCode(Word word) {

@@ -1,5 +1,7 @@
 #include "backend/json/reader.h"
 
+#include <sstream>
+
 #include <nlohmann/json.hpp>
 
 #include "ir/diag/output.h"
@@ -122,11 +124,11 @@ bool hand(const json& row, cl::RecordSink& records) {
 }
 }  // namespace
 
-bool readJsonRecords(std::string_view text,
+bool readJsonRecords(std::istream& in,
                      std::string_view file,
                      cl::RecordSink& records,
                      DiagnosticSink& sink) {
-  const auto object = [&](std::string_view part, std::uint64_t line) {
+  const auto object = [&](const std::string& part, std::uint64_t line) {
     std::string reason = "the points have not all three, all six or all nine numbers";
     try {
       const json row = json::parse(part);
@@ -147,20 +149,16 @@ bool readJsonRecords(std::string_view text,
     sink.accept(diagnose(Span{}, diag::JsonUnreadable, file, line, reason));
     return false;
   };
-  const std::size_t second = text.find('\n');
-  const bool lines = second == std::string_view::npos || text.substr(0, second).ends_with('}');
-  if (!lines) {
-    return object(text, 1);
-  }
-  std::uint64_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    ++number;
-    const std::string_view line = text.substr(begin, end - begin);
-    if (line.find_first_not_of(" \t\r") != std::string_view::npos && !object(line, number)) {
+  std::string line;
+  for (std::uint64_t number = 1; std::getline(in, line); ++number) {
+    if (number == 1 && !in.eof() && !line.ends_with('}')) {
+      std::ostringstream rest;  // one object over many lines
+      rest << line << '\n' << in.rdbuf();
+      return object(std::move(rest).str(), 1);
+    }
+    if (line.find_first_not_of(" \t\r") != std::string::npos && !object(line, number)) {
       return false;
     }
-    begin = end + 1;
   }
   return true;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <istream>
 #include <string_view>
 
 #include "ir/cl/record.h"
@@ -8,8 +9,9 @@ namespace arelem::backend {
 
 /// Reads the motion records of a `json` output and the circles before them: one record a line, or
 /// one object whose `cl` is the list of records. Of other records only their statement number is
-/// kept (as cl::Card). False after a fault, which is reported with its line.
-bool readJsonRecords(std::string_view text,
+/// kept (as cl::Card). One line is in memory at a time. False after a fault, which is reported with
+/// its line.
+bool readJsonRecords(std::istream& in,
                      std::string_view file,
                      cl::RecordSink& records,
                      DiagnosticSink& sink);

@@ -13,23 +13,41 @@
 namespace arelem::frontend {
 
 namespace {
-/// The cards of a statement joined as they stand, with the source offset of every byte.
-struct RawText {
-  std::string text;
-  std::vector<std::uint32_t> offsets;
-};
-
-RawText joined(const StatementText& statement, const SourceMap& sources) {
-  RawText raw;
-  for (const Span& piece : statement.pieces) {
-    const std::string_view part = sources.text(piece);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      raw.text.push_back(part[i]);
-      raw.offsets.push_back(piece.begin + static_cast<std::uint32_t>(i));
+/// The cards of a statement joined as they stand, with the source offset of every byte. One card
+/// is not copied.
+class RawText {
+ public:
+  RawText(const StatementText& statement, const SourceMap& sources) {
+    if (statement.pieces.size() == 1) {
+      text_ = sources.text(statement.pieces[0]);
+      begin_ = statement.pieces[0].begin;
+      return;
     }
+    for (const Span& piece : statement.pieces) {
+      const std::string_view part = sources.text(piece);
+      joined_ += part;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        offsets_.push_back(piece.begin + static_cast<std::uint32_t>(i));
+      }
+    }
+    text_ = joined_;
   }
-  return raw;
-}
+  RawText(const RawText&) = delete;
+  RawText& operator=(const RawText&) = delete;
+
+  [[nodiscard]] std::string_view text() const { return text_; }
+  /// The last byte of the text stands for all behind it.
+  [[nodiscard]] std::uint32_t offset(std::size_t i) const {
+    i = text_.empty() ? 0 : std::min(i, text_.size() - 1);
+    return offsets_.empty() ? begin_ + static_cast<std::uint32_t>(i) : offsets_[i];
+  }
+
+ private:
+  std::string joined_;
+  std::string_view text_;
+  std::vector<std::uint32_t> offsets_;
+  std::uint32_t begin_ = 0;
+};
 
 std::string upperCase(std::string_view text, bool blanks) {
   std::string result;
@@ -57,16 +75,15 @@ std::optional<double> wholeNumber(std::string_view text) {
 
 ir::Argument rawArgument(
     const RawText& raw, std::size_t begin, std::size_t end, BufferId buffer, Values& values) {
-  while (begin < end && isBlank(raw.text[begin])) {
+  while (begin < end && isBlank(raw.text()[begin])) {
     ++begin;
   }
-  while (end > begin && isBlank(raw.text[end - 1])) {
+  while (end > begin && isBlank(raw.text()[end - 1])) {
     --end;
   }
-  const std::uint32_t from =
-      raw.offsets.empty() ? 0 : raw.offsets[std::min(begin, raw.offsets.size() - 1)];
-  const Span span{buffer, from, begin == end ? 0 : raw.offsets[end - 1] + 1 - from};
-  const std::string_view item = std::string_view(raw.text).substr(begin, end - begin);
+  const std::uint32_t from = raw.offset(begin);
+  const Span span{buffer, from, begin == end ? 0 : raw.offset(end - 1) + 1 - from};
+  const std::string_view item = raw.text().substr(begin, end - begin);
   if (item.empty()) {
     return {std::string(), span};  // passed on as it stands
   }
@@ -132,10 +149,10 @@ std::vector<std::pair<std::size_t, std::size_t>> itemsOf(std::string_view text,
 std::vector<ir::Argument> rawArguments(
     const RawText& raw, std::size_t i, bool splits, BufferId buffer, Values& values) {
   std::vector<ir::Argument> list;
-  while (i < raw.text.size()) {
-    const std::size_t next = std::min(raw.text.find(',', i + 1), raw.text.size());
+  while (i < raw.text().size()) {
+    const std::size_t next = std::min(raw.text().find(',', i + 1), raw.text().size());
     if (splits) {
-      for (const auto& [begin, end] : itemsOf(raw.text, i + 1, next)) {
+      for (const auto& [begin, end] : itemsOf(raw.text(), i + 1, next)) {
         list.push_back(rawArgument(raw, begin, end, buffer, values));
       }
     } else {
@@ -271,10 +288,10 @@ bool ProgramReader::lowerForeign(const StatementText& statement, Frame& frame) {
   if (!(raw || arc) || assignment || label || headEnd == 0) {
     return false;
   }
-  const RawText text = joined(statement, context_.sources);
-  const std::size_t i = std::min(text.text.find_first_of("/,"), text.text.size());
-  const std::string head = upperCase(std::string_view(text.text).substr(0, i), true);
-  if (const auto motion = hiddenMotion(word ? upperCase(text.text, true) : head)) {
+  const RawText text(statement, context_.sources);
+  const std::size_t i = std::min(text.text().find_first_of("/,"), text.text().size());
+  const std::string head = upperCase(std::string_view(text.text()).substr(0, i), true);
+  if (const auto motion = hiddenMotion(word ? upperCase(text.text(), true) : head)) {
     context_.report(diagnose(statement.span, diag::HiddenMotion, *motion));
     return true;
   }

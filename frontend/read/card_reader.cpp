@@ -89,31 +89,36 @@ CardReader::CardReader(const SourceMap& sources,
   }
 }
 
+bool CardReader::takeLine(Line& line) {
+  if (position_ >= text_.size()) {
+    return false;
+  }
+  const char* const begin = text_.data() + position_;
+  std::size_t length = text_.size() - position_;
+  if (const void* feed = std::memchr(begin, '\n', length)) {
+    length = static_cast<std::size_t>(static_cast<const char*>(feed) - begin);
+  }
+  std::size_t taken = length + 1;
+  if (const void* back = std::memchr(begin, '\r', length)) {
+    const auto at = static_cast<std::size_t>(static_cast<const char*>(back) - begin);
+    taken = at + 1 == length && position_ + length < text_.size() ? length + 1 : at + 1;
+    length = at;
+  }
+  line = {text_.substr(position_, length), position_};
+  position_ += std::min(taken, text_.size() - position_);
+  return true;
+}
+
 bool CardReader::readLine(Line& line) {
-  while (true) {
-    if (position_ >= text_.size()) {
-      return false;
-    }
-    const char* const begin = text_.data() + position_;
-    std::size_t length = text_.size() - position_;
-    if (const void* feed = std::memchr(begin, '\n', length)) {
-      length = static_cast<std::size_t>(static_cast<const char*>(feed) - begin);
-    }
-    std::size_t taken = length + 1;
-    if (const void* back = std::memchr(begin, '\r', length)) {
-      const auto at = static_cast<std::size_t>(static_cast<const char*>(back) - begin);
-      taken = at + 1 == length && position_ + length < text_.size() ? length + 1 : at + 1;
-      length = at;
-    }
-    line = {text_.substr(position_, length), position_};
-    position_ += std::min(taken, text_.size() - position_);
-    if (length <= options_.limits.line) {
+  while (takeLine(line)) {
+    if (line.text.size() <= options_.limits.line) {
       return true;
     }
     const Span at{buffer_, static_cast<std::uint32_t>(line.offset), 0};
     reporter_.limit(at, "line", options_.limits.line, "bytes of one line");
     ++isn_;
   }
+  return false;
 }
 
 bool CardReader::nextLine(std::string_view& line) {
@@ -135,15 +140,8 @@ void CardReader::next(StatementText& statement, bool fastLane) {
   statement.isn = isn_++;
   statement.cardId = {};
   const auto offset = static_cast<std::uint32_t>(line.offset);
-  if (fastLane && (line.text.size() <= 72 || options_.takes(&DialectRules::freeWidth))) {
-    FastLine fast;
-    if (readFastLine(line.text, fast)) {
-      statement.kind = StatementText::Kind::numbers;
-      statement.numbers = fast.numbers;
-      statement.span = {buffer_, offset + static_cast<std::uint32_t>(fast.begin),
-                        static_cast<std::uint32_t>(fast.end - fast.begin)};
-      return;
-    }
+  if (fastLane && readNumbers(line, statement)) {
+    return;
   }
   statement.text.clear();
   statement.offsets.clear();
@@ -166,6 +164,40 @@ void CardReader::next(StatementText& statement, bool fastLane) {
       statement.text.empty() ? StatementText::Kind::empty : StatementText::Kind::tokens;
   statement.span = statement.text.empty() ? Span{buffer_, offset, 0}
                                           : statement.spanOf(0, statement.text.size());
+}
+
+/// A statement of the fast lane with the lines that it goes on in. False leaves the reader behind
+/// its first line.
+bool CardReader::readNumbers(const Line& first, StatementText& statement) {
+  // Longer lines may have columns that are not read.
+  constexpr std::size_t fieldColumns = 72;
+  const auto fits = [&](const Line& line) {
+    return line.text.size() <= fieldColumns || options_.takes(&DialectRules::freeWidth);
+  };
+  FastLine fast;
+  FastLane lane = fits(first) ? readFastLine(first.text, fast) : FastLane::none;
+  const std::size_t behindFirst = position_;
+  Line line = first;
+  std::uint64_t continued = 0;
+  for (; lane == FastLane::open; ++continued) {
+    lane = takeLine(line) && fits(line) ? appendFastLine(line.text, fast) : FastLane::none;
+  }
+  if (lane == FastLane::none) {
+    position_ = behindFirst;
+    return false;
+  }
+  for (std::uint64_t i = 0; i < continued; ++i) {
+    reporter_.used(ir::Feature::LX_02);
+  }
+  if (fast.comment) {
+    reporter_.used(ir::Feature::LX_03);
+  }
+  statement.kind = StatementText::Kind::numbers;
+  statement.numbers = fast.numbers;
+  const auto begin = static_cast<std::uint32_t>(first.offset + fast.begin);
+  const auto end = static_cast<std::uint32_t>(line.offset + fast.end);
+  statement.span = {buffer_, begin, end - begin};
+  return true;
 }
 
 /// Structured comments. One that holds a statement is cut down to it, and the result is false; so

@@ -33,7 +33,11 @@ class CardReader {
   /// How a card ended: with the statement, or with `$`, to be continued.
   enum class CardEnd : std::uint8_t { done, continued };
 
+  /// The next line, however long; false at the end of the text.
+  bool takeLine(Line& line);
+  /// The same without lines beyond the limit, which are told.
   bool readLine(Line& line);
+  bool readNumbers(const Line& first, StatementText& statement);
   bool openComment(Line& line, StatementText& statement);
   bool readFrame(Line& last, StatementText& statement);
   bool readFixed(const Line& line, StatementText& statement);

@@ -1,5 +1,7 @@
 #include "frontend/read/structured_comment.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "frontend/read/characters.h"
@@ -34,7 +36,9 @@ StructuredComment arrowComment(std::string_view line, std::size_t arrow) {
     return comment;
   }
   const std::string_view text = line.substr(word);
-  if (isKey(text, "CUTTER", '/') || isKey(text, "CSYS", '/')) {
+  constexpr std::array<std::string_view, 4> statements = {"CUTTER", "CSYS", "VTLAXS", "WCORN"};
+  if (std::any_of(statements.begin(), statements.end(),
+                  [&](std::string_view key) { return isKey(text, key, '/'); })) {
     comment.statement = word;
   } else if (isKey(text, "FEATNO", '/')) {
     comment.text = word;

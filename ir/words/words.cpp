@@ -20,14 +20,21 @@ bool isPost(const WordRow& word) {
   return word.type == 2000;
 }
 
+/// The first word of each code that is accepted.
 template <class Accept>
-std::optional<Word> findCode(int code, Accept accept) {
+std::unordered_map<int, Word> codesOf(Accept accept) {
+  std::unordered_map<int, Word> map;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    if (table[i].code == code && accept(table[i])) {
-      return static_cast<Word>(i);
+    if (accept(table[i])) {
+      map.emplace(table[i].code, static_cast<Word>(i));
     }
   }
-  return std::nullopt;
+  return map;
+}
+
+std::optional<Word> found(const std::unordered_map<int, Word>& map, int code) {
+  const auto at = map.find(code);
+  return at == map.end() ? std::nullopt : std::optional(at->second);
 }
 }  // namespace
 
@@ -48,12 +55,18 @@ std::optional<Word> findWord(std::string_view text) {
 }
 
 std::optional<Word> findModifier(int code) {
-  return findCode(
-      code, [](const WordRow& r) { return r.wordClass == WordClass::modifier && !r.extension; });
+  static const auto index =
+      codesOf([](const WordRow& r) { return r.wordClass == WordClass::modifier && !r.extension; });
+  return found(index, code);
 }
 
 std::optional<Word> findPostWord(int code) {
-  return findCode(code, isPost);
+  static const auto index = [] {
+    auto map = codesOf(isPost);
+    map.insert_or_assign(row(Word::OPSKIP).code, Word::OPSKIP);  // programs say it, not DELETE
+    return map;
+  }();
+  return found(index, code);
 }
 
 }  // namespace arelem

@@ -186,7 +186,7 @@ void locateItems(State& state, Word word, const Items& items) {
 
 void execute(State& state, const ir::LocateNumbers& numbers) {
   const auto& n = numbers.numbers;
-  const bool plain = (numbers.count == 3 || numbers.count == 6) && numbers.word != Word::GODLTA;
+  const bool plain = numbers.count == 3 || (numbers.count == 6 && numbers.word != Word::GODLTA);
   if (plain && state.systems.atBase()) {
     state.meetImplied(spell(numbers.word), false, true);
     Locate locate;

@@ -8,6 +8,7 @@
 #include "ir/diag/curves.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/motion/written_unit.h"
 
 namespace arelem::motion {
 
@@ -56,7 +57,7 @@ Result<Vec3> axisOf(const runtime::Arc& arc,
   if (length <= tolerance::nullDirection) {
     return fail(diag::ArcAxis, length);
   }
-  return Vec3(axis / length);
+  return writtenUnit(axis);
 }
 
 /// The total turn, by the stated angle and whole turns where they are given.
@@ -114,7 +115,10 @@ Result<ArcMove> arcMove(const runtime::Arc& arc,
   const auto whole = static_cast<int>(std::ceil(total / fullTurn - tolerance::symmetric)) - 1;
   for (int k = 0; k <= whole; ++k) {
     const Vec3 from = start + axis * (rise * k * fullTurn / total);
-    const Vec3 center = arc.center + axis * circle.height(from);
+    // Where the center is at the height of the start, it stays as it is written.
+    const double height = circle.height(from);
+    const bool level = std::abs(height) <= tolerance::symmetric * (1.0 + from.norm());
+    const Vec3 center = level ? arc.center : Vec3(arc.center + axis * height);
     const Vec3 to = k == whole ? end : Vec3(start + axis * (rise * (k + 1) * fullTurn / total));
     move.pieces.push_back({surfaceOf(center, axis, radius), to});
   }

@@ -17,6 +17,7 @@
 #include "runtime/motion/route.h"
 #include "runtime/motion/spline_path.h"
 #include "runtime/motion/startup.h"
+#include "runtime/motion/written_unit.h"
 #include "runtime/run.h"
 
 namespace arelem::runtime {
@@ -149,7 +150,7 @@ class Motions {
         report(fail(diag::NullIndirection, spell(l.word), l.axis->norm()));
         return;
       }
-      state_.axis = l.axis->normalized();
+      state_.axis = motion::writtenUnit(*l.axis);
       state_.axisRule = {};  // fixed from here on
     }
     putFeed(l.feed);

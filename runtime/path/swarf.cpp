@@ -1,23 +1,35 @@
 #include "runtime/path/swarf.h"
 
-#include <algorithm>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "ir/cl/post_word.h"
 #include "ir/diag/interpret.h"
 #include "runtime/interpret/passed_post.h"
 #include "runtime/path/swarf_section.h"
+#include "runtime/path/upright_section.h"
 
 namespace arelem::path {
 
 namespace {
+/// `Section` tilts the tool, or makes it upright again.
+template <class Section>
 class Swarf : public SwarfStage {
  public:
-  Swarf(cl::RecordSink& next, DiagnosticSink& sink) : next_(next), sink_(sink) {}
+  using Make = std::function<Section(const cl::Post& on)>;
+  Swarf(cl::RecordSink& next, Make make, DiagnosticSink& sink)
+      : next_(next), make_(std::move(make)), sink_(sink) {}
 
   void accept(const cl::Record& record) override {
-    if (const cl::Post* post = cl::postOf(record.body, Word::VTLAXS)) {
+    const auto* any = std::get_if<cl::Post>(&record.body);
+    const bool swarf = any != nullptr && (cl::is(*any, Word::VTLAXS) || cl::is(*any, Word::WCORN));
+    if (swarf && !hasSwarfForm(*any)) {
+      check(record, fail(diag::SwarfSection,
+                         fmt::format("{} has not the parameters of its form", cl::nameOf(*any))));
+    } else if (const cl::Post* post = cl::postOf(record.body, Word::VTLAXS)) {
       std::get<Word>(post->arguments.at(0)) == Word::ON ? on(record, *post) : off(record, *post);
     } else if (section_) {
       inside(record);
@@ -64,7 +76,7 @@ class Swarf : public SwarfStage {
       return;
     }
     began_ = record;
-    section_.emplace(post);
+    section_.emplace(make_(post));
     check(record, ended_ ? section_->begin(*ended_) : section_->begin(held_.front()));
     for (std::size_t i = 1; i < held_.size() && section_; ++i) {
       inside(held_[i]);
@@ -126,9 +138,10 @@ class Swarf : public SwarfStage {
   }
 
   cl::RecordSink& next_;
+  Make make_;
   DiagnosticSink& sink_;
   std::vector<cl::Record> held_;  ///< the last motion and what came behind it
-  std::optional<SwarfSection> section_;
+  std::optional<Section> section_;
   std::optional<SwarfSection::End> ended_;  ///< until the next motion
   cl::Record began_;
   bool dropped_ = false;  ///< an error ended the section before its VTLAXS/OFF
@@ -136,7 +149,15 @@ class Swarf : public SwarfStage {
 }  // namespace
 
 std::unique_ptr<SwarfStage> makeSwarfStage(cl::RecordSink& next, DiagnosticSink& sink) {
-  return std::make_unique<Swarf>(next, sink);
+  return std::make_unique<Swarf<SwarfSection>>(
+      next, [](const cl::Post& on) { return SwarfSection(on); }, sink);
+}
+
+std::unique_ptr<SwarfStage> makeUprightStage(cl::RecordSink& next,
+                                             double slack,
+                                             DiagnosticSink& sink) {
+  return std::make_unique<Swarf<UprightSection>>(
+      next, [slack](const cl::Post& on) { return UprightSection(on, slack); }, sink);
 }
 
 std::optional<Span> firstSwarf(const std::vector<runtime::Action>& actions) {

@@ -22,6 +22,13 @@ class SwarfStage : public cl::RecordSink {
 [[nodiscard]] std::unique_ptr<SwarfStage> makeSwarfStage(cl::RecordSink& next,
                                                          DiagnosticSink& sink);
 
+/// The way back, for the proof of a CL file: the tool of its swarf sections upright again. Each
+/// location must be what `makeSwarfStage` makes of the upright ones, up to `slack` (part unit, and
+/// of the unit vector of the axis). Corners are errors.
+[[nodiscard]] std::unique_ptr<SwarfStage> makeUprightStage(cl::RecordSink& next,
+                                                           double slack,
+                                                           DiagnosticSink& sink);
+
 /// The first statement that needs the stage; none where none does.
 [[nodiscard]] std::optional<Span> firstSwarf(const std::vector<runtime::Action>& actions);
 

@@ -74,15 +74,26 @@ SwarfPose intoCorner(const SwarfTool& tool,
 }
 }  // namespace
 
-SwarfPose swarfPose(const SwarfTool& tool, const Vec3& upright, const Vec3& forward, double tilt) {
-  const Vec3 left = leftOf(forward);
+namespace {
+/// From the upright tool end to that of the tool tilted to the left.
+Vec3 shift(const SwarfTool& tool, const Vec3& left, double tilt) {
   const Vec3 side = tool.wallLeft ? left : Vec3(-left);
   const double towards = tool.wallLeft ? tilt : -tilt;
   const double up =
       tool.deep && towards < 0.0 ? -tool.radius * std::sin(-towards) : rise(tool, std::abs(tilt));
   const double away = (tool.radius - up * std::sin(towards)) / std::cos(towards);
-  return {upright + (tool.radius - away) * side + up * Vec3::UnitZ(),
+  return (tool.radius - away) * side + up * Vec3::UnitZ();
+}
+}  // namespace
+
+SwarfPose swarfPose(const SwarfTool& tool, const Vec3& upright, const Vec3& forward, double tilt) {
+  const Vec3 left = leftOf(forward);
+  return {upright + shift(tool, left, tilt),
           std::cos(tilt) * Vec3::UnitZ() + std::sin(tilt) * left};
+}
+
+Vec3 swarfUpright(const SwarfTool& tool, const SwarfPose& pose, const Vec3& left, double tilt) {
+  return pose.toolEnd - shift(tool, left, tilt);
 }
 
 std::optional<SwarfTurn> swarfTurn(const SwarfTool& tool, const SwarfCorner& corner) {

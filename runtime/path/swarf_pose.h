@@ -30,6 +30,13 @@ struct SwarfPose {
                                   const Vec3& forward,
                                   double tilt);
 
+/// The upright tool in the place of a tilted one: what `swarfPose` was given. `tilt` follows from
+/// the axis up to its sign, which `left`, a level unit vector, decides.
+[[nodiscard]] Vec3 swarfUpright(const SwarfTool& tool,
+                                const SwarfPose& pose,
+                                const Vec3& left,
+                                double tilt);
+
 /// An inside corner between two walls, at the upright location that touches both.
 struct SwarfCorner {
   Vec3 upright = Vec3::Zero();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ir/cl/post_word.h"
 #include "ir/diag/interpret.h"
 #include "ir/space/tolerance.h"
 
@@ -25,16 +26,34 @@ bool leftAt(const cl::Post& post, std::size_t i) {
 }
 }  // namespace
 
+bool hasSwarfForm(const cl::Post& post) {
+  std::string kinds;
+  for (const cl::Value& value : post.arguments) {
+    kinds += std::holds_alternative<Word>(value)     ? 'w'
+             : std::holds_alternative<double>(value) ? 'n'
+                                                     : '?';
+  }
+  if (cl::is(post, Word::WCORN)) {
+    return kinds == "wnwnn" || kinds == "wnwnnn";
+  }
+  const bool on = !post.arguments.empty() && post.arguments[0] == cl::Value(Word::ON);
+  return on ? kinds == "wwnnnw" || kinds == "wwnnnww" : kinds == "wwn";
+}
+
 double swarfTilt(const cl::Post& post, std::size_t i) {
   return (leftAt(post, i) ? 1.0 : -1.0) * numberAt(post, i + 1) * degree;
 }
 
-SwarfSection::SwarfSection(const cl::Post& on) : begin_(swarfTilt(on, 1)) {
-  tool_.radius = numberAt(on, 3) / 2.0;
-  tool_.corner = numberAt(on, 4);
-  tool_.wallLeft = !leftAt(on, 5);
-  tool_.deep = on.arguments.size() > 6;
+SwarfTool swarfTool(const cl::Post& on) {
+  SwarfTool tool;
+  tool.radius = numberAt(on, 3) / 2.0;
+  tool.corner = numberAt(on, 4);
+  tool.wallLeft = !leftAt(on, 5);
+  tool.deep = on.arguments.size() > 6;
+  return tool;
 }
+
+SwarfSection::SwarfSection(const cl::Post& on) : tool_(swarfTool(on)), begin_(swarfTilt(on, 1)) {}
 
 std::optional<Failure> SwarfSection::begin(const cl::Record& record) {
   records_.push_back(record);

@@ -12,6 +12,12 @@ namespace arelem::path {
 /// left. The form was checked where the statement was read.
 [[nodiscard]] double swarfTilt(const cl::Post& post, std::size_t i);
 
+/// Whether a VTLAXS or WCORN statement has the parameters of its form: those of a CL file may not.
+[[nodiscard]] bool hasSwarfForm(const cl::Post& post);
+
+/// The tool of VTLAXS/ON.
+[[nodiscard]] SwarfTool swarfTool(const cl::Post& on);
+
 /// One swarf section while its records are read, and then tilted.
 class SwarfSection {
  public:

@@ -158,6 +158,9 @@ class Chain : public Transformer {
   }
 
   void finish() override {
+    if (stopped_) {
+      return;  // what stands behind the limit was not looked at
+    }
     for (const Range& range : open_) {
       sink_.accept(diagnose(range.origin, diag::IndexUnused, range.index));
     }

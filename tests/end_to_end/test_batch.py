@@ -2,6 +2,7 @@
 """compile --jobs: one bad job stops no other, results and manifest do not depend on the number of jobs at once."""
 import hashlib
 import json
+import pathlib
 import unittest
 
 from arelem_run import BAD, GOOD, ArelemCase
@@ -61,6 +62,12 @@ class Batch(ArelemCase):
         self.assertTrue(rule.startswith("x.cls:"), rule)
         self.assertIn("my\\ part.apt", rule)
         self.assertIn("sub/inc.apt", rule)
+        machine = "g97_painter.machine.toml"
+        self.assertExit(0, "compile", "my part.apt", "-o", "x.cls", "--depfile", "x.d", "--codes", "apt4", "--machine", machine)
+        files = [pathlib.Path(line.strip(" \\")) for line in (self.folder / "x.d").read_text().splitlines()]
+        self.assertEqual([path.name for path in files[-2:]], ["apt4.toml", machine])
+        for path in files[-2:]:
+            self.assertTrue((self.folder / path).is_file(), path)
         self.assertExit(2, "compile", "a.apt", "b.apt", "--out-dir", "o", "--depfile", "x.d")
 
 

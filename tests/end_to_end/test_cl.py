@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """CL files of CAM systems: arcs, splines, axes, frames and comments reach the outputs as they are meant."""
 import json
+import math
 import os
 import pathlib
 import unittest
@@ -244,6 +245,41 @@ class Cl(ArelemCase):
         self.assertExit(5, "diff", "a.cls", "c.cls")
         self.assertIn("1 differ, 0 only in the first, 1 only in the second", self.out)
         self.assertIn("at rapid and straight", self.out)
+
+    def test_diff_of_an_arc_and_its_chords(self):
+        head = "FEDRAT/100\nGOTO/10,0,0\n"
+        self.write("a.cls", head + "CIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,3\nGOTO/0,10,5\nFINI\n")
+        # 32 chords of a quarter turn: the sagitta is 10 * (1 - cos(90/64 degrees)) = 0.0030.
+        chords = "".join(f"GOTO/{10 * math.cos(i * math.pi / 64):.9f},{10 * math.sin(i * math.pi / 64):.9f},{3 * i / 32:.9f}\n"
+                         for i in range(1, 33))
+        self.write("b.cls", head + chords + "GOTO/0,10,5\nFINI\n")
+        self.assertExit(5, "diff", "a.cls", "b.cls")
+        self.assertExit(5, "diff", "a.cls", "b.cls", "--chords", "0.0029")
+        for pair in (("a.cls", "b.cls"), ("b.cls", "a.cls")):
+            self.assertExit(0, "diff", *pair, "--chords", "0.0031")
+            self.assertIn("1 arc of one file is straight moves of the other", self.out)
+        self.write("b.cls", head + chords.replace("GOTO/0.000000000,10.", "GOTO/0.000000000,10.1") + "GOTO/0,10,5\nFINI\n")
+        self.assertExit(5, "diff", "a.cls", "b.cls", "--chords", "0.0031")
+
+    def test_diff_of_words_and_as_json(self):
+        self.write("a.cls", "SPINDL/100,CLW\nGOTO/1,0,0\nCOOLNT/ON\nGOTO/2,0,0\nSTOP\nFINI\n")
+        self.write("b.cls", "SPINDL/100,CLW\nGOTO/1,0,0\nCOOLNT/OFF\nGOTO/2,0,0\nFINI\n")
+        self.assertExit(0, "diff", "a.cls", "b.cls")
+        self.assertExit(5, "diff", "a.cls", "b.cls", "--words")
+        self.assertIn("move 2 (a.cls:4)", self.out)
+        self.assertIn("words before it `COOLNT/ON` and `COOLNT/OFF`", self.out)
+        self.assertIn("words behind the last move: `STOP` and none", self.out)
+        self.assertExit(5, "diff", "a.cls", "b.cls", "--words", "--json")
+        told = json.loads(self.out)
+        self.assertEqual((told["same"], told["differing"], told["a"]["moves"]), (False, 2, 2))
+        self.assertEqual((told["first"]["a"]["line"], told["first"]["distance"]), (4, 0.0))
+        self.assertExit(0, "diff", "a.cls", "b.cls", "--json")
+        self.assertIs(json.loads(self.out)["same"], True)
+
+    def test_diff_of_a_unit_that_changes(self):
+        self.write("a.cls", "UNITS/MM\nGOTO/25.4,0,0\nGOTO/50.8,0,0\nFINI\n")
+        self.write("b.cls", "UNITS/INCHES\nGOTO/1,0,0\nUNITS/MM\nGOTO/50.8,0,0\nFINI\n")
+        self.assertExit(0, "diff", "a.cls", "b.cls")
 
     def test_diff_of_inches_and_millimeters(self):
         self.write("a.cls", "UNITS/MM\nGOTO/25.4,0,0\nFINI\n")

@@ -18,9 +18,17 @@ class Streamed(ArelemCase):
         """--report wants what only the whole program tells, so that it is read at once."""
         self.write("a.cls", text)
         outputs = [f"{way}.{suffix}" for way in "sw" for suffix in ("cltape", "cls", "jsonl")]
+        told = []
         for way, more in (("s", ()), ("w", ("--report", "r.json"))):
             files = [word for name in outputs if name[0] == way for word in ("-o", name)]
             self.assertExit(0, "compile", "a.cls", *files, *more, *words)
+            told.append(self.err)
+        self.assertEqual(*told)
+        counts = []
+        for more in ((), ("--report", "r.json")):
+            self.assertExit(0, "check", "a.cls", "--words", *more)
+            counts.append((self.out, self.err))
+        self.assertEqual(*counts)
         for suffix in ("cltape", "cls", "jsonl"):
             streamed, whole = ((self.folder / f"{way}.{suffix}").read_bytes() for way in "sw")
             self.assertEqual(len(streamed), len(whole), suffix)
@@ -69,14 +77,64 @@ class Streamed(ArelemCase):
         self.assertExit(7, "compile", "a.cls", "-o", "a.cltape", "--max-steps", "200000")
         self.assertIn("200000", self.err)
 
+    def test_warnings_are_those_of_a_text_read_at_once(self):
+        lines = places()
+        for i in (5, 70_000, 140_000, LINES - 5):
+            lines[i] += "\nSPINDL/FLOOD\nFEDRAT/10,IPM\nGOTO/0,0,0,0,0,0\nSOME WORD/1,A\nCLPRNT"
+        lines[100_000] += "\nGOTO/5,0,0\nCIRCLE/0,0,0,0,0,1,5,1,1,1,1\nGOTO/0,5.001,0"
+        self.both(self.head() + "\n".join(lines) + "\nFINI\n")
+        for code in ("W0583", "W0579", "W0474", "W0576"):
+            self.assertIn(code, self.err)
+        self.assertExit(0, "compile", "a.cls", "-o", "a.ngc", "--format", "json")
+        streamed = self.err
+        self.assertExit(0, "compile", "a.cls", "-o", "a.ngc", "--format", "json", "--report", "r.json")
+        self.assertEqual(streamed, self.err)
+
+    def test_text_without_the_mark_of_a_system(self):
+        lines = [line.lower() for line in places()]
+        lines[7] += "\nfedrat/(2*50)\nrapid"
+        self.both("partno plain\ncutter/10\n" + "\n".join(lines) + "\nfini\n")
+        self.limited("a.cls", "-o", "a.cltape")
+
+    def test_a_part_program_is_read_at_once(self):
+        lines = places()
+        lines[LINES // 2] += "\nA=2\nGOTO/A,A,A"
+        self.both("PARTNO PROGRAM\n" + "\n".join(lines) + "\nFINI\n")
+
+    def test_a_frame_between_two_pieces_stays_whole(self):
+        frame = "$$*CATIA0\n$$ AXIS\n" + "".join(
+            f"$$ {a:.5f} {b:.5f} {c:.5f} 1.0\n" for a, b, c in ((0, 1, 0), (1, 0, 0), (0, 0, -1)))
+        lines = [frame + line if i % 3 == 0 else line for i, line in enumerate(places(60_000))]
+        self.both(self.head() + "\n".join(lines) + "\nFINI\n", "--frame", "part")
+
+    def limited(self, *words):
+        """Runs in 400 MB of addresses, of which a program with its libraries and threads takes half."""
+        done = subprocess.run([ARELEM, *words], cwd=self.folder, capture_output=True,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (400 << 20, 400 << 20)))
+        self.assertEqual((done.returncode, done.stderr), (0, b""), words)
+        return done.stdout
+
     def test_memory_does_not_grow_with_the_file(self):
-        most = []
         for copies in (1, 3):
             self.write("a.cls", self.head() + "\n".join(places()) + "\n" + "\n".join(places() * (copies - 1)))
-            done = subprocess.run([ARELEM, "a.cls", "-o", "a.cltape"], cwd=self.folder, capture_output=True,
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (400 << 20, 400 << 20)))
-            most.append((done.returncode, done.stderr))
-        self.assertEqual(most, [(0, b"")] * 2)
+            self.limited("a.cls", "-o", "a.cltape")
+            self.assertIn(b"GOTO", self.limited("check", "a.cls", "--words", "--quiet"))
+            self.limited("a.cltape", "-o", "b.cls")
+            self.assertIn(f"{LINES * copies} moves".encode(), self.limited("diff", "a.cls", "a.cltape"))
+
+    def test_differences_in_pieces(self):
+        lines = places()
+        self.write("a.cls", self.head() + "\n".join(lines) + "\nFINI\n")
+        lines[200_000] = "GOTO/0,0,99"
+        self.write("b.cls", self.head() + "\n".join(lines) + "\nFINI\n")
+        self.assertExit(5, "diff", "a.cls", "b.cls")
+        self.assertIn("first difference: move 200001 (a.cls:200005)", self.out)
+        # A transformation far behind: the second file is read once more, at once.
+        lines[LINES - 9] += "\nTRACUT/(MATRIX/TRANSL,0,0,1)"
+        self.write("b.cls", self.head() + "\n".join(lines) + "\nFINI\n")
+        self.assertExit(5, "diff", "a.cls", "b.cls")
+        self.assertIn("first difference: move 200001 (a.cls:200005)", self.out)
+        self.assertIn("; 9 differ", self.out)
 
 
 if __name__ == "__main__":

@@ -77,6 +77,41 @@ class Verify(ArelemCase):
             self.assertExit(5, "verify", "lost.cls", "--with", "f.apt", "--fit", ".8")
             self.assertIn(code, self.err)
 
+    SWARF = ("MULTAX\nL1=LINE/0,0,10,0\nP1=PLANE/0,0,1,0\nW=PLANE/0,1,0,0\nCUTTER/2\nINTOL/.01\nOUTTOL/.01\n"
+             "FROM/0,-5,0\nGO/TO,W,TO,P1\nVTLAXS/ON,LEFT,0,2,0,RIGHT\n{moves}"
+             "GOTO/10,-1,0\nVTLAXS/OFF,LEFT,10\nVTLAXS/ON,LEFT,10,2,0,RIGHT\n"
+             "GOTO/20,-1,0\nVTLAXS/OFF,RIGHT,10\nGOTO/30,-1,5\nFINI\n")
+
+    def test_swarf_sections_of_a_file(self):
+        """The tilted tool of VTLAXS is taken back to the upright one, which the program proves."""
+        self.write("p.apt", self.SWARF.format(moves=""))
+        self.assertExit(0, "compile", "p.apt", "-o", "p.cls", "-o", "p.cltape", "-o", "p.jsonl")
+        for name in ("p.cls", "p.cltape"):
+            self.assertExit(0, "verify", "p.apt", name)
+        text = (self.folder / "p.cls").read_text()
+        # Another place along the wall, tilted by the same rule, is not where the program goes.
+        self.write("q.apt", self.SWARF.format(moves="").replace("GOTO/20,-1,0", "GOTO/20,-1.2,0"))
+        self.assertExit(0, "compile", "q.apt", "-o", "q.cls")
+        self.assertExit(5, "verify", "p.apt", "q.cls")
+        self.assertIn("E0912", self.err)
+        # A tilt that is not the rule's: sin 10 degrees is 0.17365.
+        lines = text.split("\n")
+        at = next(i for i, line in enumerate(lines) if "0.17364817" in line and line.startswith("GOTO"))
+        lines[at] = "GOTO / 10.0, -0.984808, 0.173648, 0.0, 0.18, 0.983666"
+        self.write("r.cls", "\n".join(lines))
+        self.assertExit(5, "verify", "p.apt", "r.cls", "--slack", "1e-5")
+        self.assertIn("E0915", self.err)
+        self.write("s.cls", text.replace("VTLAXS / ON, LEFT, 0.0, 2.0, 0.0, RIGHT", "VTLAXS / ON, 7", 1))
+        self.assertExit(1, "verify", "p.apt", "s.cls")
+        self.assertIn("E0492", self.err)
+
+    def test_a_corner_of_a_swarf_section_is_refused(self):
+        self.write("p.apt", self.SWARF.format(moves="GOTO/5,-1,0\nWCORN/LEFT,5,LEFT,5,10\n"))
+        self.write("p.cls", "GOTO/1,2,3\nFINI\n")
+        self.assertExit(5, "verify", "p.apt", "p.cls")
+        self.assertIn("E0915", self.err)
+        self.assertIn("WCORN", self.err)
+
     def test_damaged_tape_is_unreadable_input(self):
         tape = (self.folder / "a.cltape").read_bytes()
         self.write("a.cltape", tape[: len(tape) // 2])

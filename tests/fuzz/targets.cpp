@@ -13,10 +13,13 @@
 #include "backend/vplus/reader.h"
 #include "frontend/compile.h"
 #include "runtime/geometry/mesh_file.h"
+#include "runtime/path/frame_stage.h"
+#include "runtime/path/movnrb.h"
 #include "runtime/region/drawing.h"
 #include "runtime/run.h"
 #include "runtime/spray/calibration.h"
 #include "runtime/stencil/alphabet.h"
+#include "tests/fuzz/pieces.h"
 
 namespace arelem::fuzz {
 
@@ -97,10 +100,29 @@ void tape(const std::string& bytes) {
   writer->finish();
 }
 
+/// CL text of a CAM system on its way to the records.
+void clText(const std::string& text) {
+  SourceMap sources;
+  Silence silence;
+  const BufferId buffer = sources.add("fuzz.cls", text);
+  frontend::Options options = optionsFor(text);
+  options.dialect = frontend::Dialect::cl;
+  const ir::Program program = frontend::compile(sources, buffer, options, silence);
+  runtime::Options run = runOf(options);
+  const runtime::Evaluation evaluation = runtime::evaluate(program, run, silence);
+  cl::Recording records;
+  const auto frames = path::makeFrameStage(
+      records, text.size() % 2 == 0 ? path::Frames::part : path::Frames::asWritten, silence);
+  const auto splines = path::makeMovnrbCheck(*frames, silence);
+  run.axesFollow = true;
+  static_cast<void>(runtime::execute(evaluation.actions, run, *splines, silence));
+}
+
 void json(const std::string& bytes) {
   Silence silence;
   cl::Recording records;
-  static_cast<void>(backend::readJsonRecords(bytes, "fuzz.json", records, silence));
+  std::istringstream in(bytes);
+  static_cast<void>(backend::readJsonRecords(in, "fuzz.json", records, silence));
 }
 
 void drawing(const std::string& bytes) {
@@ -139,6 +161,8 @@ void vplus(const std::string& bytes) {
 const std::array table = {
     Target{"reader", readText, {".apt"}},
     Target{"program", wholeProgram, {".apt"}},
+    Target{"cl", clText, {".cls", ".apt"}},
+    Target{"pieces", inPieces, {".cls"}},
     Target{"tape", tape, {".apt"}, "cltape"},
     Target{"json", json, {".apt"}, "json"},
     Target{"drawing", drawing, {".dxf"}},

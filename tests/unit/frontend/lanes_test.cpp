@@ -77,10 +77,10 @@ TEST(Lanes, NumberLinesGiveTheStatementOfTheParser) {
   const std::vector<std::string> lines = {
       "GOTO/1,2,3",   "goto / 1.5 , -2.25,+3.", "FROM/0,0,0,0,0,1",   "GOTO/1.5E-3,2.E2,.5",
       "  GOTO/1,2",   "GOTO/1,2,3,4,5,6,7",     "GOTO/-0,0.1,100000", "GOTO/123456789.123456,1,1",
-      "GOTO/1,2,3\t", "FROM/1,2,3,100"};
+      "GOTO/1,2,3\t", "FROM/1,2,3,100",         "GOTO/1,2,3 $$ P1",   "godlta/1,-2,.5"};
   for (const std::string& line : lines) {
     FastLine fast;
-    EXPECT_TRUE(readFastLine(line, fast)) << line;
+    EXPECT_EQ(readFastLine(line, fast), FastLane::whole) << line;
     const auto quick = compileText(line + "\nFINI\n");
     const auto slow = compileText("X) " + line + "\nFINI\n");  // a label keeps it out of the lane
     EXPECT_EQ("X) " + quick->block()[0], slow->block()[0]);
@@ -95,7 +95,10 @@ TEST(Lanes, UnusualLinesAreLeftToTheParser) {
   for (const std::string line : {"GOTO/1,2,A",
                                  "GOTO/1E5,2,3",
                                  "GOTO/1 2,3,4",
-                                 "GOTO/1,2,3 $$",
+                                 "GOTO/1,2,3, $$",
+                                 "GOTO/1,2,3 $ more",
+                                 "GODLTA/1",
+                                 "GODLTA/1,2,3,4",
                                  "GOTO/1,2,3,",
                                  "GOTO/1",
                                  "GOTO/1,2,3,4,5",
@@ -114,8 +117,29 @@ TEST(Lanes, UnusualLinesAreLeftToTheParser) {
                                  "GOTO/0x10,1,2",
                                  "FROMX/1,2,3"}) {
     FastLine fast;
-    EXPECT_FALSE(readFastLine(line, fast)) << line;
+    EXPECT_EQ(readFastLine(line, fast), FastLane::none) << line;
   }
+}
+
+TEST(Lanes, NumbersGoOnInTheNextLine) {
+  const auto numbersOf = [](const std::string& text) {
+    const auto read = compileText(text + "\nFINI\n");
+    std::vector<std::string> statements = read->block();
+    const Span at = read->program.blocks[0].statements[0].span;
+    return std::pair(statements, at.end());
+  };
+  const std::string slow = "A)GOTO/1,2,3,0,0,1\nFINI\n";
+  const std::string wanted = compileText(slow)->block()[0].substr(3);
+  for (const std::string text : {"GOTO/1,2,3,$\n0,0,1", "GOTO/1,2,3 $ \n ,0,0,1",
+                                 "GOTO/$\r\n1,2,$\r\n3,0,0,1", "GOTO/1,2,3,0,0,1$\n"}) {
+    const auto [statements, end] = numbersOf(text);
+    ASSERT_EQ(statements.size(), 2U) << text;
+    EXPECT_EQ(statements[0], wanted) << text;
+    EXPECT_EQ(end, text.find_last_of('1') + 1) << text;
+  }
+  // A number in two parts, a comment behind the sign and a missing line are the parser's.
+  EXPECT_EQ(numbersOf("GOTO/1,2,1$\n2").first[0], numbersOf("GOTO/1,2,12").first[0]);
+  EXPECT_EQ(numbersOf("GOTO/1,2,$ half\n3").first[0], numbersOf("GOTO/1,2,3").first[0]);
 }
 
 }  // namespace

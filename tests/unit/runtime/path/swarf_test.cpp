@@ -96,5 +96,18 @@ TEST(SwarfCorner, WallsInOnePlaneMeetInNoLine) {
                          {{0.0, 0.0, 0.0}, Vec3::UnitX(), Vec3::UnitX(), 0.0, 0.0, 1.0, 6}));
 }
 
+TEST(SwarfPose, GoesBackToTheUprightTool) {
+  const Vec3 upright(3.0, -4.0, 7.0);
+  const Vec3 forward = Vec3(2.0, 1.0, 0.0).normalized();
+  const Vec3 left(-forward.y(), forward.x(), 0.0);
+  for (const SwarfTool tool : {SwarfTool{5.0, 0.0, true, false}, SwarfTool{5.0, 2.0, false, false},
+                               SwarfTool{5.0, 0.0, true, true}}) {
+    for (const double tilt : {-1.2, -0.3, 0.0, 0.2, 1.0}) {
+      const SwarfPose pose = swarfPose(tool, upright, forward, tilt);
+      EXPECT_LT((swarfUpright(tool, pose, left, tilt) - upright).norm(), 1e-12) << tilt;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace arelem::path
