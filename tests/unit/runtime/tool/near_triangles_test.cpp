@@ -1,3 +1,4 @@
+#include "runtime/tool/mesh_contact.h"
 #include "runtime/tool/near_triangles.h"
 
 #include <random>
