@@ -86,7 +86,10 @@ std::string shortNumber(double value) {
 std::string rangeText(double low, double high) {
   constexpr double told = 1e-3;  // of a number, by shortNumber
   constexpr int most = 9;
+  constexpr double nothing = 1e-8;  // of the range: what a computation leaves of 0
   const double range = high - low;
+  low = std::abs(low) < nothing * range ? 0.0 : low;
+  high = std::abs(high) < nothing * range ? 0.0 : high;
   const double size = std::max(std::abs(low), std::abs(high));
   if (!(range > negligible) || range > 100.0 * told * size) {
     return fmt::format("{} to {}", shortNumber(low), shortNumber(high));

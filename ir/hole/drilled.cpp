@@ -17,6 +17,9 @@ void Drilled::change(const cl::Record& record, const cl::Post& post) {
   const auto changed = cycles_.read(post);
   if (!changed) {
     next_.accept(record);
+    passed_ = true;
+  } else if (std::exchange(passed_, false)) {
+    say(record, {Word::CYCLE, "", {Word::OFF}});
   }
   if (cycles_.now() == nullptr && ownFeed_ && feed_) {
     say(record, *feed_);

@@ -24,6 +24,7 @@ class Drilled : public cl::RecordSink {
   cl::RecordSink& next_;
   Cycles cycles_;
   std::optional<cl::Post> feed_;  ///< in force outside of cycles
+  bool passed_ = false;           ///< a cycle that is no known hole went on, and has not ended
   bool ownFeed_ = false;          ///< the cycle's feed was handed on last
   std::optional<Vec3> at_;
 };

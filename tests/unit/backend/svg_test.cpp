@@ -185,13 +185,25 @@ TEST(Svg, RoundingIsNoCoordinate) {
   EXPECT_THAT(written("svg", {go(1, {0, 0, -4e-16}), go(2, {10, 4, 0})}), HasSubstr("Z 0 to 0"));
 }
 
-TEST(Svg, TheWaysBetweenThePlacesOfACycleAreRapid) {
+TEST(Svg, TheWaysBetweenThePlacesOfAnUnknownCycleAreRapid) {
   const std::string picture =
       written("svg", {go(1, {0, 0, 0}), record(2, cl::Post{Word::CYCLE, "", {Word::DRILL, 2.0}}),
                       go(3, {10, 0, 0}), go(4, {10, 5, 0}),
                       record(5, cl::Post{Word::CYCLE, "", {Word::OFF}}), go(6, {8, 5, 0})});
   EXPECT_THAT(picture, HasSubstr("rapid, 15 long"));
   EXPECT_THAT(picture, HasSubstr("feed, 2 long"));
+}
+
+// Up 1 to the clearance, over to the holes 10 and 5, 3 up at rapid and 3 down at feed in each; from
+// there to the last place 2 across and 1 down.
+TEST(Svg, TheHolesOfACycleAreDrilled) {
+  const std::string picture = written(
+      "svg", {go(1, {0, 0, 0}),
+              record(2, cl::Post{Word::CYCLE, "", {Word::DRILL, 2.0, 40.0, Word::MMPM, 1.0}}),
+              go(3, {10, 0, 0}), go(4, {10, 5, 0}),
+              record(5, cl::Post{Word::CYCLE, "", {Word::OFF}}), go(6, {8, 5, 0})});
+  EXPECT_THAT(picture, HasSubstr("rapid, 22 long"));
+  EXPECT_THAT(picture, HasSubstr("feed, 8.236 long"));
 }
 
 TEST(SvgPath, AHugePathIsThinnedAndKeepsItsShape) {

@@ -57,7 +57,8 @@ TEST(Drilled, WhatIsNoKnownHoleGoesOnAsItIs) {
   drilled.accept(go({0, 0, 50}));
   drilled.accept(record(cl::Post{Word::CYCLE, "", {Word::CAM, 3.0}}));
   drilled.accept(go({10, 0, 0}));
-  EXPECT_EQ(seen.text, "go 0 0 50; CYCLE go 10 0 0; ");
+  drilled.accept(record(cl::Post{Word::CYCLE, "", {Word::OFF}}));
+  EXPECT_EQ(seen.text, "go 0 0 50; CYCLE go 10 0 0; CYCLE ");
 }
 
 }  // namespace
