@@ -8,7 +8,9 @@
 #include "ir/cl/post_word.h"
 #include "ir/space/tolerance.h"
 #include "runtime/path/arc_run.h"
+#include "runtime/path/cycle_watch.h"
 #include "runtime/path/point_records.h"
+#include "runtime/timing/feed.h"
 
 namespace arelem::path {
 
@@ -60,6 +62,8 @@ class Stage : public ArcFitter {
     flush();
     if (const auto* post = std::get_if<cl::Post>(&record.body)) {
       rapid_ = rapid_ || cl::is(*post, Word::RAPID);
+      cycle_.take(*post);
+      feed_.take(*post);
     } else if (const auto* values = std::get_if<cl::Values>(&record.body)) {
       const double value = values->values.empty() ? 0.0 : std::abs(values->values.back());
       inner_ = values->word == Word::INTOL ? value : inner_;
@@ -74,13 +78,17 @@ class Stage : public ArcFitter {
   void take(const cl::Record& record, const cl::Motion& motion) {
     const bool continues = motion.kind == cl::Motion::Kind::continuation;
     const bool plain = share_ > 0.0 && motion.kind != cl::Motion::Kind::from && !motion.withSide &&
-                       !rapid_ && at_ && !(continues ? keptWhole_ : surfaced_) && sameAxes(motion);
+                       !cycle_.isOn() && !feed_.isInverse() && !rapid_ && at_ &&
+                       !(continues ? keptWhole_ : surfaced_) && sameAxes(motion);
     if (!plain) {
       flush();
       keptWhole_ = true;
       next_.accept(record);
       if (motion.points() > 0) {
         at_ = Vec3(&motion.coordinates[motion.coordinates.size() - motion.stride()]);
+      }
+      if (cycle_.isOn()) {
+        at_.reset();  // above the hole, as high as the control comes back
       }
       rapid_ = surfaced_ = false;
       return;
@@ -191,6 +199,9 @@ class Stage : public ArcFitter {
   cl::RecordSink& next_;
   double share_;
   double inner_ = 0.0, outer_ = defaultOuter;
+  CycleWatch cycle_;
+  // Under an inverse time the moves that a fit makes one would take the time of one.
+  timing::FeedInForce feed_;
   bool rapid_ = false;
   bool surfaced_ = false;   // the record before told a surface
   bool keptWhole_ = false;  // the sequence so far is passed on as it is

@@ -10,6 +10,7 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/path/cl_spline.h"
+#include "runtime/path/cycle_watch.h"
 #include "runtime/path/point_records.h"
 
 namespace arelem::path {
@@ -30,8 +31,11 @@ class Stage : public ChordStage {
     if (const auto* motion = std::get_if<cl::Motion>(&record.body)) {
       return move(record, *motion);
     }
-    if (const auto* post = std::get_if<cl::Post>(&record.body); post && spline_.take(*post)) {
-      return;
+    if (const auto* post = std::get_if<cl::Post>(&record.body)) {
+      cycle_.take(*post);
+      if (spline_.take(*post)) {
+        return;
+      }
     }
     if (const auto* surface = std::get_if<cl::Surface>(&record.body)) {
       circle_ = surface->surface;
@@ -53,7 +57,9 @@ class Stage : public ChordStage {
     if (motion.points() > 0 && motion.way != cl::Motion::Way::straight && at_) {
       const Vec3 end(motion.coordinates.data());
       std::vector<Vec3> points;
-      if (motion.isArc()) {
+      if (cycle_.isOn()) {
+        points = {end};  // one hole
+      } else if (motion.isArc()) {
         points = arc(end, motion.way == cl::Motion::Way::counterclockwise);
       } else if (auto found = spline_.points(*at_, band())) {
         points = *std::move(found);
@@ -136,6 +142,7 @@ class Stage : public ChordStage {
   cl::RecordSink& next_;
   DiagnosticSink& sink_;
   ClSpline spline_;
+  CycleWatch cycle_;
   std::optional<cl::SurfaceValue> circle_;
   std::optional<Vec3> at_;
   Vec3 axis_ = Vec3::UnitZ();

@@ -81,7 +81,7 @@ class OrderReader {
       order.share = *value / 100.0;
       if (!(order.share > 0.0 && order.share < mostShare)) {
         return fail(diag::SmoothForm,
-                    fmt::format("SHARE {}; it lies between 0 and 80 percent", *value));
+                    fmt::format("SHARE {}; it is above 0 and below 80 percent", *value));
       }
     } else {
       return fail(diag::SmoothForm, fmt::format("`{}`", word));

@@ -11,6 +11,7 @@
 #include "ir/diag/spline.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
+#include "runtime/path/cycle_watch.h"
 #include "runtime/path/smooth_sequence.h"
 #include "runtime/timing/feed.h"
 #include "runtime/timing/machine_limits.h"
@@ -94,6 +95,7 @@ class Stage : public Smoother {
 
   /// Under an inverse time each cut vector would take the time of the whole move that it is of.
   void takeFeed(const cl::Record& record, const cl::Post& post) {
+    cycle_.take(post);
     feed_.take(post);
     if (order_ && feed_.isInverse() && cl::is(post, Word::FEDRAT)) {
       sink_.accept(diagnose(record.origin, diag::SmoothInverse));
@@ -131,7 +133,7 @@ class Stage : public Smoother {
 
   void take(const cl::Record& record, const cl::Motion& motion) {
     const bool startsAnew = motion.kind == cl::Motion::Kind::from || rapid_;
-    if (!order_ || startsAnew || !at_) {
+    if (!order_ || startsAnew || !at_ || cycle_.isOn()) {
       flush();
       next_.accept(record);
       rapid_ = false;
@@ -142,6 +144,9 @@ class Stage : public Smoother {
       const double* last = &motion.coordinates[motion.coordinates.size() - motion.stride()];
       if (held_.empty()) {
         at_ = Vec3(last[0], last[1], last[2]);
+      }
+      if (cycle_.isOn()) {
+        at_.reset();  // above the hole, as high as the control comes back
       }
     }
   }
@@ -256,6 +261,7 @@ class Stage : public Smoother {
   timing::Limits limits_ = smooth::Options{}.limits;  // mm
   double unit_ = 1.0;                                 // mm
   timing::FeedInForce feed_;
+  CycleWatch cycle_;
   bool rapid_ = false;
   std::optional<Vec3> at_;  // the location before what is held
   std::vector<cl::Record> held_;

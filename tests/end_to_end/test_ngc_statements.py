@@ -120,5 +120,31 @@ class Statements(ArelemCase):
                     self.assertEqual(self.files(), ["part.apt"])
 
 
+class Holes(ArelemCase):
+    """Under a cycle each location is a hole: nothing fits, smooths or divides what is no path."""
+    CYCLE = "CUTTER/6\nSPINDL/900,CLW\nFEDRAT/200\nFROM/0,0,50\n{}CYCLE/DRILL,8,MMPM,90,2\n{}CYCLE/OFF\n{}FINI\n"
+    ROW = "GOTO/10,0,0\nGOTO/20,0,0\nGOTO/30,0,0\nGOTO/40,0,0\n"
+
+    def holes(self, text, *options):
+        self.write("p.apt", text)
+        self.assertExit(0, "compile", "p.apt", "--dialect", "cl", "-o", "p.ngc", *options)
+        lines = (self.folder / "p.ngc").read_text().splitlines()
+        return [line.split()[2] for line in lines if " G81 " in f" {line} "]
+
+    def test_holes_stay(self):
+        wanted = ["X10.0000", "X20.0000", "X30.0000", "X40.0000"]
+        self.assertEqual(self.holes(self.CYCLE.format("", self.ROW, "")), wanted)
+        self.assertEqual(self.holes(self.CYCLE.format("GOTO/0,0,0\n", self.ROW, ""), "--fit", ".5"), wanted)
+        path = "GOTO/50,0,5\nGOTO/60,1,5\nGOTO/70,0,5\nSMOOTH/NOMORE\n"
+        self.assertEqual(self.holes(self.CYCLE.format("SMOOTH/.1\n", self.ROW, path)), wanted)
+        arc = "GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,0\n"
+        self.assertEqual(self.holes(self.CYCLE.format("", arc, "")), ["X10.0000", "X0.0000"])
+
+    def test_moves_of_an_inverse_time_stay(self):
+        self.write("p.apt", "CUTTER/6\nFROM/0,0,0\nFEDRAT/12,INVERS\nGOTO/10,0,0\nGOTO/20,0,0\nGOTO/30,0,0\nFINI\n")
+        self.assertExit(0, "compile", "p.apt", "--dialect", "cl", "-o", "p.ngc", "--fit", ".5")
+        self.assertEqual((self.folder / "p.ngc").read_text().count("F12.0000"), 3)
+
+
 if __name__ == "__main__":
     unittest.main()
