@@ -70,7 +70,6 @@ class Location:
 
 def cl_locations(text):
     """Every location but FROM."""
-    paused = None  # by NOMORE
     rapid, feed, hole, tolerances, out = False, None, None, {"INTOL": 0.0, "OUTTOL": 0.0005}, []
     cycle = None  # the last one, which ON takes up again behind NOMORE
     for line in text.splitlines():
