@@ -217,9 +217,10 @@ std::optional<std::string_view> hiddenMotion(std::string_view text) {
          at = text.find(word, at + 1)) {
       const std::size_t end = at + word.size();
       const bool begins = at == 0 || text[at - 1] == ' ' || text[at - 1] == ',';
-      const char next = end < text.size() ? text[end] : '\0';
-      const bool alone = next == ' ' || next == '/' || next == '\0';
-      if (begins && alone && !(at == 0 && next == '/')) {
+      const std::size_t behind = std::min(text.find_first_not_of(' ', end), text.size());
+      const bool alone = end == text.size() || text[end] == ' ' || text[end] == '/';
+      const bool isTheStatement = at == 0 && (behind == text.size() || text[behind] == '/');
+      if (begins && alone && !isTheStatement) {
         return word;
       }
     }

@@ -94,7 +94,7 @@ bool ClCurves::takes(const runtime::Locate& to, std::uint64_t step) {
     return false;
   }
   const double rise = riseOf(*move, *turn);
-  if (before->fine && rise <= dividedRise(unit_)) {
+  if (creo_ && before->fine && rise <= dividedRise(unit_)) {
     divided_ = before;
     return true;
   }
@@ -136,6 +136,8 @@ Result<CurveFact> ClCurves::goAlong(const runtime::Locate& to) {
 void ClCurves::look(const cl::Body& body) {
   if (const auto* units = std::get_if<cl::Units>(&body)) {
     unit_ = units->unit;
+  } else if (const auto* text = std::get_if<cl::Text>(&body)) {
+    creo_ = creo_ || text->text.find("FEATNO /") == 1;  // `$$-> FEATNO / 605`, kept as PPRINT
   }
   if (const auto* post = std::get_if<cl::Post>(&body)) {
     spline_.take(*post);

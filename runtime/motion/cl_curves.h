@@ -57,6 +57,7 @@ class ClCurves {
   std::optional<Divided> divided_;
   const runtime::Action* now_ = nullptr;
   bool tellsChords_;
+  bool creo_ = false;  ///< the program names features as Creo does
   std::uint64_t step_ = 0;
   std::optional<Word> unit_;
   path::ClSpline spline_;

@@ -16,6 +16,8 @@ SHARED = pathlib.Path(os.environ.get("ARELEM_SHARED", PROJECT.parent / "shared")
 WITH_SIDES = {"ahead.apt", "plate_paint.apt", "right_turn.apt", "school_xing.apt", "stop.apt", "door_paint.apt", "sen_plane.apt",
               "sen_half_cylinder.apt", "sen_revolved.apt"}
 APPLIED = {"TRACUT", "COPY", "INDEX", "SMOOTH", "VTLAXS", "WCORN"}
+# Words with one number on a tape.
+SAME = {"CW": "CLW", "CCW": "CCLW", "OPSKIP": "DELETE"}
 LARGE = 400_000  # bytes; larger files say nothing that smaller ones do not
 
 
@@ -52,10 +54,10 @@ def meaning(lines):
             text = r["text"].strip()
             out.append((r["word"], text[1:].strip() if text.startswith("/") and r["word"] != "INSERT" else text))
         elif kind == "POST" and r["word"] not in APPLIED:
-            # One number stands for CW and CLW on a tape; a surface of CLRSRF has no name in CL text.
-            args = [{"CW": "CLW", "CCW": "CCLW"}.get(a, a) if isinstance(a, str) else a for a in r.get("args", [])]
+            # A surface of CLRSRF has no name in CL text.
+            args = [SAME.get(a, a) if isinstance(a, str) else a for a in r.get("args", [])]
             args = ["surface", *args[2:]] if r["word"] in ("CLRSRF", "CLEARP") and len(args) > 5 else args
-            out.append((r["word"], args))
+            out.append((SAME.get(r["word"], r["word"]), args))
         elif kind in ("CUTTER", "INTOL", "OUTTOL"):
             out.append((kind, tuple(r["values"])))
         elif kind in ("MULTAX", "UNITS"):

@@ -44,15 +44,15 @@ A macro is a file `name.apt` in a folder of `-I`, or stands in the program. `REF
 wrongly; the message has the place of the CALL:
 
 ```apt
-SQUARE=MACRO/SIDE,CUTR
-IF (SIDE .LE. CUTR) THEN
-REFUSE/'SIDE must be more than CUTR',SIDE,CUTR
+SQUARE=MACRO/WIDTH,CUTR
+IF (WIDTH .LE. CUTR) THEN
+REFUSE/'WIDTH must be more than CUTR',WIDTH,CUTR
 ENDIF
-GOTO/(SIDE-CUTR),0,0
-GOTO/(SIDE-CUTR),(SIDE-CUTR),0
+GOTO/(WIDTH-CUTR),0,0
+GOTO/(WIDTH-CUTR),(WIDTH-CUTR),0
 TERMAC
 FROM/0,0,0
-CALL/SQUARE, SIDE=40, CUTR=10
+CALL/SQUARE, WIDTH=40, CUTR=10
 FINI
 ```
 

@@ -61,7 +61,8 @@ def canonical_moves(calls):
 
 
 class Location:
-    """A place of the CL; `hole` is (depth, clearance) under a canned cycle, `band` INTOL + OUTTOL in force."""
+    """A place of the CL; `hole` is (depth, clearance, feed, whether the tool feeds out
+    again) under a canned cycle, `band` INTOL + OUTTOL in force."""
 
     def __init__(self, place, rapid, feed, hole, band):
         self.place, self.rapid, self.feed, self.hole, self.band = place, rapid, feed, hole, band
@@ -70,6 +71,7 @@ class Location:
 def cl_locations(text):
     """Every location but FROM."""
     rapid, feed, hole, tolerances, out = False, None, None, {"INTOL": 0.0, "OUTTOL": 0.0005}, []
+    cycle = None  # the last one, which ON takes up again behind NOMORE
     for line in text.splitlines():
         record = json.loads(line)
         kind = record["kind"]
@@ -80,13 +82,14 @@ def cl_locations(text):
                 feed = next(a for a in record["args"] if not isinstance(a, str)) * (60 if "MMPS" in record["args"] else 1)
             elif record["word"] == "CYCLE":
                 numbers = [a for a in record["args"] if not isinstance(a, str)]
-                hole = (abs(numbers[0]), numbers[2]) if numbers else None
-                feed = numbers[1] if numbers else feed
+                if numbers:
+                    cycle = (abs(numbers[0]), numbers[2], numbers[1], "TAP" in record["args"])
+                hole = cycle if numbers or "ON" in record["args"] else None
         elif kind in tolerances:
             tolerances[kind] = abs(record["values"][0])
         elif kind in ("GOTO", "CONT"):
             for p in record["points"]:
-                out.append(Location(tuple(p[:3]), rapid, feed, hole, sum(tolerances.values())))
+                out.append(Location(tuple(p[:3]), rapid, hole[2] if hole else feed, hole, sum(tolerances.values())))
             rapid = False
     return out
 
@@ -140,7 +143,7 @@ def compare(moves, locations, resolution, arc_tolerance):
 def drill(moves, location, resolution, problems):
     """Takes the moves of one hole; the tool is then at the clearance above it."""
     x, y, z = location.place
-    depth, clear = location.hole
+    depth, clear, _, feeds_out = location.hole
     top, bottom = (x, y, z + clear), (x, y, z - depth)
     drilled = False
     for move in moves:
@@ -148,7 +151,7 @@ def drill(moves, location, resolution, problems):
             drilled = drilled or distance(move.end, bottom) <= resolution
             if abs(move.end[0] - x) + abs(move.end[1] - y) > resolution or abs(move.feed - location.feed) > 1e-3:
                 problems.append(f"hole {location.place}: a feed move to {move.end} at {move.feed}")
-        elif drilled and distance(move.end, top) <= resolution:
+        if (move.feed is None) != feeds_out and drilled and distance(move.end, top) <= resolution:
             return top
     problems.append(f"hole {location.place} is not drilled to {bottom} and left to {top}")
     return top
