@@ -1,6 +1,6 @@
 #include "app/cl_input.h"
 
-#include <array>
+#include <sstream>
 
 #include "app/byte_stream.h"
 #include "app/cl_stream.h"
@@ -26,7 +26,7 @@ Result<ClFile> ClFile::open(const std::string& path, const Limits& limits) {
   if (!in) {
     return in.takeFailure();
   }
-  ClFile file(path, *std::move(in));
+  ClFile file(path, *std::move(in), limits);
   constexpr std::size_t enough = 4096;  // blanks before the brace of JSON do not matter
   std::string begin(enough, '\0');
   file.in_->read(begin.data(), static_cast<std::streamsize>(begin.size()));
@@ -37,13 +37,13 @@ Result<ClFile> ClFile::open(const std::string& path, const Limits& limits) {
   return file;
 }
 
-std::string ClFile::text() {
-  std::string all;
-  std::array<char, 1U << 16U> block{};
-  while (in_->read(block.data(), block.size()) || in_->gcount() > 0) {
-    all.append(block.data(), static_cast<std::size_t>(in_->gcount()));
+Result<std::string> ClFile::text() {
+  if (path_ != "-") {
+    return readBytes(path_, limits_);
   }
-  return all;
+  std::ostringstream all;
+  all << in_->rdbuf();
+  return std::move(all).str();
 }
 
 bool readRecords(Compilation& job,
@@ -51,7 +51,12 @@ bool readRecords(Compilation& job,
                  cl::RecordSink& records,
                  const InterruptFlag& interrupted) {
   if (file.format() == InputFormat::text) {
-    return load(job, file.path(), file.text(), interrupted) && evaluate(job, interrupted) &&
+    Result<std::string> text = file.text();
+    if (!text) {
+      job.log.accept(text.takeFailure());
+      return false;
+    }
+    return load(job, file.path(), *std::move(text), interrupted) && evaluate(job, interrupted) &&
            execute(job, records, interrupted);
   }
   const std::string name = displayName(file.path());

@@ -24,12 +24,13 @@ class ClFile {
   [[nodiscard]] InputFormat format() const { return format_; }
   [[nodiscard]] std::istream& stream() { return *in_; }
   /// All of it, where nothing was read yet.
-  [[nodiscard]] std::string text();
+  [[nodiscard]] Result<std::string> text();
 
  private:
-  ClFile(std::string path, std::unique_ptr<std::istream> in)
-      : path_(std::move(path)), in_(std::move(in)) {}
+  ClFile(std::string path, std::unique_ptr<std::istream> in, const Limits& limits)
+      : path_(std::move(path)), limits_(limits), in_(std::move(in)) {}
   std::string path_;
+  Limits limits_;
   std::unique_ptr<std::istream> in_;
   InputFormat format_ = InputFormat::text;
 };

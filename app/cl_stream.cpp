@@ -8,6 +8,7 @@
 #include "app/source_file.h"
 #include "app/stopwatch.h"
 
+#include "ir/diag/frontend.h"
 #include "ir/diag/interpret.h"
 #include "ir/diag/render_text.h"
 #include "runtime/path/curve_needs.h"
@@ -171,7 +172,8 @@ class ClReading::Reader {
   /// False for what is not told, or not in the same way, of a file in pieces.
   bool check(const std::vector<Diagnostic>& messages) {
     const bool good = std::all_of(messages.begin(), messages.end(), [](const Diagnostic& d) {
-      return d.at.buffer != nowhere.buffer && d.severity() != Severity::error;
+      const bool countsBytes = d.row == diag::NotUtf8.row;  // in its words, from the beginning
+      return !countsBytes && d.at.buffer != nowhere.buffer && d.severity() != Severity::error;
     });
     // Beyond these some are only counted, and not the same ones as for a text read at once.
     const std::uint64_t most =

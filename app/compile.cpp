@@ -290,7 +290,9 @@ void compileInto(OutputSet& outputs,
     job.log.accept(file.takeFailure());
   } else if (file->format() != InputFormat::text) {
     rewrite(job, outputs, plan, *file, options, interrupted);
-  } else if (load(job, plan.input, file->text(), interrupted) && evaluate(job, interrupted)) {
+  } else if (Result<std::string> text = file->text(); !text) {
+    job.log.accept(text.takeFailure());
+  } else if (load(job, plan.input, *std::move(text), interrupted) && evaluate(job, interrupted)) {
     produce(job, outputs, plan, options, interrupted);
   }
 }

@@ -9,7 +9,6 @@
 #include "frontend/read/characters.h"
 #include "frontend/read/columns.h"
 #include "frontend/read/encoding.h"
-#include "frontend/read/fast_lane.h"
 #include "frontend/read/structured_comment.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/diag/frontend.h"
@@ -164,40 +163,6 @@ void CardReader::next(StatementText& statement, bool fastLane) {
       statement.text.empty() ? StatementText::Kind::empty : StatementText::Kind::tokens;
   statement.span = statement.text.empty() ? Span{buffer_, offset, 0}
                                           : statement.spanOf(0, statement.text.size());
-}
-
-/// A statement of the fast lane with the lines that it goes on in. False leaves the reader behind
-/// its first line.
-bool CardReader::readNumbers(const Line& first, StatementText& statement) {
-  // Longer lines may have columns that are not read.
-  constexpr std::size_t fieldColumns = 72;
-  const auto fits = [&](const Line& line) {
-    return line.text.size() <= fieldColumns || options_.takes(&DialectRules::freeWidth);
-  };
-  FastLine fast;
-  FastLane lane = fits(first) ? readFastLine(first.text, fast) : FastLane::none;
-  const std::size_t behindFirst = position_;
-  Line line = first;
-  std::uint64_t continued = 0;
-  for (; lane == FastLane::open; ++continued) {
-    lane = takeLine(line) && fits(line) ? appendFastLine(line.text, fast) : FastLane::none;
-  }
-  if (lane == FastLane::none) {
-    position_ = behindFirst;
-    return false;
-  }
-  for (std::uint64_t i = 0; i < continued; ++i) {
-    reporter_.used(ir::Feature::LX_02);
-  }
-  if (fast.comment) {
-    reporter_.used(ir::Feature::LX_03);
-  }
-  statement.kind = StatementText::Kind::numbers;
-  statement.numbers = fast.numbers;
-  const auto begin = static_cast<std::uint32_t>(first.offset + fast.begin);
-  const auto end = static_cast<std::uint32_t>(line.offset + fast.end);
-  statement.span = {buffer_, begin, end - begin};
-  return true;
 }
 
 /// Structured comments. One that holds a statement is cut down to it, and the result is false; so

@@ -61,11 +61,7 @@ std::optional<Word> findModifier(int code) {
 }
 
 std::optional<Word> findPostWord(int code) {
-  static const auto index = [] {
-    auto map = codesOf(isPost);
-    map.insert_or_assign(row(Word::OPSKIP).code, Word::OPSKIP);  // programs say it, not DELETE
-    return map;
-  }();
+  static const auto index = codesOf(isPost);
   return found(index, code);
 }
 

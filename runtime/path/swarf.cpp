@@ -54,6 +54,7 @@ class Swarf : public SwarfStage {
     if (std::holds_alternative<cl::Motion>(record.body)) {
       flush();
       ended_.reset();
+      lost_ = false;
     } else if (held_.empty()) {
       return next_.accept(record);
     }
@@ -72,7 +73,10 @@ class Swarf : public SwarfStage {
       return;
     }
     if (held_.empty() && !ended_) {
-      report(record, fail(diag::SwarfSection, "no location stands before VTLAXS/ON"));
+      if (!lost_) {
+        report(record, fail(diag::SwarfSection, "no location stands before VTLAXS/ON"));
+      }
+      dropped_ = true;
       return;
     }
     began_ = record;
@@ -130,7 +134,7 @@ class Swarf : public SwarfStage {
     if (failure) {
       report(record, *std::move(failure));
       section_.reset();
-      dropped_ = true;
+      dropped_ = lost_ = true;
     }
   }
   void report(const cl::Record& record, Failure failure) {
@@ -145,6 +149,7 @@ class Swarf : public SwarfStage {
   std::optional<SwarfSection::End> ended_;  ///< until the next motion
   cl::Record began_;
   bool dropped_ = false;  ///< an error ended the section before its VTLAXS/OFF
+  bool lost_ = false;     ///< so did it one that ended here, and no location came since
 };
 }  // namespace
 

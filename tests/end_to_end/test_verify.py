@@ -95,10 +95,9 @@ class Verify(ArelemCase):
         self.assertExit(5, "verify", "p.apt", "q.cls")
         self.assertIn("E0912", self.err)
         # A tilt that is not the rule's: sin 10 degrees is 0.17365.
-        lines = text.split("\n")
-        at = next(i for i, line in enumerate(lines) if "0.17364817" in line and line.startswith("GOTO"))
-        lines[at] = "GOTO / 10.0, -0.984808, 0.173648, 0.0, 0.18, 0.983666"
-        self.write("r.cls", "\n".join(lines))
+        place = text[text.index("GOTO / 10.0"):text.index("$$-> VTLAXS / OFF")]
+        turned = "GOTO / 10.0, -0.984808, 0.173648, 0.0, 0.18, 0.983666\n"
+        self.write("r.cls", text.replace(place, turned))
         self.assertExit(5, "verify", "p.apt", "r.cls", "--slack", "1e-5")
         self.assertIn("E0915", self.err)
         self.write("s.cls", text.replace("VTLAXS / ON, LEFT, 0.0, 2.0, 0.0, RIGHT", "VTLAXS / ON, 7", 1))

@@ -121,6 +121,14 @@ TEST(Lanes, UnusualLinesAreLeftToTheParser) {
   }
 }
 
+TEST(Lanes, StepsAreReadToo) {
+  FastLine fast;
+  EXPECT_EQ(readFastLine("godlta/1,-2,.5", fast), FastLane::whole);
+  EXPECT_EQ(fast.numbers.word, Word::GODLTA);
+  EXPECT_EQ(fast.numbers.count, 3);
+  EXPECT_EQ(fast.numbers.numbers[1], -2.0);
+}
+
 TEST(Lanes, NumbersGoOnInTheNextLine) {
   const auto numbersOf = [](const std::string& text) {
     const auto read = compileText(text + "\nFINI\n");
