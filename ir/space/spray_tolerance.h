@@ -11,6 +11,9 @@ inline constexpr double filmPeak = 1e-6;
 /// The outermost sections of a surface lie this part of its extent inside, where a plane still
 /// meets it. Dimensionless.
 inline constexpr double sectionMargin = 1e-6;
+/// The first and the last section run along an edge where they lie this near to it: more than the
+/// margin. Part of the parameter's range.
+inline constexpr double edgeOfSection = 1e-4;
 /// A surface that bends less is flat. 1/mm.
 inline constexpr double flat = 1e-7;
 /// The smallest radius of a surface is looked for as near to its ends as this part of its extent:
@@ -26,6 +29,8 @@ inline constexpr double curvatureStep = 2e-4;
 inline constexpr double shortestLine = 1e-2;
 /// A way whose end lies this near to a wall touches it. mm.
 inline constexpr double wallTouch = 1e-6;
+/// A nozzle that is nearer to the work than this part of the stand-off has a wall beside it.
+inline constexpr double wallClear = 0.25;
 /// Walls are looked for from this part of the stand-off above the work on: below, the work itself
 /// is near.
 inline constexpr double wallLift = 0.05;

@@ -168,7 +168,9 @@ class Layer {
 
   void takeSections(std::vector<SurfaceLine> pieces, std::size_t rank) {
     for (SurfaceLine& piece : pieces) {
-      if (piece.size() >= 2) {
+      // Where planes end, sections leave points, which would be spots.
+      const double least = tolerance::shortestLine * job_.gun.footprint.across;
+      if (piece.size() >= 2 && lengthOf(piece) >= least) {
         appendToAndFro(laid_.lines, std::move(piece));
         laid_.ranks.push_back(rank);
       }
@@ -189,6 +191,17 @@ class Layer {
     return middle - nearest->place;
   }
 
+  /// The first and the last section of a closed body lie at no edge.
+  [[nodiscard]] bool runsAlongEdge(const SurfaceLine& line) const {
+    if (planes_.empty()) {
+      return true;
+    }
+    if ((line.front().place - line.back().place).norm() > tolerance::coincidence) {
+      return true;
+    }
+    return !job_.mesh && onEdge(line[line.size() / 2], tolerance::edgeOfSection);
+  }
+
   /// Lines beside those at the edges, as long as their spray reaches the work.
   void addBeside() {
     const double width = job_.gun.footprint.across;
@@ -202,7 +215,7 @@ class Layer {
     const auto copies = [&](int k, bool first) {
       for (std::size_t i = 0; i < own.lines.size(); ++i) {
         const SurfaceLine& line = own.lines[i];
-        if (own.ranks[i] == (first ? 0 : last_) && lengthOf(line) >= width) {
+        if (own.ranks[i] == (first ? 0 : last_) && lengthOf(line) >= width && runsAlongEdge(line)) {
           SurfaceLine copy = beside(line, k * laid_.step, outside(line, first));
           if (k % 2 == 1) {
             std::reverse(copy.begin(), copy.end());
@@ -234,10 +247,10 @@ class Layer {
   }
 
   /// Not where the surface only begins again, and not at a pole.
-  [[nodiscard]] bool onEdge(const LinePoint& end) const {
+  [[nodiscard]] bool onEdge(const LinePoint& end, double share = tolerance::similarity) const {
     const Patch& p = job_.patch;
-    const auto near = [](double value, double limit, double from, double to) {
-      return std::abs(value - limit) <= tolerance::similarity * (to - from);
+    const auto near = [share](double value, double limit, double from, double to) {
+      return std::abs(value - limit) <= share * (to - from);
     };
     const bool atU = near(end.uv.x(), p.u0, p.u0, p.u1) || near(end.uv.x(), p.u1, p.u0, p.u1);
     const bool atV = near(end.uv.y(), p.v0, p.v0, p.v1) || near(end.uv.y(), p.v1, p.v0, p.v1);
@@ -286,6 +299,12 @@ std::optional<Failure> objectionToWalls(const std::vector<SurfaceLine>& lines,
       const Vec3 nozzle = line[i].place + standOff * line[i].normal;
       if (const auto way = walls.between(line[i].place + lift * line[i].normal, nozzle)) {
         return blocked(line[i], lift + *way);
+      }
+      const double clear = walls.from(nozzle);
+      if (clear + walls.blur() < tolerance::wallClear * standOff) {
+        return fail(diag::SurfaceBeside, standOff, textOf(line[i].place), clear,
+                    tolerance::wallClear * standOff)
+            .withHelp("planes of LIMITS keep the gun off the wall; MINRAD, OFF sprays anyway");
       }
       if (i > 0 && walls.between(line[i - 1].place + standOff * line[i - 1].normal, nozzle)) {
         return blocked(line[i], standOff);

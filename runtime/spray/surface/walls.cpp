@@ -102,6 +102,14 @@ Walls Walls::of(const Patch& patch) {
   return walls;
 }
 
+double Walls::from(const Vec3& place) const {
+  const std::size_t t = tree_->nearest(place, -1);
+  return (geometry::nearestOn(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), place)
+              .point -
+          place)
+      .norm();
+}
+
 std::optional<double> Walls::between(const Vec3& from, const Vec3& to) const {
   FirstCrossing search(mesh_, from, to);
   tree_->search(search);
