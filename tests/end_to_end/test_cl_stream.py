@@ -86,9 +86,9 @@ class Streamed(ArelemCase):
         self.both(self.head() + "\n".join(lines) + "\nFINI\n")
         for code in ("W0583", "W0579", "W0474", "W0576"):
             self.assertIn(code, self.told)
-        self.assertExit(0, "compile", "a.cls", "-o", "a.ngc", "--diagnostics", "json")
+        self.assertExit(0, "compile", "a.cls", "-o", "a.jsonl", "--diagnostics", "json")
         streamed = self.err
-        self.assertExit(0, "compile", "a.cls", "-o", "a.ngc", "--diagnostics", "json", "--report", "r.json")
+        self.assertExit(0, "compile", "a.cls", "-o", "a.jsonl", "--diagnostics", "json", "--report", "r.json")
         self.assertEqual(streamed, self.err)
 
     def test_text_without_the_mark_of_a_system(self):

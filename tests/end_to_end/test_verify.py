@@ -100,9 +100,9 @@ class Verify(ArelemCase):
         self.write("r.cls", text.replace(place, turned))
         self.assertExit(5, "verify", "p.apt", "r.cls", "--slack", "1e-5")
         self.assertIn("E0915", self.err)
-        self.write("s.cls", text.replace("VTLAXS / ON, LEFT, 0.0, 2.0, 0.0, RIGHT", "VTLAXS / ON, 7", 1))
+        self.write("s.cls", text.replace("VTLAXS / ON, LEFT, 0, 2, 0, RIGHT", "VTLAXS / ON, 7", 1))
         self.assertExit(1, "verify", "p.apt", "s.cls")
-        self.assertIn("E0492", self.err)
+        self.assertIn("E0495", self.err)
 
     def test_a_corner_of_a_swarf_section_is_refused(self):
         self.write("p.apt", self.SWARF.format(moves="GOTO/5,-1,0\nWCORN/LEFT,5,LEFT,5,10\n"))
