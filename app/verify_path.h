@@ -8,6 +8,7 @@
 #include "ir/diag/diagnostic.h"
 #include "ir/hole/cycle.h"
 #include "ir/hole/cycle_feed.h"
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/vector.h"
 
 namespace arelem::app {
@@ -46,7 +47,7 @@ class Path : public cl::RecordSink {
   double turns_ = 0.0;
   bool rapid_ = false;
   double inner_ = 0.0;
-  double outer_ = 0.0005;  ///< as before any statement
+  double outer_ = tolerance::defaultOutside;
 };
 
 struct Allowed {

@@ -9,6 +9,7 @@
 #include "ir/cl/post_word.h"
 #include "ir/cl/vendor.h"
 #include "ir/diag/ngc.h"
+#include "ir/space/motion_tolerance.h"
 #include "ir/words/units.h"
 
 namespace arelem::backend {
@@ -17,9 +18,6 @@ namespace {
 
 using ngc::BlockWriter;
 using ngc::Control;
-
-/// OUTTOL before any statement, part unit.
-constexpr double defaultBand = 0.0005;
 
 class NgcWriter : public Writer {
  public:
@@ -58,7 +56,7 @@ class NgcWriter : public Writer {
   void operator()(const cl::Units& body) {
     unit_ = millimetersOf(body.unit);
     moves_.setUnit(unit_);
-    outer_ = toleranceRead_ ? outer_ : defaultBand * unit_;
+    outer_ = toleranceRead_ ? outer_ : tolerance::defaultOutside * unit_;
     moves_.setBand(inner_ + outer_);
   }
   void operator()(const cl::Values& body) {
@@ -206,7 +204,7 @@ class NgcWriter : public Writer {
   ngc::Statements statements_;
   const cl::Record* record_ = nullptr;
   double unit_ = 1.0;
-  double inner_ = 0.0, outer_ = defaultBand;
+  double inner_ = 0.0, outer_ = tolerance::defaultOutside;
   bool toleranceRead_ = false;
   bool started_ = false, percent_ = false, ended_ = false, lost_ = false;
 };

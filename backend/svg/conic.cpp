@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/picture_tolerance.h"
+
 namespace arelem::backend::svg {
 
 namespace {
 constexpr double cell = 4.0;  // pixels
 constexpr std::size_t mostSegments = 4000;
 constexpr int samplesOfAnInterval = 16;
-/// A generatrix this near a coordinate axis is seen as a point.
-constexpr double edgeOn = 1e-6;
 
 /// Where the edge between two corners crosses zero.
 Pixel crossing(Pixel a, double fa, Pixel b, double fb) {
@@ -69,7 +69,7 @@ std::vector<Vec3> tabulatedCurve(const std::vector<double>& canon, int depth) {
   Eigen::Matrix3d frame;
   frame << canon[2], canon[3], canon[4], canon[5], canon[6], canon[7], canon[8], canon[9],
       canon[10];
-  if (std::abs(std::abs(frame(2, depth)) - frame.row(2).norm()) > edgeOn) {
+  if (std::abs(std::abs(frame(2, depth)) - frame.row(2).norm()) > tolerance::edgeOn) {
     return {};
   }
   const std::size_t count = (canon.size() - head - 2) / interval;

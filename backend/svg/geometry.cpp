@@ -9,13 +9,12 @@
 
 #include "backend/svg/conic.h"
 #include "backend/text/clean.h"
+#include "ir/space/picture_tolerance.h"
 
 namespace arelem::backend::svg {
 
 namespace {
 constexpr std::string_view geometryClass = "class=\"geometry\"";
-/// A direction component smaller than this is seen as zero.
-constexpr double edgeOn = 1e-6;
 constexpr double crossArm = 3.5;  // pixels
 
 Vec3 vectorAt(const std::vector<double>& canon, std::size_t i) {
@@ -166,7 +165,7 @@ void GeometryDrawer::edge(double a, double b, double d, const std::string& name)
 bool GeometryDrawer::plane(const Entity& entity) {
   const std::vector<double>& c = entity.canon;
   const Vec3 normal = vectorAt(c, 0);
-  if (std::abs(normal[view_.depth]) > edgeOn * normal.norm()) {
+  if (std::abs(normal[view_.depth]) > tolerance::edgeOn * normal.norm()) {
     return false;  // it fills this view
   }
   edge(normal[view_.across], normal[view_.up], c[3], nameOf(entity));
@@ -200,11 +199,11 @@ bool GeometryDrawer::cylinder(const Entity& entity) {
   const Vec3 axis = vectorAt(entity.canon, 3);
   const double radius = entity.canon[6];
   const Eigen::Vector2d seen(axis[view_.across], axis[view_.up]);
-  if (seen.norm() <= edgeOn) {
+  if (seen.norm() <= tolerance::edgeOn) {
     ring(center, radius, nameOf(entity));
     return true;
   }
-  if (entity.type == EntityType::circle && axis.cwiseAbs().maxCoeff() > 1.0 - edgeOn) {
+  if (entity.type == EntityType::circle && axis.cwiseAbs().maxCoeff() > 1.0 - tolerance::edgeOn) {
     return false;  // a circle is seen along its axis, in another view
   }
   // However it is tilted, the outline lies a radius beside the axis.
@@ -227,7 +226,7 @@ bool GeometryDrawer::cone(const Entity& entity) {
   // The generators whose normal lies in the view: cos(angle to the seen axis) =
   // sqrt(cos(half angle)^2 - depth^2) / |seen|. Seen from within the cone there is none.
   const double square = cosine * cosine - depth * depth;
-  if (square <= 0.0 || seen.norm() <= edgeOn) {
+  if (square <= 0.0 || seen.norm() <= tolerance::edgeOn) {
     return true;
   }
   const double angle = std::acos(std::clamp(std::sqrt(square) / seen.norm(), -1.0, 1.0));
@@ -255,7 +254,7 @@ void GeometryDrawer::besideEllipse(const Vec3& center,
     const Vec3 out = std::cos(turn) * first + std::sin(turn) * second;
     const Eigen::Vector2d along = flat(std::cos(turn) * second - std::sin(turn) * first);
     Eigen::Vector2d beside(along.y(), -along.x());
-    beside *= along.norm() > edgeOn ? distance / along.norm() : 0.0;
+    beside *= along.norm() > tolerance::edgeOn ? distance / along.norm() : 0.0;
     const Eigen::Vector2d place = flat(center + radius * out) + beside;
     curve.push_back(view_.place(place.x(), place.y()));
   }
@@ -265,7 +264,7 @@ void GeometryDrawer::besideEllipse(const Vec3& center,
 bool GeometryDrawer::torus(const Entity& entity) {
   const Vec3 center = vectorAt(entity.canon, 0);
   const Vec3 axis = vectorAt(entity.canon, 3);
-  if (Eigen::Vector2d(axis[view_.across], axis[view_.up]).norm() <= edgeOn) {
+  if (Eigen::Vector2d(axis[view_.across], axis[view_.up]).norm() <= tolerance::edgeOn) {
     ring(center, entity.canon[6] + entity.canon[7], nameOf(entity));
     ring(center, entity.canon[6] - entity.canon[7], "");
     return true;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ir/space/picture_tolerance.h"
+
 namespace arelem::backend::svg {
 
 namespace {
@@ -16,8 +18,6 @@ constexpr double narrowest = 210.0;    // of the corner that shows the path at a
 constexpr double lowest = 170.0;
 constexpr double tallestDrawing = 900.0;
 constexpr double smallestCell = 60.0;
-/// A path thinner than this part of its size lies in a plane.
-constexpr double flatness = 1e-6;
 
 View xy() {
   return {"XY", 0, 1, 2, {}, 1, 0, 0};
@@ -32,7 +32,7 @@ View yz() {
 /// The only view of a flat path, or nothing.
 std::optional<View> planeOf(const Bounds& path) {
   const Vec3 size = path.size();
-  const double thin = flatness * size.maxCoeff();
+  const double thin = tolerance::flatPath * size.maxCoeff();
   if (size.z() <= thin) {
     return xy();
   }

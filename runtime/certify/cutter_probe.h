@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "ir/space/motion_tolerance.h"
 #include "runtime/certify/body_search.h"
 #include "runtime/certify/core_probe.h"
 #include "runtime/tool/contact.h"
@@ -119,15 +120,13 @@ class CutterProbe final : public Probe {
   /// Places measured in vain for all cut vectors of a motion: what stays undecided must not take
   /// hours.
   static constexpr int patience = 1000000;
-  /// Sine of the angle between generatrix and axis below which the surface is a wall.
-  static constexpr double alongAxis = 1e-12;
   /// A contact this near to the cutter is on it. Part unit.
   static constexpr double onCutter = 1e-9;
 
   [[nodiscard]] bool isWall() const {
     const Vec3 wall = surface::generatrix(surface_);
     return chord_.turn() == 0.0 && !cutter_.ring && wall.squaredNorm() > 0.5 &&
-           wall.cross(chord_.axis(0.0)).norm() <= alongAxis;
+           wall.cross(chord_.axis(0.0)).norm() <= tolerance::wallAlongAxis;
   }
 
   /// True where the ball looks out at the top of the cutter, so that only an arc of it cuts.

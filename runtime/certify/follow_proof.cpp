@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ir/space/motion_tolerance.h"
+
 namespace arelem::certify {
 
 namespace {
@@ -28,7 +30,7 @@ GuideTask FollowProof::driveTask(const Named& drive) const {
   if (!modal_.driveRelation) {
     // No tool position was ever given: ON if the tool end is on the drive surface.
     const Touch end = touch(drive.surface, {nullptr, 1.0, 0.0}, first_, task.allowed);
-    if (std::abs(end.high) <= bandOf(task) + startLength) {
+    if (std::abs(end.high) <= bandOf(task) + tolerance::startLength) {
       task.cutter = nullptr;
       task.thick = 0.0;
     }
@@ -40,7 +42,7 @@ GuideTask FollowProof::partTask() const {
   GuideTask task = check_.taskOf(modal_, partRole, modal_.partSurface(), modal_.toolOnPart());
   if (!modal_.partRelation) {
     // No such word was ever given: ON if the tool end is on the part surface and the cutter is not.
-    const double slack = startLength + bandOf(task);
+    const double slack = tolerance::startLength + bandOf(task);
     const surface::AnySurface& part = task.surface.surface;
     const auto isOff = [&](const Relation& r) {
       return std::abs(touch(part, r, first_, task.allowed).high) > slack;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "ir/space/motion_tolerance.h"
 #include "runtime/geometry/kinds.h"
 #include "runtime/interpret/action.h"
 #include "runtime/tool/profile.h"
@@ -28,7 +29,8 @@ class Modal {
   std::optional<tool::Profile> cutter;
   std::array<std::optional<tool::Profile>, 2> option;  ///< CUTTER/OPTION: part, drive
   std::array<double, 4> inner{0.0, 0.0, 0.0, 0.0};
-  std::array<double, 4> outer{0.0005, 0.0005, 0.0005, 0.0005};
+  std::array<double, 4> outer{tolerance::defaultOutside, tolerance::defaultOutside,
+                              tolerance::defaultOutside, tolerance::defaultOutside};
   std::array<double, 4> thick{0.0, 0.0, 0.0, 0.0};
   std::optional<Named> part;         ///< none: the XY plane
   std::optional<Word> partRelation;  ///< TLONPS, TLOFPS

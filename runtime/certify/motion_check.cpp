@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "ir/diag/verify.h"
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 
 namespace arelem::certify {
 
 namespace {
-/// Share of the band, beside startLength, by which a motion may begin outside its band.
-constexpr double startShare = 0.2;
 /// Components of a contact normal along the path below this do not tell whether the tool approaches
 /// the surface or leaves it.
 constexpr double glancing = 1e-3;
@@ -61,7 +60,8 @@ GuideTask MotionCheck::taskOf(const Modal& modal, Role role, Named surface, bool
   task.cutter = on ? nullptr : modal.cutterFor(role);
   task.thick = on ? 0.0 : modal.thick[role];
   task.allowed = allowedFor(modal, role);
-  task.startSlack = startShare * (task.allowed.inner + task.allowed.outer) + startLength;
+  task.startSlack =
+      tolerance::startShare * (task.allowed.inner + task.allowed.outer) + tolerance::startLength;
   return task;
 }
 

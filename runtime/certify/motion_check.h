@@ -9,9 +9,6 @@ struct Goal {
   ir::Condition condition = ir::Condition::to;
 };
 
-/// A place counts as on its surface within the band and this. Part unit.
-inline constexpr double startLength = 5e-5;
-
 /// Where a motion is, and the direction in which it came there; zero if it did not move.
 struct PathEnd {
   Location place;

@@ -7,6 +7,7 @@
 
 #include "ir/diag/curves.h"
 #include "ir/diag/motion.h"
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/written_unit.h"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double fullTurn = 2.0 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180.0;
 /// Ends that are farther off than this, and this share of the radius, belong to another arc.
-constexpr double worst = 20.0 * arcEnd;
+constexpr double worst = 20.0 * tolerance::arcEnd;
 constexpr double worstShare = 0.001;
 /// A stated angle may differ from that of the ends by so much, in degrees.
 constexpr double angleSlack = 0.5;
@@ -107,7 +108,7 @@ Result<ArcMove> arcMove(const runtime::Arc& arc,
     return fail(diag::ArcTurns, arc.turns, mostTurns);
   }
   ArcMove move;
-  if (off > arcEnd) {
+  if (off > tolerance::arcEnd) {
     move.warnings.push_back(fail(diag::ArcOff, first, last, radius));
   }
   const double total = totalSweep(arc, circle.sweep(start, end), move.warnings);

@@ -7,10 +7,6 @@
 
 namespace arelem::motion {
 
-/// Ends of an arc of a CL file may be this far off its circle: what four decimals take away. Part
-/// unit.
-inline constexpr double arcEnd = 0.0005;
-
 /// An arc of a CL file with its ends known: the circle to write before each of `ends`, about which
 /// the tool turns counter-clockwise. Whole turns of a helix are pieces of their own, so that the
 /// sweep of each piece follows from its ends.
@@ -26,7 +22,7 @@ struct ArcMove {
 };
 
 /// The arc from `start` to `end`. Both may lie off the circle by what the digits of a file take
-/// away: beyond `arcEnd` is a warning, far beyond it an error.
+/// away: beyond `tolerance::arcEnd` is a warning, far beyond it an error.
 /// `forward` is the direction of INDIRV, which fixes the plane where the statement gives none.
 [[nodiscard]] Result<ArcMove> arcMove(const runtime::Arc& arc,
                                       const Vec3& start,

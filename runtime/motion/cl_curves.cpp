@@ -6,6 +6,7 @@
 
 #include "ir/diag/curves.h"
 #include "ir/diag/words.h"
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "ir/words/units.h"
 #include "runtime/interpret/passed_post.h"
@@ -68,7 +69,7 @@ std::optional<double> ClCurves::levelTurn(const ArcMove& move) const {
   }
   const std::vector<double>& circle = move.pieces[0].circle.surface.canon;
   const Vec3 axis(circle[3], circle[4], circle[5]);
-  const bool level = std::abs((move.pieces[0].end - state_.toolEnd).dot(axis)) <= arcEnd;
+  const bool level = std::abs((move.pieces[0].end - state_.toolEnd).dot(axis)) <= tolerance::arcEnd;
   return level ? std::optional(move.length / circle[6]) : std::nullopt;
 }
 
@@ -90,7 +91,8 @@ bool ClCurves::takes(const runtime::Locate& to, std::uint64_t step) {
   const Result<ArcMove> move = arcMove(before->arc, state_.toolEnd, to.point, std::nullopt);
   const std::optional<double> turn = move ? levelTurn(*move) : std::nullopt;
   const double whole = 2.0 * std::numbers::pi + tolerance::symmetric;
-  if (!turn || (to.point - state_.toolEnd).norm() <= arcEnd || before->turned + *turn > whole) {
+  if (!turn || (to.point - state_.toolEnd).norm() <= tolerance::arcEnd ||
+      before->turned + *turn > whole) {
     return false;
   }
   const double rise = riseOf(*move, *turn);
@@ -98,7 +100,7 @@ bool ClCurves::takes(const runtime::Locate& to, std::uint64_t step) {
     divided_ = before;
     return true;
   }
-  if (tellsChords_ && rise > arcEnd) {
+  if (tellsChords_ && rise > tolerance::arcEnd) {
     constexpr double degrees = 180.0 / std::numbers::pi;
     reporter_.report(*now_, fail(diag::ChordOfArc, *turn * degrees, rise));
     tellsChords_ = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/diag/motion.h"
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_choice.h"
 #include "runtime/motion/direction.h"
@@ -12,10 +13,6 @@
 namespace arelem::motion {
 
 namespace {
-/// Share of the band, beside a fixed length, by which the start may lie outside its band (502,
-/// 503).
-constexpr double startShare = 0.2;
-constexpr double startLength = 5e-5;
 /// Distance over which curvature is measured, as a share of the square root of the band.
 constexpr double probeShare = 0.01;
 
@@ -92,7 +89,7 @@ class Planner {
   /// ON by its word (TLON, TLONPS), or, where no such word was ever given, because the tool end is
   /// there and the cutter does not touch.
   [[nodiscard]] bool toolOn(Role role) {
-    const double slack = state_.band(role) + startLength;
+    const double slack = state_.band(role) + tolerance::startLength;
     if (role == driveRole) {
       if (state_.driveRelation) {
         return *state_.driveRelation == Word::TLON || *state_.driveRelation == Word::TLNDON;
@@ -151,7 +148,7 @@ class Planner {
     for (const Role role : {partRole, driveRole}) {
       const Guide& g = guide(role);
       const double gap = g.field->at(state_.toolEnd, state_.axis).gap;
-      const double slack = startShare * (g.inner + g.outer) + startLength;
+      const double slack = tolerance::startShare * (g.inner + g.outer) + tolerance::startLength;
       if (gap > g.outer + slack || gap < -g.inner - slack) {
         const std::string& name = surfaceOf(role).name;
         return role == partRole ? fail(diag::OffPartSurface, gap, name, 0.0 - g.inner, g.outer)

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ir/geometry/entity.h"
+#include "ir/space/motion_tolerance.h"
 #include "runtime/geometry/kinds.h"
 #include "runtime/interpret/action.h"
 #include "runtime/tool/profile.h"
@@ -34,7 +35,8 @@ struct State {
   bool cutterRefused = false;  ///< CUTTER was in error: motions are left out without further words
   std::array<std::optional<tool::Profile>, 2> option;  ///< CUTTER/OPTION for part (0) and drive (1)
   std::array<double, 4> inner{0.0, 0.0, 0.0, 0.0};
-  std::array<double, 4> outer{0.0005, 0.0005, 0.0005, 0.0005};
+  std::array<double, 4> outer{tolerance::defaultOutside, tolerance::defaultOutside,
+                              tolerance::defaultOutside, tolerance::defaultOutside};
   std::array<double, 4> thick{0.0, 0.0, 0.0, 0.0};
   double longestVector = 10.0;        ///< MAXDP
   double vectorLimit = 400.0;         ///< NUMPTS

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "ir/cl/post_word.h"
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/path/arc_run.h"
 #include "runtime/path/cycle_watch.h"
@@ -20,8 +21,6 @@ namespace {
 constexpr std::size_t leastPoints = 4;
 /// Each of the two errors of an arc (its points, its chords) may use half of the allowance.
 constexpr double halfShare = 0.5;
-/// OUTTOL before any statement, part unit.
-constexpr double defaultOuter = 0.0005;
 
 /// The largest n in [least, most] for which `holds`, found by doubling and halving; 0 for none.
 template <class Holds>
@@ -198,7 +197,7 @@ class Stage : public ArcFitter {
 
   cl::RecordSink& next_;
   double share_;
-  double inner_ = 0.0, outer_ = defaultOuter;
+  double inner_ = 0.0, outer_ = tolerance::defaultOutside;
   CycleWatch cycle_;
   // Under an inverse time the moves that a fit makes one would take the time of one.
   timing::FeedInForce feed_;

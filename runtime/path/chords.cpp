@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/path/cl_spline.h"
 #include "runtime/path/cycle_watch.h"
@@ -19,7 +20,6 @@ namespace {
 constexpr double fullTurn = 2.0 * std::numbers::pi;
 /// Largest turn over one cut vector, however coarse the tolerance is.
 constexpr double mostStep = std::numbers::pi / 6.0;
-constexpr double defaultBand = 0.0005;
 /// Bounds the vectors of one arc of any radius and tolerance.
 constexpr double mostSteps = 1e6;
 
@@ -50,7 +50,7 @@ class Stage : public ChordStage {
  private:
   [[nodiscard]] double band() const {
     const double both = inner_ + outer_;
-    return both > 0.0 ? both : defaultBand;
+    return both > 0.0 ? both : tolerance::defaultOutside;
   }
 
   void move(const cl::Record& record, const cl::Motion& motion) {
@@ -147,7 +147,7 @@ class Stage : public ChordStage {
   std::optional<Vec3> at_;
   Vec3 axis_ = Vec3::UnitZ();
   double inner_ = 0.0;
-  double outer_ = defaultBand;
+  double outer_ = tolerance::defaultOutside;
 };
 }  // namespace
 

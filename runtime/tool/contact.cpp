@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/tool/contact_search.h"
 #include "runtime/tool/rounded.h"
@@ -9,12 +10,10 @@
 namespace arelem::tool {
 
 namespace {
-/// |sine| of the angle between generatrix and axis below which the surface is a wall along the
-/// axis.
-constexpr double alongAxis = 1e-12;
 
 bool isWall(const Vec3& generatrix, const Vec3& axis) {
-  return std::abs(generatrix.dot(axis)) > 0.5 && generatrix.cross(axis).norm() <= alongAxis;
+  return std::abs(generatrix.dot(axis)) > 0.5 &&
+         generatrix.cross(axis).norm() <= tolerance::wallAlongAxis;
 }
 
 /// A wall along the tool axis: the cutter is a disc of its largest radius.
