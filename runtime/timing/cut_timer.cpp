@@ -179,8 +179,12 @@ class CutTimer::Path {
   double cuttingSpeed(double length, const Vec3& to) {
     const double perMinute = feed_.now().perMinute(length);
     if (!(perMinute > 0.0) && !feedReported_) {
-      sink_.accept(at(record_->origin,
-                      fail(diag::FeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_)));
+      sink_.accept(
+          at(record_->origin,
+             feed_.now().lacksSpindle()
+                 ? fail(diag::UntimedStatement, "FEDRAT",
+                        std::string("a feed for each turn, and the spindle has no speed"))
+                 : fail(diag::FeedMissing, to.x() / unit_, to.y() / unit_, to.z() / unit_)));
       feedReported_ = true;
     }
     return std::min(perMinute / secondsOfAMinute, machine_.limits.velocity);

@@ -16,6 +16,10 @@ class FeedInForce {
   [[nodiscard]] double perMinute(double length) const;
   /// Whether the feed counts moves a minute.
   [[nodiscard]] bool isInverse() const { return mode_ == Mode::inverse; }
+  /// Whether the feed is per turn, and the spindle has no speed.
+  [[nodiscard]] bool lacksSpindle() const {
+    return mode_ == Mode::perTurn && value_ > 0.0 && !(turns_ > 0.0);
+  }
   /// Of the spindle, a minute.
   [[nodiscard]] double turns() const { return turns_; }
 

@@ -103,7 +103,8 @@ class Time(ArelemCase):
         for statement, why in (("FEDRAT/100,FOO", "FEDRAT has `FOO`"), ("FEDRAT/MMPM", "FEDRAT has no number"),
                                ("FEDRAT/100,200,MMPM", "FEDRAT has several numbers"), ("FEDRAT/100,MMPM,IPR", "several units"),
                                ("DELAY/3,FOO", "DELAY has `FOO`"), ("DELAY/3,REV", "the spindle has no speed"),
-                               ("SPINDL/300,SFM\nDELAY/3,REV", "the spindle has no speed"), ("DELAY/ON", "DELAY has `ON`")):
+                               ("SPINDL/300,SFM\nDELAY/3,REV", "the spindle has no speed"), ("DELAY/ON", "DELAY has `ON`"),
+                               ("FEDRAT/.1,MMPR", "FEDRAT has a feed for each turn, and the spindle has no speed")):
             with self.subTest(statement):
                 self.write("p.apt", f"CUTTER/1\nFROM/0,0,0\nFEDRAT/50\n{statement}\nGOTO/1,0,0\nFINI\n")
                 self.assertExit(4, "time", "p.apt")
