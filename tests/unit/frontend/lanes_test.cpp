@@ -77,7 +77,7 @@ TEST(Lanes, NumberLinesGiveTheStatementOfTheParser) {
   const std::vector<std::string> lines = {
       "GOTO/1,2,3",   "goto / 1.5 , -2.25,+3.", "FROM/0,0,0,0,0,1",   "GOTO/1.5E-3,2.E2,.5",
       "  GOTO/1,2",   "GOTO/1,2,3,4,5,6,7",     "GOTO/-0,0.1,100000", "GOTO/123456789.123456,1,1",
-      "GOTO/1,2,3\t", "FROM/1,2,3,100",         "GOTO/1,2,3 $$ P1",   "godlta/1,-2,.5"};
+      "GOTO/1,2,3\t", "FROM/1,2,3,100",         "GOTO/1,2,3 $$ P1"};
   for (const std::string& line : lines) {
     FastLine fast;
     EXPECT_EQ(readFastLine(line, fast), FastLane::whole) << line;
