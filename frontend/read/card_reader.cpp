@@ -49,15 +49,11 @@ std::string_view behindSlash(std::string_view text) {
   return text.starts_with(' ') ? text.substr(1) : text;
 }
 
-bool isOfNumber(char c) {
-  return isDigit(c) || c == '.';
-}
-/// A digit or a point behind a blank.
-bool beginsNumber(std::string_view field, std::size_t i) {
-  return i > 0 && isBlank(field[i - 1]) && isOfNumber(field[i]);
-}
-bool endsNumber(std::string_view text) {
-  return !text.empty() && isOfNumber(text.back());
+/// A number of `field` that begins at `i` behind a blank, where the text before it ends in one.
+bool separates(std::string_view before, std::string_view field, std::size_t i) {
+  const auto ofNumber = [](char c) { return isDigit(c) || c == '.'; };
+  return i > 0 && isBlank(field[i - 1]) && ofNumber(field[i]) && !before.empty() &&
+         ofNumber(before.back());
 }
 
 /// True where a list goes on: whatever follows a `$` there is comment.
@@ -329,7 +325,7 @@ CardReader::CardEnd CardReader::appendCard(const Line& line, StatementText& stat
     const CharRow& c = classify(field[i]);
     if (c.kind == CharClass::letter || c.kind == CharClass::digit ||
         c.kind == CharClass::punctuation) {
-      if (free && beginsNumber(field, i) && endsNumber(statement.text)) {
+      if (free && separates(statement.text, field, i)) {
         append(statement, ',', line.offset + i);  // `1.0 2.0`: blanks separate numbers of CL text
       }
       append(statement, c.upper, line.offset + i);
