@@ -26,6 +26,9 @@ constexpr std::size_t beginning = 1U << 16U;
 bool standsAlone(const ir::Statement& statement) {
   const ir::Body& body = statement.body;
   if (const auto* command = std::get_if<ir::Command>(&body)) {
+    if (command->word == Word::SMOOTH || command->word == Word::MACHLM) {
+      return false;  // of the whole path
+    }
     switch (row(command->word).wordClass) {
       case WordClass::postWithParameters:
       case WordClass::postWithoutParameters:
