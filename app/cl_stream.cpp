@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <utility>
 
 #include "app/source_file.h"
 #include "app/stopwatch.h"
@@ -152,7 +153,9 @@ class ClReading::Reader {
   /// What has no effect is counted and told at the end.
   bool tell(ClPiece& piece, const std::vector<Diagnostic>& messages) {
     for (const Diagnostic& d : messages) {
-      if (d.row != diag::NoEffect.row) {
+      // A text has this one once, at the first of them.
+      const bool again = d.row == diag::InvisibleCharacter.row && std::exchange(invisible_, true);
+      if (d.row != diag::NoEffect.row && !again) {
         piece.messages.push_back(d);
         told_.push_back(texts_.inWhole(d));
       }
@@ -233,6 +236,7 @@ class ClReading::Reader {
   std::size_t size_ = 0;  ///< of the piece as it stands in the file
   int isn_ = 0;
   std::vector<Diagnostic> told_;  ///< of Section 1
+  bool invisible_ = false;        ///< an invisible character was told
   std::vector<Diagnostic> late_;  ///< of the motion: told behind those of Section 1
   std::vector<runtime::Ignored> ignored_;
   std::size_t statements_ = 0;

@@ -107,6 +107,11 @@ Result<ArcMove> arcMove(const runtime::Arc& arc,
   if (arc.turns < 0 || arc.turns > mostTurns) {
     return fail(diag::ArcTurns, arc.turns, mostTurns);
   }
+  const double stated = std::abs(arc.sweepDegrees.value_or(0.0)) * degree / fullTurn;
+  if (stated > mostTurns + 1.0) {
+    constexpr double mostTold = 1e9;  // an int holds it
+    return fail(diag::ArcTurns, static_cast<int>(std::min(stated, mostTold)), mostTurns);
+  }
   ArcMove move;
   if (off > tolerance::arcEnd) {
     move.warnings.push_back(fail(diag::ArcOff, first, last, radius));

@@ -72,6 +72,11 @@ class Cl(ArelemCase):
         self.assertIn("X0", arcs[0])
         self.assertIn("Y10", arcs[0])
 
+    def test_an_angle_of_too_many_turns_is_refused(self):
+        self.write("a.cls", "$$ISO\nGOTO/1,0,0\nMOVARC/0,0,0,0,0,1,1,ANGLE,1.E24\nGOTO/0,1,0\nFINI\n")
+        self.assertExit(4, "compile", "a.cls")
+        self.assertIn("E0572", self.err)
+
     def test_helix_with_turns(self):
         goto = [r for r in self.records("$$ISO\nGOTO/1,0,9\nCIRCLE/0,0,0,0,0,-1,1,.06,.5,40,1,TIMES,2\nGOTO/0,-1,0\nFINI\n") if r["kind"] == "GOTO"]
         self.assertEqual(len(goto), 4)
