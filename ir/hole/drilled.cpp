@@ -1,7 +1,6 @@
 #include "ir/hole/drilled.h"
 
 #include <utility>
-#include <vector>
 
 #include "ir/hole/steps.h"
 
@@ -47,14 +46,13 @@ void Drilled::accept(const cl::Record& record) {
 }
 
 void Drilled::drill(const cl::Record& record, const cl::Motion& motion) {
-  const Cycle& cycle = *cycles_.now();
-  const std::vector<Step> steps = timedStepsOf(cycle);
-  const std::optional<cl::Post> own = feedOf(cycle);
+  const std::optional<cl::Post> own = feedOf(*cycles_.now());
   for (std::size_t i = 0; i < motion.points(); ++i) {
     const auto first =
         motion.coordinates.begin() + static_cast<std::ptrdiff_t>(i * motion.stride());
     const Vec3 end(&*first);
     const Vec3 axis = motion.withAxis ? Vec3(&*first + 3) : Vec3(Vec3::UnitZ());
+    const Cycle cycle = cycleFrom(*cycles_.now(), (*at_ - end).dot(axis));
     bool begins = i == 0;
     const auto go = [&](const Vec3& place) {
       cl::Record one = record;
@@ -71,7 +69,7 @@ void Drilled::drill(const cl::Record& record, const cl::Motion& motion) {
       say(record, {Word::RAPID, "", {}});
       go(place);
     }
-    for (const Step& step : steps) {
+    for (const Step& step : timedStepsOf(cycle)) {
       if (step.kind == Step::Kind::dwell) {
         say(record, {Word::DELAY, "", {step.seconds}});
         continue;
