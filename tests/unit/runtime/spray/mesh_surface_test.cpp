@@ -6,6 +6,7 @@
 #include "runtime/film/map.h"
 #include "runtime/spray/surface/gap.h"
 #include "runtime/spray/surface/surface_job.h"
+#include "tests/unit/runtime/spray/box_mesh.h"
 
 namespace arelem::spray {
 namespace {
@@ -25,23 +26,6 @@ geometry::TriangleMesh halfCylinder(int round, int along) {
       m.triangles.push_back({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1)});
       m.triangles.push_back({corner(i, k), corner(i + 1, k + 1), corner(i + 1, k)});
     }
-  }
-  return m;
-}
-
-geometry::TriangleMesh box(double size) {
-  geometry::TriangleMesh m;
-  for (int i = 0; i < 8; ++i) {
-    m.vertices.emplace_back((i & 1) * size, ((i >> 1) & 1) * size, ((i >> 2) & 1) * size);
-  }
-  for (const auto& q : {std::array<std::uint32_t, 4>{0, 2, 3, 1},
-                        {4, 5, 7, 6},
-                        {0, 1, 5, 4},
-                        {2, 6, 7, 3},
-                        {0, 4, 6, 2},
-                        {1, 3, 7, 5}}) {
-    m.triangles.push_back({q[0], q[1], q[2]});
-    m.triangles.push_back({q[0], q[2], q[3]});
   }
   return m;
 }

@@ -6,6 +6,7 @@
 #include "runtime/film/bursts.h"
 #include "runtime/spray/surface/surface_job.h"
 #include "runtime/spray/surface/walls.h"
+#include "tests/unit/runtime/spray/box_mesh.h"
 
 namespace arelem::spray {
 namespace {
@@ -159,23 +160,6 @@ TEST(Walls, AreMetThroughNotTouched) {
   EXPECT_FALSE(walls.between({3, 4, 5}, {3, 4, 0}));                    // ends on it
   EXPECT_FALSE(walls.between({3, 4, 0}, {9, 4, 0}));                    // lies in it
   EXPECT_FALSE(walls.between({30, 4, 5}, {30, 4, -7}));
-}
-
-geometry::TriangleMesh box(double size) {
-  geometry::TriangleMesh m;
-  for (int i = 0; i < 8; ++i) {
-    m.vertices.emplace_back((i & 1) * size, ((i >> 1) & 1) * size, ((i >> 2) & 1) * size);
-  }
-  for (const auto& q : {std::array<std::uint32_t, 4>{0, 2, 3, 1},
-                        {4, 5, 7, 6},
-                        {0, 1, 5, 4},
-                        {2, 6, 7, 3},
-                        {0, 4, 6, 2},
-                        {1, 3, 7, 5}}) {
-    m.triangles.push_back({q[0], q[1], q[2]});
-    m.triangles.push_back({q[0], q[2], q[3]});
-  }
-  return m;
 }
 
 /// Inside a box of 400, of which planes keep the middles of two walls: a stand-off of 450 is beyond
