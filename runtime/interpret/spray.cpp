@@ -177,7 +177,7 @@ void sprayRegion(State& state, const SprayWords& words) {
   job.otherSide = words.otherSide;
   job.prices = words.prices;
   job.angles = words.angles;
-  job.mostPasses = state.options.limits.points;
+  job.limits = state.options.limits;
   job.sizes = words.sizes;
   if (job.sizes) {
     for (double* value : {&job.sizes->from, &job.sizes->to, &job.sizes->step}) {
@@ -233,6 +233,7 @@ void spraySurface(State& state, const SprayWords& words) {
   job.chord = words.chord ? *words.chord * unit : job.chord;
   job.checkRadius = words.checkRadius;
   job.mostPoints = state.options.limits.points;
+  job.mostLines = state.options.limits.passes;
   job.speed = words.speed;
   setLines(job, words, unit);
   Result<Sprayed> sprayed = spray::spraySurface(job);

@@ -52,7 +52,8 @@ class Layer {
 
   std::optional<Failure> parameterLines() {
     alongU_ = std::get<SurfaceJob::Way>(job_.lines) == SurfaceJob::Way::alongU;
-    if (auto failure = objectionToLines(longestWay(job_.patch, !alongU_) / widest_)) {
+    if (auto failure =
+            objectionToLines(longestWay(job_.patch, !alongU_) / widest_, job_.mostLines)) {
       return failure;
     }
     const Layout layout = {alongU_, widest_, job_.chord, job_.mostPoints};

@@ -90,7 +90,7 @@ Result<Levels> levelsOf(const SurfaceJob& job, double widest) {
   }
   const auto [low, high] = wholeTurn ? std::pair{0.0, 360.0} : rangeOf(grid, levels.field);
   const double length = (high - low) * lengthOfUnit;
-  if (auto failure = objectionToLines(length / widest)) {
+  if (auto failure = objectionToLines(length / widest, job.mostLines)) {
     return *std::move(failure);
   }
   const LineCount count = lineCount(length, widest);

@@ -271,11 +271,11 @@ class Planner {
 };
 }  // namespace
 
-std::optional<Failure> objectionToLines(double lines) {
-  if (lines <= static_cast<double>(mostPasses)) {
+std::optional<Failure> objectionToLines(double lines, std::uint64_t most) {
+  if (lines <= static_cast<double>(most)) {
     return std::nullopt;
   }
-  return fail(diag::SprayPasses, std::ceil(lines), "lines", mostPasses)
+  return fail(diag::SprayPasses, std::ceil(lines), "lines", most)
       .withHelp("a larger STEP or footprint needs fewer");
 }
 

@@ -37,10 +37,11 @@ struct SurfaceJob {
   std::shared_ptr<const MeshSurface> wholeMesh;  ///< without planes: what the gun may run into
   std::optional<double> speed;
   std::uint64_t mostPoints = arelem::Limits{}.points;
+  std::uint64_t mostLines = arelem::Limits{}.passes;
 };
 
-/// Error E0375 for more lines than `mostPasses`.
-[[nodiscard]] std::optional<Failure> objectionToLines(double lines);
+/// Error E0375 for more lines than the limit.
+[[nodiscard]] std::optional<Failure> objectionToLines(double lines, std::uint64_t most);
 
 /// Lines, speed from the flow, curvature check. Errors: E0349, E0358, E0373 to E0376, E0379,
 /// E0389.
