@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "app/film_file.h"
 #include "runtime/film/surface_map.h"
 #include "runtime/spray/offset_curve.h"
 
@@ -109,15 +110,7 @@ backend::ReportedSpray reported(const Compilation& job,
 }
 
 backend::FilmPicture pictureOf(const spray::Sprayed& s, const film::Map& map) {
-  backend::FilmPicture picture;
-  picture.lowX = map.low.x();
-  picture.lowY = map.low.y();
-  picture.cell = map.cell;
-  picture.columns = map.columns;
-  picture.rows = map.rows;
-  picture.film = &map.film;
-  picture.onWork = &map.onWork;
-  picture.wanted = s.film;
+  backend::FilmPicture picture = pictureOf(map, s.film);
   picture.areas = map.areas.empty() ? nullptr : &map.areas;
   const film::Statistics& f = map.statistics;
   picture.title =
