@@ -1,5 +1,6 @@
 #include "app/spray_report.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "app/film_file.h"
@@ -100,6 +101,10 @@ backend::ReportedSpray reported(const Compilation& job,
   report.edgeMean = s.edge.mean;
   report.radiusAlong = s.radiusAlong;
   report.past = s.past;
+  report.traverses = s.traverses;
+  report.waysRound = static_cast<std::size_t>(
+      std::count_if(s.ways.begin(), s.ways.end(), [](const auto& w) { return w.stroke > 0; }));
+  report.clearance = s.clearance;
   report.radiusAcross = s.radiusAcross;
   report.advice = s.advice;
   addPath(report, s);

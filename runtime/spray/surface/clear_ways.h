@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "runtime/spray/gun_pose.h"
+#include "runtime/spray/surface/walls.h"
+
+namespace arelem::spray {
+
+/// Ways of a gun that is switched off, from the end of one line to the begin of the next, which
+/// keep off the work. A way between two places is known to be clear, not looked at in places: the
+/// distance of the work changes by no more than the gun moves, so that each distance clears a whole
+/// stretch of the way.
+class ClearWays {
+ public:
+  /// The nozzle comes no nearer to the work than `clearance`, mm, but where it leaves a line and
+  /// comes to the next: along its axis. `walls` must outlive it.
+  ClearWays(const Walls& walls, double clearance);
+
+  /// The poses on the way, none where it is clear straight on: off along the axis, round the work
+  /// or over it, and to the next line along its axis; the shortest way over the places that are
+  /// tried. Nothing where there is no way.
+  [[nodiscard]] std::optional<std::vector<GunPose>> between(const GunPose& from,
+                                                            const GunPose& to) const;
+  /// At a place off the work, facing what is nearest of it.
+  [[nodiscard]] GunPose facing(const Vec3& place) const;
+  /// How near the work is on the straight way: 0 where it goes through.
+  [[nodiscard]] double nearestOn(const Vec3& from, const Vec3& to) const;
+
+ private:
+  struct Node {
+    GunPose pose;
+    int end = 0;        ///< 1 of the first end, 2 of the second, 0 of neither
+    double lift = 0.0;  ///< of nodes over an end, along its axis
+  };
+  [[nodiscard]] bool isClear(const Vec3& from, const Vec3& to) const;
+  [[nodiscard]] bool isFree(const Vec3& place) const;
+  void addOver(const GunPose& end, int number, std::vector<Node>& nodes) const;
+  void addAround(std::vector<Node>& nodes) const;
+  [[nodiscard]] bool mayGo(const Node& from, const Node& to) const;
+
+  const Walls& walls_;
+  double clearance_;
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // corners of the box about the work
+};
+
+}  // namespace arelem::spray
