@@ -13,7 +13,7 @@ BOX = (400.0, 300.0, 200.0)
 def moves(text):
     """(rapid, place, axis) of every GOTO of CL text."""
     found, rapid = [], False
-    for line in text.splitlines():
+    for line in text.replace("$\n", "").splitlines():
         word, _, rest = line.partition("/")
         if word.strip() == "RAPID":
             rapid = True

@@ -259,7 +259,9 @@ class Planner {
     }
     s_.overlap = 1.0 - s_.step / (2.0 * job_.gun.footprint.across);
     s_.uniformity = uniformity(job_.gun.profile(), s_.overlap);
-    const GunLimits limits = {chosen.operation.speed, job_.gun.flow, job_.gun.efficiency};
+    // Between lines nothing holds the gun back.
+    const GunLimits limits = {std::max(job_.gun.speed, chosen.operation.speed), job_.gun.flow,
+                              job_.gun.efficiency};
     Operation mean = chosen.operation;
     mean.speed = seconds > 0.0 ? chosen.lengths.painted / seconds : mean.speed;
     chosen.cost = costOf(chosen.lengths, s_.area, job_.film, mean, limits, {});

@@ -49,8 +49,10 @@ class FirstCrossing : public geometry::TriangleSearch {
     const double share = before / (before - behind);
     const Vec3 place = from_ + share * way_;
     for (std::size_t k = 0; k < 3; ++k) {
+      // A way through an edge goes through one of its triangles at least.
       const Vec3& corner = mesh_.corner(t, k);
-      if ((mesh_.corner(t, (k + 1) % 3) - corner).cross(place - corner).dot(normal) < 0.0) {
+      const Vec3 edge = mesh_.corner(t, (k + 1) % 3) - corner;
+      if (edge.cross(place - corner).dot(normal) < -tolerance::wallTouch * edge.norm()) {
         return;
       }
     }

@@ -67,13 +67,14 @@ TEST(SectionPlanes, OfABallLieAtEqualLatitudes) {
   ball.u1 = 2.0 * std::numbers::pi;
   ball.v0 = -std::numbers::pi / 2.0;
   ball.v1 = std::numbers::pi / 2.0;
-  // Half a turn of 314 in steps of 32: ten, half a step off the poles.
+  // Half a turn of 314 in steps of 32: ten, half a step off the poles. Of the six degrees at each
+  // pole that lean too much half are followed.
   const Result<SectionPlanes> planes = sectionPlanes(job(ball, 32.0), 32.0, {true, true});
   ASSERT_TRUE(planes.ok());
   ASSERT_EQ(planes->levels.size(), 10U);
   for (std::size_t i = 0; i < 10; ++i) {
     const double latitude = (static_cast<double>(i) + 0.5) / 10.0 * 180.0 - 90.0;
-    EXPECT_NEAR(std::asin(planes->levels[i] / 100.0) * 180.0 / std::numbers::pi, latitude, 1.5);
+    EXPECT_NEAR(std::asin(planes->levels[i] / 100.0) * 180.0 / std::numbers::pi, latitude, 3.0);
   }
 }
 
