@@ -26,7 +26,8 @@ struct Attempt {
 };
 }  // namespace
 
-ClearWays::ClearWays(const Walls& walls, double clearance) : walls_(walls), clearance_(clearance) {
+ClearWays::ClearWays(const Walls& walls, double clearance, bool strict)
+    : walls_(walls), clearance_(clearance), strict_(strict) {
   low_ = high_ = walls.mesh().vertices.front();
   for (const Vec3& corner : walls.mesh().vertices) {
     low_ = low_.cwiseMin(corner);
@@ -37,24 +38,35 @@ ClearWays::ClearWays(const Walls& walls, double clearance) : walls_(walls), clea
   high_ += margin;
 }
 
-bool ClearWays::isFree(const Vec3& place) const {
-  return walls_.from(place) - walls_.blur() >= clearance_ * (1.0 + tolerance::wayStep);
+bool ClearWays::isFree(const Vec3& place, double keep) const {
+  return walls_.from(place) - walls_.blur() >= keep * (1.0 + tolerance::wayStep);
 }
 
-bool ClearWays::isClear(const Vec3& from, const Vec3& to) const {
+/// The clearance of a way between two ends.
+double ClearWays::keptOff(const Vec3& from, const Vec3& to) const {
+  if (strict_) {
+    return clearance_;
+  }
+  constexpr double least = 0.1;
+  const double nearer = std::min(walls_.from(from), walls_.from(to)) - walls_.blur();
+  const double spare = 1.0 + 2.0 * tolerance::wayStep;
+  return std::clamp(nearer / spare, least * clearance_, clearance_);
+}
+
+bool ClearWays::isClear(const Vec3& from, const Vec3& to, double keep) const {
   if (walls_.between(from, to)) {
     return false;
   }
   const double length = (to - from).norm();
   for (double way = 0.0; way < length;) {
     const Vec3 place = from + way / length * (to - from);
-    const double spare = walls_.from(place) - walls_.blur() - clearance_;
-    if (spare < tolerance::wayStep * clearance_) {
+    const double spare = walls_.from(place) - walls_.blur() - keep;
+    if (spare < tolerance::wayStep * keep) {
       return false;
     }
     way += spare;
   }
-  return isFree(to);
+  return isFree(to, keep);
 }
 
 double ClearWays::nearestOn(const Vec3& from, const Vec3& to) const {
@@ -75,7 +87,10 @@ GunPose ClearWays::facing(const Vec3& place) const {
 
 /// The end itself, places along its axis as far as no wall stands there, and where these lie
 /// straight before the sides of the box.
-void ClearWays::addOver(const GunPose& end, int number, std::vector<Node>& nodes) const {
+void ClearWays::addOver(const GunPose& end,
+                        int number,
+                        double keep,
+                        std::vector<Node>& nodes) const {
   nodes.push_back({end, number, 0.0});
   const double farthest = (high_ - low_).norm() + 2.0 * (end.place - (low_ + high_) / 2.0).norm();
   const double lift = std::min(walls_.blur() + tolerance::wallTouch, clearance_);
@@ -90,7 +105,7 @@ void ClearWays::addOver(const GunPose& end, int number, std::vector<Node>& nodes
   }
   for (const double up : lifts) {
     const Vec3 over = end.place + up * end.axis;
-    if (!isFree(over)) {
+    if (!isFree(over, keep)) {
       continue;
     }
     if (up > 0.0) {
@@ -119,22 +134,23 @@ void ClearWays::addAround(std::vector<Node>& nodes) const {
 }
 
 /// Along the axis of an end the work is as near as on its line; elsewhere it must be far enough.
-bool ClearWays::mayGo(const Node& from, const Node& to) const {
+bool ClearWays::mayGo(const Node& from, const Node& to, double keep) const {
   if (from.end != 0 && from.end == to.end && (from.lift == 0.0 || to.lift == 0.0)) {
     return true;  // up to a wall nothing stands there
   }
-  return isClear(from.pose.place, to.pose.place);
+  return isClear(from.pose.place, to.pose.place, keep);
 }
 
 std::optional<std::vector<GunPose>> ClearWays::between(const GunPose& from,
                                                        const GunPose& to) const {
-  if (isClear(from.place, to.place)) {
+  const double keep = keptOff(from.place, to.place);
+  if (isClear(from.place, to.place, keep)) {
     return std::vector<GunPose>();
   }
   std::vector<Node> nodes;
-  addOver(to, 2, nodes);
+  addOver(to, 2, keep, nodes);
   const std::size_t first = nodes.size();
-  addOver(from, 1, nodes);
+  addOver(from, 1, keep, nodes);
   addAround(nodes);
   constexpr std::size_t goal = 0;
   constexpr std::size_t none = SIZE_MAX;
@@ -157,7 +173,7 @@ std::optional<std::vector<GunPose>> ClearWays::between(const GunPose& from,
   while (!attempts.empty() && !reached[goal]) {
     const Attempt attempt = attempts.top();
     attempts.pop();
-    if (!reached[attempt.to] && mayGo(nodes[attempt.from], nodes[attempt.to])) {
+    if (!reached[attempt.to] && mayGo(nodes[attempt.from], nodes[attempt.to], keep)) {
       before[attempt.to] = attempt.from;
       reach(attempt.to, attempt.way);
     }

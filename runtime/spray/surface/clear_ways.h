@@ -14,8 +14,9 @@ namespace arelem::spray {
 class ClearWays {
  public:
   /// The nozzle comes no nearer to the work than `clearance`, mm, but where it leaves a line and
-  /// comes to the next: along its axis. `walls` must outlive it.
-  ClearWays(const Walls& walls, double clearance);
+  /// comes to the next: along its axis. Not `strict`: where a line lies nearer, a way may too, but
+  /// for a tenth of the clearance. `walls` must outlive it.
+  ClearWays(const Walls& walls, double clearance, bool strict = true);
 
   /// The poses on the way, none where it is clear straight on: off along the axis, round the work
   /// or over it, and to the next line along its axis; the shortest way over the places that are
@@ -33,14 +34,16 @@ class ClearWays {
     int end = 0;        ///< 1 of the first end, 2 of the second, 0 of neither
     double lift = 0.0;  ///< of nodes over an end, along its axis
   };
-  [[nodiscard]] bool isClear(const Vec3& from, const Vec3& to) const;
-  [[nodiscard]] bool isFree(const Vec3& place) const;
-  void addOver(const GunPose& end, int number, std::vector<Node>& nodes) const;
+  [[nodiscard]] bool isClear(const Vec3& from, const Vec3& to, double keep) const;
+  [[nodiscard]] bool isFree(const Vec3& place, double keep) const;
+  [[nodiscard]] double keptOff(const Vec3& from, const Vec3& to) const;
+  void addOver(const GunPose& end, int number, double keep, std::vector<Node>& nodes) const;
   void addAround(std::vector<Node>& nodes) const;
-  [[nodiscard]] bool mayGo(const Node& from, const Node& to) const;
+  [[nodiscard]] bool mayGo(const Node& from, const Node& to, double keep) const;
 
   const Walls& walls_;
   double clearance_;
+  bool strict_;
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // corners of the box about the work
 };
 

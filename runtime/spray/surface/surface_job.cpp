@@ -189,7 +189,7 @@ class Planner {
     Operation& o = s_.chosen.operation;
     const double flow = gun.flow * gun.efficiency;
     if (job_.speed || gun.flow == 0.0) {
-      o.speed = job_.speed.value_or(fastest);
+      o.speed = job_.speed.value_or(fastest * narrowest());
       if (!(o.speed > 0.0)) {
         return fail(diag::SprayGun, "SPEED or FLOW");
       }
@@ -220,8 +220,7 @@ class Planner {
   /// Where lines lie closer the gun moves faster: a film like elsewhere, but for what its
   /// largest speed forbids. Not with SPEED.
   [[nodiscard]] bool speedFollowsSpacing() const {
-    return !job_.speed && job_.gun.flow > 0.0 &&
-           std::max(laid_.whole.size(), laid_.sections.planes.size()) > 1;
+    return !job_.speed && std::max(laid_.whole.size(), laid_.sections.planes.size()) > 1;
   }
 
   std::optional<Failure> strokes() {

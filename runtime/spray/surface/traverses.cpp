@@ -27,7 +27,7 @@ class Leader {
       : sprayed_(sprayed), job_(job) {
     if (walls != nullptr && job.clearance() > 0.0) {
       sprayed.clearance = job.clearance();
-      ways_.emplace(*walls, sprayed.clearance);
+      ways_.emplace(*walls, sprayed.clearance, job.clear.has_value());
     }
   }
 
