@@ -86,13 +86,13 @@ class Spray(ArelemCase):
     def test_a_film_far_from_the_one_asked_for_is_told(self):
         # Meridians of a sphere lie cos(latitude) closer: beyond 60 degrees the film doubles, on 13 % of the area,
         # but where the gun may go faster.
-        ball = "UNITS/MM\nG1=GUN/CONE,30,STNDOF,100,SPEED,200\nS1=SPHERE/0,0,0,200\nSPRAY/S1,GUN,G1,FILM,.02,VLINES,SPEED,200"
+        ball = "UNITS/MM\nG1=GUN/CONE,30,STNDOF,100,SPEED,200\nS1=SPHERE/0,0,0,200\nSPRAY/S1,GUN,G1,FILM,.02,VLINES,SPEED,130"
         self.write("part.apt", ball + "\nFINI\n")
         self.assertExit(0, "spray", "part.apt")
         self.assertEqual(self.err.count("W0352"), 1)
         self.assertExit(0, "compile", "part.apt", "-o", "part.cls")
         self.assertEqual(self.err.count("W0352"), 1)
-        self.write("part.apt", ball + ",LIMITS,0,360,-20,20\nFINI\n")
+        self.write("part.apt", ball.replace(",SPEED,130", "") + ",LIMITS,0,360,-20,20\nFINI\n")
         self.assertExit(0, "spray", "part.apt")
         self.assertNotIn("W0352", self.err)
         self.assertNotIn(" -", self.out.split("paint ")[1].splitlines()[0])
