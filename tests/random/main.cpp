@@ -12,7 +12,8 @@ void addOptions(CLI::App& app, scenes::Request& request) {
   app.add_option("--each", request.each, "scenes of every pair of kinds (1)");
   app.add_option("--pair", request.pair, "PART,DRIVE: only scenes of this pair of kinds");
   app.add_option("--first", request.first, "number of the first scene of every pair (0)");
-  app.add_option("--only", request.only, "SEED:PART,DRIVE,NUMBER: this one scene, with its program");
+  app.add_option("--only", request.only,
+                 "SEED:PART,DRIVE,NUMBER: this one scene, with its program");
   app.add_option("--jobs", request.jobs, "threads (one for each core)");
   app.add_option("--found", request.found, "folder for the programs of scenes that fail");
   app.add_option("--table", request.table,

@@ -18,10 +18,10 @@ struct Run {
 
 /// What became of a program.
 struct Motion {
-  std::vector<std::string> codes;  ///< of the errors, each once, in order
-  std::string message;             ///< of the first error
-  std::vector<Run> runs;           ///< long motions fill several records: they are one run
-  std::vector<std::string> unproven;  ///< what the certificate says against the motion
+  std::vector<std::string> codes;         ///< of the errors, each once, in order
+  std::string message;                    ///< of the first error
+  std::vector<Run> runs;                  ///< long motions fill several records: they are one run
+  std::vector<std::string> unproven;      ///< what the certificate says against the motion
   double computing = 0.0, proving = 0.0;  ///< seconds; computing includes reading
 
   /// "computed", or the code of the first error.

@@ -14,8 +14,9 @@
 namespace arelem::scenes {
 
 namespace {
-/// Scenes of every pair between two writings of the table.
-constexpr std::uint64_t roundLength = 5;
+/// Time of every pair between two writings of the table, seconds. Pairs whose scenes take longer
+/// get fewer of them.
+constexpr double sliceSeconds = 1.0;
 
 std::size_t pairOf(const std::string& text) {
   const std::size_t comma = text.find(',');
@@ -26,8 +27,7 @@ std::size_t pairOf(const std::string& text) {
       return pair;
     }
   }
-  throw std::runtime_error(
-      fmt::format("no pair `{}`; kinds: {}", text, fmt::join(kinds, " ")));
+  throw std::runtime_error(fmt::format("no pair `{}`; kinds: {}", text, fmt::join(kinds, " ")));
 }
 
 /// The inverse of spell(id).
@@ -59,7 +59,7 @@ class Runner {
     if (!request_.only.empty()) {
       const SceneId id = idOf(request_.only);
       fmt::print("{}", drawScene(id).program({}));
-      take(crew_.tryAll(std::vector{id}));
+      take(crew_.tryAll(std::vector{Slice{id}}));
     } else if (request_.again) {
       repeat();
     } else {
@@ -74,31 +74,31 @@ class Runner {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t low = request_.pair.empty() ? 0 : pairOf(request_.pair);
     const std::size_t high = request_.pair.empty() ? pairCount : low + 1;
+    std::vector<std::uint64_t> next(pairCount, request_.first);
+    for (std::size_t pair = low; pair < high && !request_.table.empty(); ++pair) {
+      next[pair] = table_.scenes(pair);
+    }
+    const std::uint64_t end = request_.first + request_.each;
     for (;;) {
-      std::vector<SceneId> ids;
-      for (std::uint64_t k = 0; k < roundLength; ++k) {
-        for (std::size_t pair = low; pair < high; ++pair) {
-          const std::uint64_t number = next(pair) + k;
-          if (number < request_.first + request_.each) {
-            ids.push_back({request_.seed, pair, number});
-          }
+      std::vector<Slice> slices;
+      for (std::size_t pair = low; pair < high; ++pair) {
+        if (next[pair] < end) {
+          slices.push_back({{request_.seed, pair, next[pair]}, end - next[pair], sliceSeconds});
         }
       }
-      if (ids.empty()) {
+      if (slices.empty()) {
         return;
       }
-      done_ += roundLength;
-      take(crew_.tryAll(ids));
+      const std::vector<Finding> findings = crew_.tryAll(slices);
+      for (const Finding& finding : findings) {
+        next[finding.id.pair] = finding.id.number + 1;
+      }
+      take(findings);
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
       if (request_.minutes && spent.count() > 60.0 * *request_.minutes) {
         return;
       }
     }
-  }
-
-  /// The first number that was not run. With a table, that behind its scenes.
-  std::uint64_t next(std::size_t pair) const {
-    return request_.table.empty() ? request_.first + done_ : table_.scenes(pair);
   }
 
   void take(const std::vector<Finding>& findings) {
@@ -138,7 +138,7 @@ class Runner {
 
   /// The listed failures once more: the table and the list then hold what is true now.
   void repeat() {
-    std::vector<SceneId> ids;
+    std::vector<Slice> slices;
     std::vector<Finding> old;
     std::ifstream in(request_.failures);
     std::string line, comments;
@@ -151,14 +151,14 @@ class Runner {
       }
       std::getline(cells, scene, '\t');
       std::getline(cells, outcome, '\t');
-      ids.push_back(idOf(scene));
-      old.push_back({ids.back(), outcome, {"failed"}});
+      slices.push_back({idOf(scene)});
+      old.push_back({slices.back().first, outcome, {"failed"}});
     }
     in.close();
     for (const Finding& finding : old) {
       table_.remove(finding);
     }
-    const std::vector<Finding> findings = crew_.tryAll(ids);
+    const std::vector<Finding> findings = crew_.tryAll(slices);
     std::ofstream out(request_.failures);
     out << comments;
     for (const Finding& finding : findings) {
@@ -173,7 +173,7 @@ class Runner {
   const Request& request_;
   Crew crew_;
   Table table_;
-  std::uint64_t done_ = 0, failed_ = 0;
+  std::uint64_t failed_ = 0;
 };
 }  // namespace
 
