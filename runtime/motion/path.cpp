@@ -167,7 +167,7 @@ class ChordFit {
 
  private:
   /// Nodes that a cubic foretells but for this share of the band are smooth.
-  static constexpr double smoothShare = 2e-3;
+  static constexpr double smoothShare = 2.5e-4;
   static constexpr int deepest = 8;
 
   [[nodiscard]] GapNode node(double along, const tool::Contact& c, const Vec3& toolEnd) const {

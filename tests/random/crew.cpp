@@ -4,30 +4,46 @@
 #include <atomic>
 #include <chrono>
 #include <iterator>
+#include <mutex>
+#include <optional>
 #include <thread>
+
+#include "tests/random/cpu_clock.h"
 
 namespace arelem::scenes {
 
 namespace {
-using Clock = std::chrono::steady_clock;
-/// For one scene. Other programs may keep the machine busy.
-constexpr std::chrono::seconds longest{30};
+/// For one scene, processor seconds.
+constexpr double longest = 20.0;
 
 /// What the watch knows of a thread.
 struct Place {
   InterruptFlag interrupted{false};
-  std::atomic<Clock::rep> began{0};  ///< 0: at no scene
+  std::mutex mutex;                ///< guards what follows
+  std::optional<clockid_t> clock;  ///< of the thread; none while it is at no scene
+  double began = 0.0;
+
+  void begin() {
+    const std::lock_guard lock(mutex);
+    interrupted = false;
+    clock = ownClock();
+    began = cpuSeconds();
+  }
+  void end() {
+    const std::lock_guard lock(mutex);
+    clock.reset();
+  }
+  void stopSlow() {
+    const std::lock_guard lock(mutex);
+    interrupted = interrupted || (clock && cpuSeconds(*clock) - began > longest);
+  }
 };
 
 void stopSlow(std::vector<Place>& places, const std::atomic<bool>& done) {
   while (!done) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    const auto limit = (Clock::now() - longest).time_since_epoch().count();
     for (Place& place : places) {
-      const Clock::rep began = place.began;
-      if (began != 0 && began < limit) {
-        place.interrupted = true;
-      }
+      place.stopSlow();
     }
   }
 }
@@ -38,12 +54,11 @@ std::vector<Finding> trySlice(const Slice& slice, const Folder& folder, Place& p
   for (std::uint64_t k = 0; k < slice.count && spent <= slice.seconds; ++k) {
     SceneId id = slice.first;
     id.number += k;
-    place.interrupted = false;
-    const Clock::time_point start = Clock::now();
-    place.began = start.time_since_epoch().count();
+    place.begin();
+    const double start = cpuSeconds();
     findings.push_back(tryScene(drawScene(id), folder, place.interrupted));
-    place.began = 0;
-    spent += std::chrono::duration<double>(Clock::now() - start).count();
+    spent += cpuSeconds() - start;
+    place.end();
   }
   return findings;
 }

@@ -11,7 +11,7 @@ namespace arelem::scenes {
 struct Slice {
   SceneId first;
   std::uint64_t count = 1;  ///< at most
-  double seconds = 1e9;     ///< none is begun later than this after the first
+  double seconds = 1e9;     ///< of the processor, after which none is begun
 };
 
 /// Tries scenes on several threads. One that takes too long is stopped and counts as failed.

@@ -1,4 +1,4 @@
-// Random scenes: README of the tests, `random/`.
+// Random scenes of motion; tests/README.md tells how to use it.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -18,7 +18,8 @@ void addOptions(CLI::App& app, scenes::Request& request) {
   app.add_option("--found", request.found, "folder for the programs of scenes that fail");
   app.add_option("--table", request.table,
                  "table of counts: goes on behind the scenes that it has, and adds to it");
-  app.add_option("--failures", request.failures, "list of the scenes that fail; it is added to");
+  app.add_option("--failures", request.failures,
+                 "list of scenes that are known to fail; with --table it is added to");
   app.add_flag("--again", request.again, "runs the scenes of the list of failures once more");
   app.add_option("--minutes", request.minutes, "begins no round of scenes after this time");
   app.add_option("--slow", request.slow, "tells of scenes that take longer, seconds");

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "runtime/geometry/kinds.h"
+#include "tests/random/refusal.h"
 
 namespace arelem::scenes {
 
@@ -159,6 +160,15 @@ Finding tryScene(const Scene& scene, const Folder& folder, const InterruptFlag& 
   }
   if (drawn.codes.empty()) {
     finding.wrong = drawn.unproven;
+  }
+  // Every fourth refusal is looked into: that takes as long as a motion.
+  constexpr std::uint64_t reviewed = 4;
+  if (!drawn.codes.empty() && scene.id.number % reviewed == 0) {
+    const Review independent = review(scene, drawnWork, drawn);
+    finding.confirmed = independent.confirmed;
+    if (!independent.objection.empty()) {
+      finding.wrong.push_back(drawn.message + "; but " + independent.objection);
+    }
   }
   writeFiles(scene, scene.move, folder.path());
   Work movedWork(scene.program(scene.move), folder.path(), interrupted);
