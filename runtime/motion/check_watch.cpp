@@ -171,7 +171,7 @@ bool CheckWatch::touchesHere(const Measure& m) {
 /// True where a tool without thickness goes from one side of the surface to the other: the gap on
 /// the one side closes where that on the other opens, and neither is negative.
 bool CheckWatch::slipsThrough(const Measure& m, const Field* outsideBefore) const {
-  return !pointTool_ && now_.armed && now_.positive && m.value >= 0.0 && near(m) &&
+  return !pointTool_ && now_.armed && now_.positive && m.value > tolerance::sameSide && near(m) &&
          m.field != outsideBefore;
 }
 
@@ -192,8 +192,9 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   for (;;) {
     const Measure m = measure(s, u);
     const double size = std::abs(m.value);
-    Field* const outsideBefore = now_.outside;
-    now_.outside = m.value > 0.0 ? m.field : now_.outside;
+    // Where it starts at the surface the tool is on neither side.
+    Field* const outsideBefore = now_.armed ? now_.outside : m.field;
+    now_.outside = m.value > tolerance::sameSide ? m.field : now_.outside;
     if (crosses(m)) {
       if (++now_.seen == wanted()) {
         return Hit{before, u, vanishing(m, outsideBefore)};
