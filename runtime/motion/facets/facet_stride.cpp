@@ -117,8 +117,7 @@ SectionPoint FacetStride::bestEnd(const SectionPoint& eye, const Tunnel::Reach& 
   }
   double farthest = reachFrom(best).end.s;
   for (int i = 1; i < places; ++i) {
-    const double s =
-        reach.end.s + static_cast<double>(i) / places * (reach.from - reach.end.s);
+    const double s = reach.end.s + static_cast<double>(i) / places * (reach.from - reach.end.s);
     const SectionPoint place{s, heightOn(eye, reach.end, s)};
     const double seen = reachFrom(place).end.s;
     if (seen > farthest) {

@@ -42,8 +42,8 @@ std::optional<TouchHeight> TouchHeights::height(std::uint32_t index, const Secti
   for (int i = 0; i < newtonLimit; ++i) {
     const auto m = list_.measure(index, p, std::numeric_limits<double>::infinity());
     const double excess = m.gap - list_.task().low;
-    const bool steep = m.tangent.byZ < leastRise ||
-                       std::abs(m.tangent.byS) > steepest * m.tangent.byZ;
+    const bool steep =
+        m.tangent.byZ < leastRise || std::abs(m.tangent.byS) > steepest * m.tangent.byZ;
     if (std::abs(excess) <= rest_) {
       return steep ? std::nullopt : std::optional(TouchHeight{index, p.z, m.tangent});
     }

@@ -12,7 +12,7 @@ class Tunnel {
  public:
   /// What is seen straight ahead.
   struct Reach {
-    SectionPoint end;  ///< the farthest place
+    SectionPoint end;   ///< the farthest place
     double from = 0.0;  ///< on the ray to it, from this s on, the path may bend and see no less
     int edge = 0;       ///< 1: the ray ends at the top, -1: at the bottom, 0: where the tunnel ends
   };

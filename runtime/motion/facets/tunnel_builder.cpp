@@ -23,16 +23,17 @@ constexpr double stepReach = 0.125;
 constexpr double leastReach = 1e-4;
 constexpr int deepest = 40;
 /// Lists from the tree are made longer or shorter until they are between `few` and `many`.
-constexpr std::size_t few = 60;
-constexpr std::size_t many = 250;
+constexpr std::size_t few = 150;
+constexpr std::size_t many = 400;
 constexpr std::size_t most = 4000;
-constexpr std::size_t fewNear = 8;
-constexpr std::size_t manyNear = 24;
+constexpr std::size_t fewNear = 20;
+constexpr std::size_t manyNear = 40;
 constexpr double growth = 1.4;
 constexpr double firstWide = 0.06, firstNear = 0.01;
 constexpr double leastShare = 1e-4, mostShare = 4.0;
-constexpr double slabBands = 8.0;
+constexpr double slabBands = 6.0;
 constexpr double faster = 1.6;
+constexpr double slower = 0.8;
 /// A rest of a list shorter than this share of a step is no step.
 constexpr double remainder = 0.3;
 constexpr int dropLimit = 12;
@@ -108,7 +109,9 @@ bool TunnelBuilder::gather() {
       continue;
     }
     const std::size_t count = triangles_.all().size();
-    wideLength_ = count < few ? growth * wideLength_ : count > many ? wideLength_ / growth : wideLength_;
+    wideLength_ = count < few    ? growth * wideLength_
+                  : count > many ? wideLength_ / growth
+                                 : wideLength_;
     const auto node = heights_.node(here, triangles_.all(), nullptr);
     if (!node) {
       return false;
@@ -151,7 +154,7 @@ bool TunnelBuilder::focus() {
     }
     triangles_.focus(near_);
     const std::size_t count = triangles_.near().size();
-    nearLength_ = count < fewNear ? growth * nearLength_
+    nearLength_ = count < fewNear    ? growth * nearLength_
                   : count > manyNear ? nearLength_ / growth
                                      : nearLength_;
     return true;
@@ -252,7 +255,7 @@ std::optional<double> TunnelBuilder::penetrationBy(const Bottom& bottom, std::ui
     const SectionPoint p = i == 0   ? !first && !second ? bottom.corner
                                       : first           ? between(bottom.corner, bottom.to)
                                                         : between(bottom.from, bottom.corner)
-                           : i == 1 ? bottom.corner
+                             : i == 1 ? bottom.corner
                            : i == 2 ? bottom.from
                                     : bottom.to;
     const auto m = triangles_.measure(j, p, low);
@@ -308,6 +311,9 @@ TunnelBuilder::Outcome TunnelBuilder::divide(TouchNode& a, TouchNode& b, double 
   if (!middle) {
     return Outcome::ends;
   }
+  if (depth == 0) {
+    step_ *= slower;
+  }
   const Outcome first = settle(a, *middle, depth + 1);
   return first == Outcome::done ? settle(*middle, b, depth + 1) : first;
 }
@@ -332,7 +338,9 @@ TunnelBuilder::Outcome TunnelBuilder::settle(TouchNode& a, TouchNode& b, int dep
     return divide(a, b, *s, depth);
   }
   emit(a, b, bottom, *i);
-  step_ = depth == 0 ? faster * step_ : b.s - a.s;
+  if (depth == 0) {
+    step_ *= faster;
+  }
   if (&b != &last_) {
     last_ = b;
   }
