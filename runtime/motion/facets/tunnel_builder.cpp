@@ -38,6 +38,15 @@ constexpr double slower = 0.8;
 constexpr double remainder = 0.3;
 constexpr int dropLimit = 12;
 constexpr double leastRise = 0.25;
+
+/// The length of the next list, where one of this length had `count` triangles. Short ones do not
+/// get smaller for being shorter: what counts is what the cutter is near to in one place.
+double better(
+    double length, std::size_t count, std::size_t least, std::size_t greatest, double shortest) {
+  return count < least                           ? growth * length
+         : count > greatest && length > shortest ? length / growth
+                                                 : length;
+}
 }  // namespace
 
 TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
@@ -50,6 +59,7 @@ TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
       nearLength_(nearReach * reach),
       step_(stepReach * reach),
       least_(leastReach * reach),
+      shortest_(reach),
       wideShare_(firstWide),
       nearShare_(firstNear) {}
 
@@ -109,9 +119,7 @@ bool TunnelBuilder::gather() {
       continue;
     }
     const std::size_t count = triangles_.all().size();
-    wideLength_ = count < few    ? growth * wideLength_
-                  : count > many ? wideLength_ / growth
-                                 : wideLength_;
+    wideLength_ = better(wideLength_, count, few, many, shortest_);
     const auto node = heights_.node(here, triangles_.all(), nullptr);
     if (!node) {
       return false;
@@ -154,9 +162,7 @@ bool TunnelBuilder::focus() {
     }
     triangles_.focus(near_);
     const std::size_t count = triangles_.near().size();
-    nearLength_ = count < fewNear    ? growth * nearLength_
-                  : count > manyNear ? nearLength_ / growth
-                                     : nearLength_;
+    nearLength_ = better(nearLength_, count, fewNear, manyNear, nearReach * shortest_);
     return true;
   }
 }
@@ -339,7 +345,7 @@ TunnelBuilder::Outcome TunnelBuilder::settle(TouchNode& a, TouchNode& b, int dep
   }
   emit(a, b, bottom, *i);
   if (depth == 0) {
-    step_ *= faster;
+    step_ = std::min(faster * step_, nearLength_);
   }
   if (&b != &last_) {
     last_ = b;

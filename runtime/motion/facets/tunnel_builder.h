@@ -56,7 +56,7 @@ class TunnelBuilder {
   TouchNode last_;
   std::vector<Mark> marks_;
   Way wide_, near_;
-  double wideLength_, nearLength_, step_, least_;
+  double wideLength_, nearLength_, step_, least_, shortest_;
   double wideShare_, nearShare_;  ///< half the slabs' heights, as shares of their lengths
   bool ended_ = false;
 };
