@@ -41,6 +41,14 @@ class SectionTriangles {
     std::array<Tangent, 4> last;
     std::uint32_t count = 0;
 
+    /// What the gap is not below.
+    [[nodiscard]] double lowest(const SectionPoint& p) const {
+      double most = last[0].at(p);
+      for (std::uint32_t i = 1; i < count; ++i) {
+        most = std::max(most, last[i].at(p));
+      }
+      return most;
+    }
     [[nodiscard]] bool isBeyond(const SectionPoint& p, double gap) const {
       for (std::uint32_t i = 0; i < count; ++i) {
         if (last[i].at(p) >= gap) {

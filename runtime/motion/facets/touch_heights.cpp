@@ -14,7 +14,7 @@ constexpr int newtonLimit = 40;
 constexpr int raiseLimit = 60;
 }  // namespace
 
-const TouchHeight* TouchNode::of(std::uint32_t index) const {
+TouchHeight* TouchNode::of(std::uint32_t index) {
   for (std::size_t i = 0; i < count_; ++i) {
     if (known_[i].index == index) {
       return &known_[i];
@@ -45,7 +45,7 @@ std::optional<TouchHeight> TouchHeights::height(std::uint32_t index, const Secti
     const bool steep =
         m.tangent.byZ < leastRise || std::abs(m.tangent.byS) > steepest * m.tangent.byZ;
     if (std::abs(excess) <= rest_) {
-      return steep ? std::nullopt : std::optional(TouchHeight{index, p.z, m.tangent});
+      return steep ? std::nullopt : std::optional(TouchHeight{index, p.z, m.tangent, 0.0, false});
     }
     if (m.tangent.byZ < leastRise) {
       return std::nullopt;
@@ -53,6 +53,21 @@ std::optional<TouchHeight> TouchHeights::height(std::uint32_t index, const Secti
     p.z -= excess / m.tangent.byZ;
   }
   return std::nullopt;
+}
+
+/// That of the triangle nearest to a place, as far as that is known without measuring.
+std::optional<TouchHeight> TouchHeights::likely(const SectionPoint& guess,
+                                                std::span<const std::uint32_t> among) {
+  double least = std::numeric_limits<double>::infinity();
+  std::uint32_t found = 0;
+  for (const std::uint32_t j : among) {
+    const double gap = list_.tangents(j).lowest(guess);
+    if (gap < least) {
+      least = gap;
+      found = j;
+    }
+  }
+  return among.empty() ? std::nullopt : height(found, guess);
 }
 
 /// That of the triangle nearest to a place.
@@ -74,12 +89,8 @@ std::optional<TouchHeight> TouchHeights::nearest(const SectionPoint& guess,
 }
 
 std::optional<TouchNode> TouchHeights::node(const SectionPoint& guess,
-                                            std::span<const std::uint32_t> among,
-                                            const TouchHeight* likely) {
-  std::optional<TouchHeight> best;
-  if (likely != nullptr) {
-    best = height(likely->index, guess);
-  }
+                                            std::span<const std::uint32_t> among) {
+  std::optional<TouchHeight> best = likely(guess, among);
   if (!best) {
     best = nearest(guess, among);
   }
@@ -95,11 +106,17 @@ std::optional<TouchNode> TouchHeights::node(const SectionPoint& guess,
     raised = false;
     for (const std::uint32_t j : among) {
       const SectionPoint top = node.point();
-      if (node.highest().index == j || list_.tangents(j).isBeyond(top, low) ||
-          list_.measure(j, top, low).gap >= low) {
+      if (node.highest().index == j || list_.tangents(j).isBeyond(top, low)) {
         continue;
       }
-      const auto higher = height(j, top);
+      const auto m = list_.measure(j, top, low);
+      if (m.gap >= low) {
+        continue;
+      }
+      if (m.tangent.byZ < leastRise) {
+        return std::nullopt;
+      }
+      const auto higher = height(j, {top.s, top.z + (low - m.gap) / m.tangent.byZ});
       if (!higher) {
         return std::nullopt;
       }
@@ -114,7 +131,7 @@ std::optional<TouchHeight> TouchHeights::nearTop(TouchNode& node,
                                                  std::uint32_t index,
                                                  double below) {
   const SectionPoint top = node.point();
-  if (const TouchHeight* known = node.of(index)) {
+  if (const TouchHeight* known = node.of(index); known != nullptr) {
     return known->z >= top.z - below ? std::optional(*known) : std::nullopt;
   }
   // The gap changes by no more than the height.
@@ -131,7 +148,10 @@ std::optional<TouchHeight> TouchHeights::nearTop(TouchNode& node,
   return found->z >= top.z - below ? found : std::nullopt;
 }
 
-double TouchHeights::top(double s, const TouchHeight& height) {
+double TouchHeights::top(double s, TouchHeight& height) {
+  if (height.hasTop) {
+    return height.top;
+  }
   const double low = list_.task().low;
   const double high = list_.task().high;
   const double rise = (high - low) / height.tangent.byZ;
@@ -139,7 +159,9 @@ double TouchHeights::top(double s, const TouchHeight& height) {
       list_.measure(height.index, {s, height.z + rise}, std::numeric_limits<double>::infinity())
           .gap;
   // The gap is convex: below its chord.
-  return height.z + (gap <= high ? rise : rise * (high - low - rest_) / (gap - low - rest_));
+  height.top = height.z + (gap <= high ? rise : rise * (high - low - rest_) / (gap - low - rest_));
+  height.hasTop = true;
+  return height.top;
 }
 
 }  // namespace arelem::motion

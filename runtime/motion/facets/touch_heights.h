@@ -14,6 +14,8 @@ struct TouchHeight {
   std::uint32_t index = 0;  ///< of the triangle in the list
   double z = 0.0;
   SectionTriangles::Tangent tangent;  ///< of the gap there
+  double top = 0.0;                   ///< not above where the gap is the task's high
+  bool hasTop = false;
 
   [[nodiscard]] double slope() const { return -tangent.byS / tangent.byZ; }
   /// Where the tangent has the gap `low`.
@@ -29,7 +31,7 @@ class TouchNode {
 
   [[nodiscard]] const TouchHeight& highest() const { return known_[best_]; }
   [[nodiscard]] SectionPoint point() const { return {s, highest().z}; }
-  [[nodiscard]] const TouchHeight* of(std::uint32_t index) const;
+  [[nodiscard]] TouchHeight* of(std::uint32_t index);
   /// The highest is kept, others as far as there is room.
   const TouchHeight& add(const TouchHeight& height);
 
@@ -49,16 +51,17 @@ class TouchHeights {
   [[nodiscard]] std::optional<TouchHeight> height(std::uint32_t index, const SectionPoint& guess);
   /// The highest of the triangles listed.
   [[nodiscard]] std::optional<TouchNode> node(const SectionPoint& guess,
-                                              std::span<const std::uint32_t> among,
-                                              const TouchHeight* likely);
+                                              std::span<const std::uint32_t> among);
   /// The height of one triangle at a node, if it is not below the node's by more than `below`.
   [[nodiscard]] std::optional<TouchHeight> nearTop(TouchNode& node,
                                                    std::uint32_t index,
                                                    double below);
-  /// A height above that of the touch, not above where the gap is the task's high.
-  [[nodiscard]] double top(double s, const TouchHeight& height);
+  /// Finds the top of a height.
+  [[nodiscard]] double top(double s, TouchHeight& height);
 
  private:
+  [[nodiscard]] std::optional<TouchHeight> likely(const SectionPoint& guess,
+                                                  std::span<const std::uint32_t> among);
   [[nodiscard]] std::optional<TouchHeight> nearest(const SectionPoint& guess,
                                                    std::span<const std::uint32_t> among);
 

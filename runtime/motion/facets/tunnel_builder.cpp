@@ -23,14 +23,16 @@ constexpr double stepReach = 0.125;
 constexpr double leastReach = 1e-4;
 constexpr int deepest = 40;
 /// Lists from the tree are made longer or shorter until they are between `few` and `many`.
-constexpr std::size_t few = 150;
-constexpr std::size_t many = 400;
+constexpr std::size_t few = 100;
+constexpr std::size_t many = 220;
 constexpr std::size_t most = 4000;
 constexpr std::size_t fewNear = 20;
 constexpr std::size_t manyNear = 40;
 constexpr double growth = 1.4;
 constexpr double firstWide = 0.06, firstNear = 0.01;
-constexpr double leastShare = 1e-4, mostShare = 4.0;
+constexpr double mostShare = 4.0;
+/// Slabs are made this much higher than the last one had to be.
+constexpr double roomy = 1.5;
 constexpr double slabBands = 6.0;
 constexpr double faster = 1.6;
 constexpr double slower = 0.8;
@@ -55,13 +57,11 @@ TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
       spare_(spareShare * band_),
       bent_(bentShare * band_),
       heights_(triangles_, restShare * band_),
-      wideLength_(wideReach * reach),
-      nearLength_(nearReach * reach),
+      wide_{{}, wideReach * reach, firstWide},
+      near_{{}, nearReach * reach, firstNear},
       step_(stepReach * reach),
       least_(leastReach * reach),
-      shortest_(reach),
-      wideShare_(firstWide),
-      nearShare_(firstNear) {}
+      shortest_(reach) {}
 
 bool TunnelBuilder::begin(const SectionPoint& at) {
   tunnel_.clear();
@@ -77,12 +77,12 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   if (!triangles_.gather(around, most)) {
     return false;
   }
-  const auto node = heights_.node(here, triangles_.all(), nullptr);
+  const auto node = heights_.node(here, triangles_.all());
   if (!node || around.beside(node->point()) > around.slab) {
     return false;
   }
   last_ = *node;
-  wide_.to.s = near_.to.s = at.s;
+  wide_.way.to.s = near_.way.to.s = at.s;
   ended_ = false;
   return extend();
 }
@@ -105,27 +105,33 @@ std::optional<double> TunnelBuilder::drop(const SectionPoint& guess) {
   return std::nullopt;
 }
 
+void TunnelBuilder::List::settleShare() {
+  share = std::clamp(roomy * use, 0.5 * share, share);
+  use = 0.0;
+}
+
 /// The wide list for the piece of way from the last node on.
 bool TunnelBuilder::gather() {
   const SectionPoint here = last_.point();
   const double slope = last_.highest().slope();
-  for (; wideLength_ > least_ && wideShare_ <= mostShare; wideLength_ /= 2.0) {
-    const auto z = drop({here.s + wideLength_, here.z + slope * wideLength_});
+  wide_.settleShare();
+  for (; wide_.length > least_ && wide_.share <= mostShare; wide_.length /= 2.0) {
+    const auto z = drop({here.s + wide_.length, here.z + slope * wide_.length});
     if (!z) {
       continue;
     }
-    wide_ = {here, {here.s + wideLength_, *z}, wideShare_ * wideLength_ + slabBands * band_};
-    if (!triangles_.gather(wide_, most)) {
+    wide_.way = {
+        here, {here.s + wide_.length, *z}, wide_.share * wide_.length + 2.0 * slabBands * band_};
+    if (!triangles_.gather(wide_.way, most)) {
       continue;
     }
-    const std::size_t count = triangles_.all().size();
-    wideLength_ = better(wideLength_, count, few, many, shortest_);
-    const auto node = heights_.node(here, triangles_.all(), nullptr);
+    const auto node = heights_.node(here, triangles_.all());
     if (!node) {
       return false;
     }
+    wide_.length = better(wide_.length, triangles_.all().size(), few, many, shortest_);
     last_ = *node;
-    near_.to.s = here.s;
+    near_.way.to.s = here.s;
     return true;
   }
   return false;
@@ -133,61 +139,67 @@ bool TunnelBuilder::gather() {
 
 /// The short list for the next piece of way; false where there is none.
 bool TunnelBuilder::focus() {
+  near_.settleShare();
   for (;;) {
-    if (last_.s >= wide_.to.s - least_ && !gather()) {
+    if (last_.s >= wide_.way.to.s - least_ && !gather()) {
       return false;
     }
     const SectionPoint here = last_.point();
-    double length = std::min(nearLength_, wide_.to.s - here.s);
-    std::optional<TouchNode> node;
-    for (; length > least_; length /= 2.0) {
-      const double s = here.s + length;
-      node = heights_.node({s, here.z + last_.highest().slope() * length}, triangles_.all(),
-                           &last_.highest());
-      if (node) {
-        break;
-      }
+    double length = std::min(near_.length, wide_.way.to.s - here.s);
+    nearEnd_.reset();
+    for (; !nearEnd_ && length > least_; length /= 2.0) {
+      nearEnd_ = heights_.node({here.s + length, here.z + last_.highest().slope() * length},
+                               triangles_.all());
     }
-    if (!node) {
+    if (!nearEnd_) {
       return false;
     }
-    near_ = {here, node->point(), nearShare_ * length + slabBands * band_};
-    if (std::max(wide_.beside(near_.from), wide_.beside(near_.to)) + near_.slab > wide_.slab) {
-      if (wideShare_ > mostShare) {
+    near_.way = {here, nearEnd_->point(), 0.0};
+    near_.way.slab = near_.share * (near_.way.to.s - here.s) + slabBands * band_;
+    const double beside = std::max(wide_.way.beside(here), wide_.way.beside(near_.way.to));
+    wide_.see(beside + near_.way.slab - slabBands * band_);
+    if (beside + near_.way.slab > wide_.way.slab) {
+      wide_.share *= 2.0;
+      wide_.way.to.s = here.s;
+      if (wide_.share > mostShare) {
         return false;
       }
-      wideShare_ *= 2.0;
-      wide_.to.s = here.s;
       continue;
     }
-    triangles_.focus(near_);
-    const std::size_t count = triangles_.near().size();
-    nearLength_ = better(nearLength_, count, fewNear, manyNear, nearReach * shortest_);
+    triangles_.focus(near_.way);
+    near_.length =
+        better(near_.length, triangles_.near().size(), fewNear, manyNear, nearReach * shortest_);
     return true;
   }
 }
 
-bool TunnelBuilder::isInSlab(const TouchNode& node) const {
-  return near_.beside(node.point()) + aboveBands * band_ <= near_.slab;
+bool TunnelBuilder::isInSlab(const TouchNode& node) {
+  const double beside = near_.way.beside(node.point());
+  near_.see(beside);
+  return beside + aboveBands * band_ <= near_.way.slab;
 }
 
 bool TunnelBuilder::extend() {
   const double before = last_.s;
   while (!ended_ && last_.s == before) {
-    if (last_.s >= near_.to.s - least_ && !focus()) {
+    if (last_.s >= near_.way.to.s - least_ && !focus()) {
       ended_ = true;
       break;
     }
-    const double rest = near_.to.s - last_.s;
-    const double s = rest < (1.0 + remainder) * step_ ? near_.to.s : last_.s + step_;
+    const double rest = near_.way.to.s - last_.s;
+    const bool toEnd = rest < (1.0 + remainder) * step_;
+    const double s = toEnd ? near_.way.to.s : last_.s + step_;
     const SectionPoint here = last_.point();
-    auto node = heights_.node({s, here.z + last_.highest().slope() * (s - here.s)},
-                              triangles_.near(), &last_.highest());
+    std::optional<TouchNode> node = nearEnd_;
+    if (!toEnd) {
+      node = heights_.node({s, here.z + last_.highest().slope() * step_}, triangles_.near());
+    }
     const Outcome outcome = node ? settle(last_, *node, 0) : Outcome::ends;
     if (outcome == Outcome::outside) {
-      nearShare_ *= 2.0;
-      near_.to.s = last_.s;
-      ended_ = nearShare_ > mostShare;
+      near_.share *= 2.0;
+      near_.use = near_.share;
+      near_.way.to.s = last_.s;
+      ended_ = near_.share > mostShare;
     } else if (outcome == Outcome::ends) {
       step_ /= 4.0;
       ended_ = step_ < least_;
@@ -207,9 +219,7 @@ std::optional<std::uint32_t> TunnelBuilder::witness(TouchNode& a, TouchNode& b) 
 }
 
 /// Below both tangents of the triangle that is touched at both ends.
-TunnelBuilder::Bottom TunnelBuilder::bottomOf(const TouchNode& a,
-                                              const TouchNode& b,
-                                              std::uint32_t i) const {
+TunnelBuilder::Bottom TunnelBuilder::bottomOf(TouchNode& a, TouchNode& b, std::uint32_t i) const {
   const TouchHeight& first = *a.of(i);
   const TouchHeight& last = *b.of(i);
   const double length = b.s - a.s;
@@ -287,10 +297,7 @@ std::optional<double> TunnelBuilder::penetration(const Bottom& bottom, std::uint
   return std::nullopt;
 }
 
-void TunnelBuilder::emit(const TouchNode& a,
-                         const TouchNode& b,
-                         const Bottom& bottom,
-                         std::uint32_t i) {
+void TunnelBuilder::emit(TouchNode& a, TouchNode& b, const Bottom& bottom, std::uint32_t i) {
   const double before = heights_.top(a.s, *a.of(i));
   if (tunnel_.empty()) {
     tunnel_.addBottom(bottom.from);
@@ -313,7 +320,7 @@ TunnelBuilder::Outcome TunnelBuilder::divide(TouchNode& a, TouchNode& b, double 
     return Outcome::ends;
   }
   const SectionPoint guess{s, heightOn(a.point(), b.point(), s)};
-  auto middle = heights_.node(guess, triangles_.near(), &a.highest());
+  auto middle = heights_.node(guess, triangles_.near());
   if (!middle) {
     return Outcome::ends;
   }
@@ -345,7 +352,7 @@ TunnelBuilder::Outcome TunnelBuilder::settle(TouchNode& a, TouchNode& b, int dep
   }
   emit(a, b, bottom, *i);
   if (depth == 0) {
-    step_ = std::min(faster * step_, nearLength_);
+    step_ = std::min(faster * step_, near_.length);
   }
   if (&b != &last_) {
     last_ = b;

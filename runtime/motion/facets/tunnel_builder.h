@@ -28,6 +28,17 @@ class TunnelBuilder {
  private:
   enum class Outcome : std::uint8_t { done, outside, ends };
   using Way = SectionTriangles::Way;
+  /// A piece of way whose triangles are listed.
+  struct List {
+    Way way;
+    double length = 0.0;  ///< of the next
+    double share = 0.0;   ///< half the height of its slab, as a share of its length
+    double use = 0.0;     ///< what of that was made use of
+
+    void see(double beside) { use = std::max(use, beside / (way.to.s - way.from.s)); }
+    /// The share of the next one is near to what this one took.
+    void settleShare();
+  };
   struct Mark {
     double s = 0.0;
     std::uint32_t triangle = 0;
@@ -43,21 +54,21 @@ class TunnelBuilder {
   Outcome settle(TouchNode& a, TouchNode& b, int depth);
   Outcome divide(TouchNode& a, TouchNode& b, double s, int depth);
   [[nodiscard]] std::optional<std::uint32_t> witness(TouchNode& a, TouchNode& b);
-  [[nodiscard]] Bottom bottomOf(const TouchNode& a, const TouchNode& b, std::uint32_t i) const;
+  [[nodiscard]] Bottom bottomOf(TouchNode& a, TouchNode& b, std::uint32_t i) const;
   [[nodiscard]] std::optional<double> penetration(const Bottom& bottom, std::uint32_t skipped);
   [[nodiscard]] std::optional<double> penetrationBy(const Bottom& bottom, std::uint32_t j);
-  void emit(const TouchNode& a, const TouchNode& b, const Bottom& bottom, std::uint32_t i);
-  [[nodiscard]] bool isInSlab(const TouchNode& node) const;
+  void emit(TouchNode& a, TouchNode& b, const Bottom& bottom, std::uint32_t i);
+  [[nodiscard]] bool isInSlab(const TouchNode& node);
 
   SectionTriangles triangles_;
   double band_, spare_, bent_;
   TouchHeights heights_;
   Tunnel tunnel_;
   TouchNode last_;
+  std::optional<TouchNode> nearEnd_;  ///< at the end of the short list's way
   std::vector<Mark> marks_;
-  Way wide_, near_;
-  double wideLength_, nearLength_, step_, least_, shortest_;
-  double wideShare_, nearShare_;  ///< half the slabs' heights, as shares of their lengths
+  List wide_, near_;
+  double step_, least_, shortest_;
   bool ended_ = false;
 };
 
