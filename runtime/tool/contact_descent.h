@@ -61,10 +61,10 @@ class ContactDescent {
   /// True where nearestPiece ended on the corner arc.
   [[nodiscard]] bool onCorner() const { return onCorner_; }
 
-  /// The bottom, from its rim.
-  Contact onBottom() {
-    return cutter_.alpha == 0.0 ? onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, 1.0)
-                                : onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, 1.0);
+  /// The bottom, from a share of its length; 1 is its rim.
+  Contact onBottom(double along = 1.0) {
+    return cutter_.alpha == 0.0 ? onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, along)
+                                : onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, along);
   }
   /// The side, from a share of its length.
   Contact onSide(double along) { return onLine(cutter_.sideStart, cutter_.sideEnd, 0.0, along); }
@@ -92,6 +92,8 @@ class ContactDescent {
   static constexpr double smallTurn = 1e-6;
   static constexpr double smallestTurn = 1e-15;
   static constexpr double largestTurn = 1.0;
+  /// How often Newton may be held on the rim of the disc.
+  static constexpr int mostClipped = 3;
   /// A normal at the center of a ball with a larger cosine to the axis points nowhere about it.
   static constexpr double axial = 1.0 - 1e-9;
   /// A turn that leaves a maximum. Radians.
@@ -174,6 +176,7 @@ class ContactDescent {
     const Vec3 e1 = search_.toward;
     const Vec3 e2 = axis_.cross(e1);
     Vec3 offset = cutter_.e * e1;
+    int clipped = 0;
     for (int i = 0; i < limit; ++i) {
       const Eigen::Vector2d slope(last_.gradient.dot(e1), last_.gradient.dot(e2));
       Eigen::Matrix2d curvature;
@@ -184,7 +187,9 @@ class ContactDescent {
       curvature += ridge * Eigen::Matrix2d::Identity();
       const Eigen::Vector2d pulled =
           slope + ridge * Eigen::Vector2d(offset.dot(e1), offset.dot(e2));
-      if (curvature.determinant() <= 0.0 || curvature(0, 0) <= 0.0) {
+      // Newton that leaves the disc again and again looks for what no curvature foretells: the tip
+      // of a cone, an edge.
+      if (curvature.determinant() <= 0.0 || curvature(0, 0) <= 0.0 || clipped > mostClipped) {
         turnTo(e1);
         return onBottom();
       }
@@ -192,6 +197,7 @@ class ContactDescent {
       Vec3 next = offset - step.x() * e1 - step.y() * e2;
       if (next.norm() > cutter_.e) {
         next *= cutter_.e / next.norm();
+        ++clipped;
       }
       const double moved = (next - offset).norm();
       offset = next;

@@ -159,7 +159,7 @@ class ContactSearch {
   Contact descend(Piece piece, double along) {
     switch (piece) {
       case bottom:
-        return descent_.onBottom();
+        return descent_.onBottom(along);
       case side:
         return descent_.onSide(along);
       default:
@@ -171,7 +171,7 @@ class ContactSearch {
     ProfilePoint q;
     double ball = 0.0;
     Piece piece = corner;
-    double along = 0.0;       ///< share of the side's length
+    double along = 0.0;       ///< share of the length of the bottom or the side
     double halfHeight = 0.0;  ///< half the distance to the next row
   };
   static constexpr std::size_t mostRows = 8;
@@ -187,8 +187,8 @@ class ContactSearch {
     const ProfilePoint& from = cutter_.sideStart;
     const ProfilePoint& to = cutter_.sideEnd;
     if (!cutter_.ring && cutter_.bottomEnd.rho > 0.0) {
-      rows.add({{0.0, 0.0}, 0.0, bottom});
-      rows.add({{0.5 * cutter_.bottomEnd.rho, 0.5 * cutter_.bottomEnd.z}, 0.0, bottom});
+      rows.add({{0.0, 0.0}, 0.0, bottom, 0.0});
+      rows.add({{0.5 * cutter_.bottomEnd.rho, 0.5 * cutter_.bottomEnd.z}, 0.0, bottom, 0.5});
     }
     rows.add({{cutter_.e, cutter_.f}, cutter_.r, corner});
     if (to.z > from.z) {
@@ -259,7 +259,9 @@ class ContactSearch {
     }
     search_.toward = toward;
     search_.hint = hint;
-    const double others = std::min(skipped, leastBeside(grid, all, directions, toward));
+    const bool atPoint = cutter_.alpha > 0.0 &&
+                         (best.point - te_).cross(axis_).norm() < 0.25 * cutter_.bottomEnd.rho;
+    const double others = std::min(skipped, leastBeside(grid, all, directions, toward, atPoint));
     search_.lead = trustedShare * (others - best.gap);
     search_.leadGap = best.gap + search_.lead;
     search_.leadAt = te_;
@@ -267,19 +269,24 @@ class ContactSearch {
     return best;
   }
 
-  /// The least distance of the grid but for the bottom and the corner next to the contact.
-  static double leastBeside(const Grid& grid,
-                            const Rows& all,
-                            const std::array<Vec3, angles>& directions,
-                            const Vec3& toward) {
+  /// The least distance of the grid but for the bottom and the corner next to the contact. The
+  /// point of a drill and its rim are apart: where one of them touches (`atPoint`) the other
+  /// counts.
+  double leastBeside(const Grid& grid,
+                     const Rows& all,
+                     const std::array<Vec3, angles>& directions,
+                     const Vec3& toward,
+                     bool atPoint) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < all.count; ++r) {
       const Row& row = all.list[r];
       if (row.piece != side && row.q.rho == 0.0) {
+        least = cutter_.alpha > 0.0 && !atPoint ? std::min(least, grid[r][0]) : least;
         continue;
       }
+      const bool apart = row.piece == side || (atPoint && row.piece == corner);
       for (std::size_t k = 0; k < angles; ++k) {
-        if (row.piece == side || directions[k].dot(toward) < besideContact) {
+        if (apart || directions[k].dot(toward) < besideContact) {
           least = std::min(least, grid[r][k]);
         }
       }
