@@ -1,5 +1,7 @@
 #include "app/film_warnings.h"
 
+#include <cmath>
+
 #include "app/pipeline.h"
 
 #include "ir/diag/render_text.h"
@@ -10,6 +12,7 @@ namespace arelem::app {
 
 namespace {
 constexpr double noticedShare = 0.02;  // of the area of a surface
+constexpr double noticedMean = 0.15;   // of the film
 constexpr double micrometers = 1e3;
 }  // namespace
 
@@ -19,13 +22,20 @@ void warnOfFilms(Compilation& job) {
       continue;
     }
     const film::Statistics film = film::roughStatistics(*sprayed);
-    if (film.astray < noticedShare) {
+    const bool uneven = film.astray >= noticedShare;
+    if (!uneven && std::abs(film.mean / film.wanted - 1.0) > noticedMean) {
+      job.log.accept(diagnose(sprayed->origin, diag::SprayMean, micrometers * film.mean,
+                              sprayed->label(), micrometers * film.wanted)
+                         .withHelp("PAST sprays over the edges; `arelem spray --film film.png` "
+                                   "shows where it lacks"));
+    }
+    if (!uneven) {
       continue;
     }
     job.log.accept(
         diagnose(sprayed->origin, diag::SprayUneven, micrometers * film.smallest,
                  micrometers * film.largest, sprayed->label(), 100.0 * film.astray,
-                 micrometers * film.wanted)
+                 micrometers * film.wanted, micrometers * film.mean)
             .withHelp("`arelem spray --film film.png` shows where; other lines, a smaller STEP or "
                       "narrower LIMITS make it more even"));
   }

@@ -98,7 +98,7 @@ void printTables() {
     for (const PostForm& form : postForms()) {
       const WordRow& word = row(form.word);
       rows.row({{"word", std::string(word.text)},
-                {"form", std::string(form.form)},
+                {"form", std::string(form.pattern.empty() ? word.text : form.pattern)},
                 {"least", std::to_string(form.least)},
                 {"most", std::to_string(form.most)},
                 {"words", std::string(form.words)},
@@ -164,9 +164,7 @@ bool printFeatures(std::ostream& out, std::string_view word) {
       out << fmt::format("        {}/ {}\n        {}\n", word, form->pattern, form->meaning);
       any = true;
     } else if (const PostForm* post = postForm(*known)) {
-      const bool bare = post->form == word;
-      out << fmt::format("        {}{}\n        {}\n", bare ? "" : fmt::format("{}/ ", word),
-                         post->form, post->meaning);
+      out << fmt::format("        {}\n        {}\n", word, post->meaning);
       any = true;
     }
   }

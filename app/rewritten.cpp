@@ -34,4 +34,12 @@ std::vector<Diagnostic> Rewritten::errors() const {
   return errors;
 }
 
+bool isWritten(const Rewritten& rewritten, DiagnosticLog& log) {
+  const std::vector<Diagnostic> errors = rewritten.errors();
+  for (const Diagnostic& error : errors) {
+    log.accept(error);
+  }
+  return errors.empty();
+}
+
 }  // namespace arelem::app

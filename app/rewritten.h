@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/messages.h"
 #include "app/verify_path.h"
 
 #include "backend/backend.h"
@@ -35,5 +36,8 @@ class Rewritten : public cl::RecordSink {
   CollectingSink told_;
   std::unique_ptr<backend::Writer> writer_;
 };
+
+/// Whether the program can be written for the machine; if not, the log gets why.
+[[nodiscard]] bool isWritten(const Rewritten& rewritten, DiagnosticLog& log);
 
 }  // namespace arelem::app

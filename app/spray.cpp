@@ -55,16 +55,6 @@ void show(Compilation& job, const SprayOptions& options) {
     std::cerr << "arelem: the program has no SPRAY statement\n";
   }
 }
-
-std::string objectionToFilms(const std::vector<std::string>& films) {
-  for (const std::string& path : films) {
-    const std::string suffix = std::filesystem::path(path).extension().string();
-    if (suffix != ".png" && suffix != ".svg" && suffix != ".csv") {
-      return "a film is written as .png, .svg or .csv, not as `" + path + "`";
-    }
-  }
-  return "";
-}
 }  // namespace
 
 int runSpray(const Invocation& invocation) {

@@ -1,7 +1,9 @@
 #include "app/spray_report.h"
 
+#include <algorithm>
 #include <numbers>
 
+#include "app/film_file.h"
 #include "runtime/film/surface_map.h"
 #include "runtime/spray/offset_curve.h"
 
@@ -99,6 +101,10 @@ backend::ReportedSpray reported(const Compilation& job,
   report.edgeMean = s.edge.mean;
   report.radiusAlong = s.radiusAlong;
   report.past = s.past;
+  report.traverses = s.traverses;
+  report.waysRound = static_cast<std::size_t>(
+      std::count_if(s.ways.begin(), s.ways.end(), [](const auto& w) { return w.stroke > 0; }));
+  report.clearance = s.clearance;
   report.radiusAcross = s.radiusAcross;
   report.advice = s.advice;
   addPath(report, s);
@@ -109,15 +115,7 @@ backend::ReportedSpray reported(const Compilation& job,
 }
 
 backend::FilmPicture pictureOf(const spray::Sprayed& s, const film::Map& map) {
-  backend::FilmPicture picture;
-  picture.lowX = map.low.x();
-  picture.lowY = map.low.y();
-  picture.cell = map.cell;
-  picture.columns = map.columns;
-  picture.rows = map.rows;
-  picture.film = &map.film;
-  picture.onWork = &map.onWork;
-  picture.wanted = s.film;
+  backend::FilmPicture picture = pictureOf(map, s.film);
   picture.areas = map.areas.empty() ? nullptr : &map.areas;
   const film::Statistics& f = map.statistics;
   picture.title =

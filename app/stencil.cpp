@@ -42,15 +42,7 @@ bool writeStencilFilm(std::ostream& out,
   const double wanted = painted.meanFilm() > 0.0 ? painted.meanFilm() : 1.0;
   const film::Map map = stencil::filmMap(
       stencil::filmPatches(painted.tracks, painted.statement.job.gun), cell, wanted);
-  backend::FilmPicture picture;
-  picture.lowX = map.low.x();
-  picture.lowY = map.low.y();
-  picture.cell = map.cell;
-  picture.columns = map.columns;
-  picture.rows = map.rows;
-  picture.film = &map.film;
-  picture.onWork = &map.onWork;
-  picture.wanted = wanted;
+  backend::FilmPicture picture = pictureOf(map, wanted);
   picture.relative = !(painted.meanFilm() > 0.0);
   picture.title = painted.statement.text;
   return writeFilm(out, path, picture);
@@ -83,11 +75,8 @@ void show(Compilation& job, const StencilOptions& options) {
 }
 
 std::string objectionTo(const StencilOptions& options) {
-  for (const std::string& path : options.films) {
-    const std::string suffix = suffixOf(path);
-    if (suffix != ".png" && suffix != ".svg" && suffix != ".csv") {
-      return "a film is written as .svg, .png or .csv, not as `" + path + "`";
-    }
+  if (std::string objection = objectionToFilms(options.films); !objection.empty()) {
+    return objection;
   }
   for (const std::string& path : options.shares) {
     if (suffixOf(path) != ".svg") {

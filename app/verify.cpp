@@ -62,6 +62,11 @@ bool pathOfOutput(const std::string& file,
   return good;
 }
 
+bool isRobotProgram(const std::string& file) {
+  const backend::Target* target = backend::targetForFile(file);
+  return target != nullptr && (target->name == "g97" || target->name == "vplus");
+}
+
 struct WithRequest {
   std::string output, program;
   MachineChoice machine;
@@ -81,8 +86,8 @@ std::optional<std::size_t> compared(const WithRequest& request,
   const backend::Target* target = backend::targetForFile(request.output);
   const std::string name = displayName(request.output);
   if (target != nullptr && target->name == "g97") {
-    return verifyG97(bytes, name, machine.value_or(robot::Machine{}), wanted, request.allowed,
-                     job.log);
+    return verifyG97(bytes, name, machine.value_or(robot::Machine{}), wanted, rewritten,
+                     request.allowed, job.log);
   }
   if (target != nullptr && target->name == "vplus") {
     return verifyVplus(bytes, name, machine.value_or(robot::Machine{}), wanted, rewritten,
@@ -119,7 +124,7 @@ ExitCode verify(const WithRequest& request,
     }
   }
   const backend::Target* target = backend::targetForFile(request.output);
-  const bool again = target != nullptr && target->name == "vplus";
+  const bool again = isRobotProgram(request.output);
   Rewritten wanted(again && machine ? target : nullptr, machine ? *machine : std::nullopt);
   ExitCode result = ExitCode::ok;
   if (machine && text && bytes &&
@@ -141,11 +146,6 @@ ExitCode verify(const WithRequest& request,
   job.log.print(job.sources, job.main, settings);
   return worse(result, job.log.exitCode());
 }
-bool isRobotProgram(const std::string& file) {
-  const backend::Target* target = backend::targetForFile(file);
-  return target != nullptr && (target->name == "g97" || target->name == "vplus");
-}
-
 /// The files of a command in which a robot program stands where a part program or CL file belongs.
 std::optional<std::string> inWrongPlaces(const CertifyRequest& request,
                                          const WithRequest& comparison) {

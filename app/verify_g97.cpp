@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/messages.h"
+#include "app/verify_g97_text.h"
 
 #include "backend/g97/block.h"
 #include "ir/diag/render_text.h"
@@ -62,8 +63,8 @@ std::vector<Found> locationsOf(const std::vector<g97::Program>& programs,
   std::vector<Found> all;
   std::set<int> on;
   const g97::Program* programBefore = nullptr;
+  const g97::Block* before = nullptr;  // codes of one location may be divided too
   for (const g97::Program& program : programs) {
-    const g97::Block* before = nullptr;
     const bool led = isLed(program, programBefore, machine.g97.s63);
     programBefore = &program;
     for (std::size_t i = led ? 1 : 0; i < program.blocks.size(); ++i) {
@@ -127,21 +128,14 @@ Location asWritten(Location location, const robot::Machine& machine) {
   }
   return location;
 }
-}  // namespace
 
-std::optional<std::size_t> verifyG97(std::string_view text,
-                                     const std::string& name,
-                                     const robot::Machine& machine,
-                                     const Path& wanted,
-                                     const Allowed& given,
-                                     DiagnosticLog& log) {
-  auto programs = g97::readPrograms(text, machine.g97, name);
-  if (!programs) {
-    log.accept(programs.takeFailure());
-    return std::nullopt;
-  }
-  const Allowed allowed = rounding(given, machine, wanted.millimeters);
-  const std::vector<Found> found = locationsOf(*programs, machine, wanted.millimeters);
+/// Location by location, but for what the digits take away. How many there are.
+std::optional<std::size_t> agreeing(const std::vector<Found>& found,
+                                    const std::string& name,
+                                    const robot::Machine& machine,
+                                    const Path& wanted,
+                                    const Allowed& allowed,
+                                    DiagnosticLog& log) {
   std::size_t i = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const bool over = i == wanted.locations.size();
@@ -171,6 +165,37 @@ std::optional<std::size_t> verifyG97(std::string_view text,
     return std::nullopt;
   }
   return i;
+}
+}  // namespace
+
+std::optional<std::size_t> verifyG97(std::string_view text,
+                                     const std::string& name,
+                                     const robot::Machine& machine,
+                                     const Path& wanted,
+                                     const Rewritten& rewritten,
+                                     const Allowed& given,
+                                     DiagnosticLog& log) {
+  auto programs = g97::readPrograms(text, machine.g97, name);
+  if (!programs) {
+    log.accept(programs.takeFailure());
+    return std::nullopt;
+  }
+  const auto count = agreeing(locationsOf(*programs, machine, wanted.millimeters), name, machine,
+                              wanted, rounding(given, machine, wanted.millimeters), log);
+  if (!count || !isWritten(rewritten, log)) {
+    return std::nullopt;
+  }
+  auto again = g97::readPrograms(rewritten.text(), machine.g97, name);
+  if (!again) {
+    log.accept(again.takeFailure());
+    return std::nullopt;
+  }
+  if (auto differs =
+          firstDifference(*programs, *again, name, given.distance * wanted.millimeters)) {
+    log.accept(*std::move(differs));
+    return std::nullopt;
+  }
+  return count;
 }
 
 }  // namespace arelem::app

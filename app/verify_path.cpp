@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "backend/robot/feed.h"
+#include "ir/cl/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/render_text.h"
 #include "ir/diag/verify.h"
@@ -79,7 +80,7 @@ void Path::word(const cl::Post& post) {
   } else if (post.word == Word::RAPID) {
     rapid_ = true;
   } else if (post.word == Word::SPINDL) {
-    turns_ = robot::turnsBehind(post, turns_);
+    turns_ = cl::turnsBehind(post, turns_);
   } else if (!locations.empty() && post.word == Word::DELAY) {
     if (const Result<double> seconds = robot::secondsOf(post, turns_)) {
       locations.back().wait += *seconds;

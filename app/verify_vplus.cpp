@@ -143,15 +143,6 @@ std::size_t compared(const Location& wanted,
   return moves;
 }
 
-/// Whether the program can be written for the machine; if not, why.
-bool isWritten(const Rewritten& rewritten, DiagnosticLog& log) {
-  const std::vector<Diagnostic> errors = rewritten.errors();
-  for (const Diagnostic& error : errors) {
-    log.accept(error);
-  }
-  return errors.empty();
-}
-
 /// What the program does against what the one does that compile writes.
 bool sameEvents(const vplus::ProgramText& program,
                 const std::string& rewritten,

@@ -88,8 +88,8 @@ Angles anglesOf(const robot::G97Style& style, const Pose& pose) {
 }
 
 Angles robopaintAngles(const Vec3& axis) {
-  return {axis.y() == 0.0 && axis.z() == 0.0 ? 0.0 : degrees(-axis.y(), axis.z()),
-          degrees(axis.x(), std::abs(axis.z())), 0.0};
+  const bool alongX = std::hypot(axis.y(), axis.z()) < tolerance::uprightAxis;
+  return {alongX ? 0.0 : degrees(-axis.y(), axis.z()), degrees(axis.x(), std::abs(axis.z())), 0.0};
 }
 
 Result<BlockPose> blockOf(const robot::Machine& machine,

@@ -15,8 +15,10 @@ struct Angles {
 /// -90 <= q <= 90, p and r in (-180, 180]. Without a side R is 0, or keeps the tool's x over the
 /// direction that the axis leans to; where the axis lies along x, P is 0.
 [[nodiscard]] Angles anglesOf(const robot::G97Style& style, const robot::Pose& pose);
-/// Sen's equations (11) and (12) with the signs of each quadrant, and R = 0. Right where the axis
-/// leans about one of x and y only; (1, 1, 1) is missed by 9.74 degrees.
+/// Sen's equations (11) and (12), P = -atan(b/c) and Q = atan(a/c), and R = 0. Where c < 0 the
+/// quadrant is mended: P turns the gun over, Q keeps the sign of a; as printed the gun would point
+/// away from the work. Right where the axis leans about one of x and y only; (1, 1, 1) is missed by
+/// 9.74 degrees.
 [[nodiscard]] Angles robopaintAngles(const Vec3& axis);
 
 /// The six numbers of a block, rounded to its two decimals.

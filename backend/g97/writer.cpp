@@ -175,7 +175,7 @@ class G97Writer : public Writer {
       return;
     }
     const int output = outputs.empty() ? wanted : outputs[static_cast<std::size_t>(wanted) - 1];
-    const bool on = robot::hasWord(post, Word::ON);
+    const bool on = cl::has(post, Word::ON);
     if (on == (on_.count(output) != 0)) {
       return;
     }

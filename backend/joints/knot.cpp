@@ -7,6 +7,7 @@
 #include "backend/robot/envelope.h"
 #include "backend/robot/feed.h"
 #include "backend/robot/pose.h"
+#include "ir/cl/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
@@ -121,7 +122,7 @@ void KnotReader::stopHere(double seconds) {
 }
 
 void KnotReader::spray(const cl::Post& post) {
-  gun_ = robot::hasWord(post, Word::ON);
+  gun_ = cl::has(post, Word::ON);
   if (!machine_.vplus.onTheFly) {
     stopHere(0.0);
   }
@@ -161,7 +162,7 @@ void KnotReader::post(const cl::Post& post, const Span& origin) {
       }
       return;
     case Word::SPINDL:
-      turns_ = robot::turnsBehind(post, turns_);
+      turns_ = cl::turnsBehind(post, turns_);
       break;
     case Word::STOP:
     case Word::OPSTOP:

@@ -70,7 +70,7 @@ void Moves::drill(const ToolPose& at, const Cycle& cycle) {
   if (!feedIsKnown(at.end)) {
     return;
   }
-  if (feed_.now().mode == FeedMode::inverseTime) {
+  if (feed_.now().per == cl::Feed::Per::move) {
     return report(fail(diag::NgcCycle, std::string("needs a feed; an inverse time is none")));
   }
   const bool turned = (at.axis - now_.pose.axis).norm() > tolerance::symmetric;

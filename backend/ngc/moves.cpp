@@ -39,28 +39,12 @@ void Moves::feed(const cl::Post& post) {
   }
 }
 
-std::optional<Moves::Feed> Moves::readFeed(const cl::Post& post) {
-  Parameters given(post);
-  const std::string_view unit =
-      given.take({"IPM", "MMPM", "IPR", "MMPR", "MMPS", "INVERS", "PERMIN"});
-  const std::optional<double> value = given.takeNumber();
-  if (!value || !given.rest().empty()) {
-    report(fail(diag::NgcStatement, written(post),
-                value ? fmt::format("`{}` has no meaning here; a feed and one of IPM, MMPM, "
-                                    "IPR, MMPR, MMPS and INVERS have",
-                                    given.rest())
-                      : std::string("it has no number")));
-    return std::nullopt;
+std::optional<cl::Feed> Moves::readFeed(const cl::Post& post) {
+  cl::FeedReading reading = cl::readFeed(post, unit_);
+  if (!reading.feed) {
+    report(fail(diag::NgcStatement, written(post), std::move(reading.why)));
   }
-  const bool perTurn = unit == "IPR" || unit == "MMPR";
-  const bool inverse = unit == "INVERS";
-  const double factor = unit.empty() || unit == "PERMIN" ? unit_
-                        : unit == "MMPS"                 ? secondsOfAMinute
-                        : unit[0] == 'I' && !inverse     ? millimetersOfAnInch
-                                                         : 1.0;
-  return Feed{*value * factor, inverse   ? FeedMode::inverseTime
-                               : perTurn ? FeedMode::perTurn
-                                         : FeedMode::perMinute};
+  return reading.feed;
 }
 
 bool Moves::turnsAllowed(const Vec3& axis) {
@@ -181,20 +165,20 @@ bool Moves::feedIsKnown(const Vec3& to) {
 
 /// The feed of a move; with a `length` above 0 as the time of this move alone.
 void Moves::putFeed(double length) {
-  const auto& [value, mode] = feed_.now();
-  if (mode == FeedMode::perTurn && !(turns_ > 0.0)) {
+  const auto& [value, per] = feed_.now();
+  if (per == cl::Feed::Per::turn && !(turns_ > 0.0)) {
     report(fail(diag::NgcSpindle));
   }
-  const bool timed = mode == FeedMode::inverseTime || length > 0.0;
+  const bool timed = per == cl::Feed::Per::move || length > 0.0;
   if (timed) {
-    const double perMinute = mode == FeedMode::perTurn ? value * turns_ : value;
+    const double perMinute = per == cl::Feed::Per::turn ? value * turns_ : value;
     block_.modal('f', "G93");
-    const bool inverse = mode == FeedMode::inverseTime;
+    const bool inverse = per == cl::Feed::Per::move;
     block_.number('F', inverse ? value / share_ : perMinute / length, feedDecimals);
     block_.forget('F');
     return;
   }
-  block_.modal('f', mode == FeedMode::perTurn ? "G95" : "G94");
+  block_.modal('f', per == cl::Feed::Per::turn ? "G95" : "G94");
   const double scale = control_.inches ? 1.0 / millimetersOfAnInch : 1.0;
   if (value * scale < 0.5 * std::pow(10.0, -feedDecimals)) {
     report(fail(
@@ -296,7 +280,7 @@ void Moves::straight(const TurnedPlace& to) {
 /// Puts out an arc from here through the first of `rest` and tells how many it replaces.
 std::size_t Moves::arc(std::span<const Vec3> rest) {
   const bool possible = control_.arcs && run_ && run_->canon.size() == 7 && !rapid_ && placed_ &&
-                        feed_.now().value > 0.0 && feed_.now().mode != FeedMode::inverseTime &&
+                        feed_.now().value > 0.0 && feed_.now().per != cl::Feed::Per::move &&
                         !compensation_.isPending();
   if (!possible || rest.empty()) {
     return 0;

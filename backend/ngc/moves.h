@@ -7,6 +7,7 @@
 #include "backend/ngc/block.h"
 #include "backend/ngc/compensation.h"
 #include "backend/robot/turned_move.h"
+#include "ir/cl/feed.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/hole/cycle.h"
 #include "ir/hole/cycle_feed.h"
@@ -40,14 +41,8 @@ class Moves {
   void move(const cl::Motion& motion);
 
  private:
-  enum class FeedMode { perMinute, perTurn, inverseTime };
-  struct Feed {
-    double value = 0.0;  ///< mm a minute or a turn, or moves a minute; 0 where none was given
-    FeedMode mode = FeedMode::perMinute;
-  };
-
   /// What FEDRAT says; none where it is refused.
-  [[nodiscard]] std::optional<Feed> readFeed(const cl::Post& post);
+  [[nodiscard]] std::optional<cl::Feed> readFeed(const cl::Post& post);
   void points(const cl::Motion& motion);
   void from(const robot::ToolPose& pose);
   void line(const robot::ToolPose& to);
@@ -85,7 +80,7 @@ class Moves {
   Spindle spindle_ = Spindle::off;
   bool rapid_ = false;
   bool rapidRun_ = false;  // the motion whose records come goes at rapid
-  hole::CycleFeed<Feed> feed_;
+  hole::CycleFeed<cl::Feed> feed_;
   hole::Cycles cycles_;
   double share_ = 1.0;  // of a divided move that a line is: it has as much of an inverse time
   bool cycleOpen_ = false;

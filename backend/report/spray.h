@@ -56,7 +56,9 @@ struct ReportedSpray {
   std::vector<Trial> trials;
   /// Of a surface.
   std::optional<double> radiusAlong, radiusAcross;
-  double past = 0.0;  ///< how far lines go on beyond the edges
+  double past = 0.0;                         ///< how far lines go on beyond the edges
+  std::size_t traverses = 0, waysRound = 0;  ///< from line to line; those that do not go straight
+  double clearance = 0.0;                    ///< how far they stay off the work, 0: not looked at
   std::string advice;
 };
 

@@ -64,6 +64,8 @@ Json sprayJson(const ReportedSpray& s) {
           {"passes", s.passes},
           {"interval", number(s.interval)},
           {"past", number(s.past)},
+          {"traverses",
+           {{"count", s.traverses}, {"round", s.waysRound}, {"clearance", number(s.clearance)}}},
           {"Xi", number(s.painted)},
           {"Xo", number(s.unpainted)},
           {"Ti", number(s.paintingTime)},

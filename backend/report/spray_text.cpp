@@ -93,11 +93,14 @@ void writeSprayText(std::ostream& out, const ReportedSpray& s) {
                                      : std::string("as far as the edges, which get less film: "
                                                    "PAST, d goes beyond")));
   row(out, "path",
-      fmt::format("{:.7g} mm painted in {:.5g} s, {:.6g} mm besides in {:.4g} s{}", s.painted,
-                  s.paintingTime, s.unpainted, s.travelTime,
-                  s.shortestTime > 0.0
-                      ? fmt::format("; painting takes {:.4g} s at least", s.shortestTime)
-                      : ""));
+      fmt::format(
+          "{:.7g} mm painted in {:.5g} s, {:.6g} mm besides in {:.4g} s{}{}", s.painted,
+          s.paintingTime, s.unpainted, s.travelTime,
+          s.waysRound > 0 ? fmt::format("; {} of {} traverses go round the work, {:.4g} mm off it",
+                                        s.waysRound, s.traverses, s.clearance)
+                          : "",
+          s.shortestTime > 0.0 ? fmt::format("; painting takes {:.4g} s at least", s.shortestTime)
+                               : ""));
   row(out, "paint",
       fmt::format("{:.4g} l used: {:.4g} on the work, {:.4g} overspray, {:.4g} beside the work{}",
                   s.used, s.deposited, s.overspray, s.sprayBy,

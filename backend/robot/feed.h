@@ -8,15 +8,6 @@ namespace arelem::robot {
 
 /// The number at a place of a postprocessor word; null where there is none.
 [[nodiscard]] const double* numberAt(const cl::Post& post, std::size_t place);
-/// Whether the word stands in it.
-[[nodiscard]] bool hasWord(const cl::Post& post, Word word);
-
-/// The first number of a postprocessor word, wherever it stands.
-[[nodiscard]] std::optional<double> numberOf(const cl::Post& post);
-/// Turns a minute behind a SPINDL: `before` where it has no number; 0 where it stands, or where its
-/// number is a speed of the cutter's edge or a limit.
-[[nodiscard]] double turnsBehind(const cl::Post& spindle, double before);
-
 /// The speed of a FEDRAT in mm/s: without a unit its number is lengths of `millimeters` per minute.
 /// A feed per turn needs the spindle's `turns` a minute. None where it is not positive, per turn of
 /// a spindle that stands, or an inverse time.

@@ -11,6 +11,7 @@
 #include "backend/vplus/held_tool.h"
 #include "backend/vplus/program_lines.h"
 #include "backend/vplus/reader.h"
+#include "ir/cl/feed.h"
 #include "ir/cl/post_word.h"
 #include "ir/diag/ngc.h"
 #include "ir/diag/robot.h"
@@ -106,7 +107,7 @@ class VplusWriter : public Writer {
       case Word::CYCLE:
         return cycle(post);
       case Word::SPINDL:
-        turns_ = turnsBehind(post, turns_);
+        turns_ = cl::turnsBehind(post, turns_);
         return without("SPINDL");
       default:
         without(spell(post.word));
@@ -172,7 +173,7 @@ class VplusWriter : public Writer {
   /// SPRAY/ON, n and SPRAY/OFF, n: at the location before, or on the way from it.
   void spray(const cl::Post& post) {
     const double* output = numberAt(post, 1);
-    const bool on = hasWord(post, Word::ON);
+    const bool on = cl::has(post, Word::ON);
     const double number = output == nullptr ? 1.0 : *output;
     if (number != std::round(number) || !vplus::isOutput(number)) {
       return report(fail(diag::VplusOutput, number));

@@ -20,6 +20,10 @@ constexpr std::array forms = {
   StatementForm{Word::word, pattern, meaning, example},
 #include "frontend/complete/statement_forms.def"
 #undef ARELEM_STATEMENT
+#define ARELEM_POST(word, pattern, example, least, most, words, acts, meaning) \
+  StatementForm{Word::word, pattern, meaning, example},
+#include "ir/words/post_forms.def"
+#undef ARELEM_POST
 };
 
 std::vector<Token> tokensOf(std::string_view text, StatementText& statement, SourceMap& sources) {

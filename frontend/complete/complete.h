@@ -11,7 +11,7 @@
 /// Completion of statements that are being typed.
 namespace arelem::frontend {
 
-/// A row of statement_forms.def.
+/// A row of statement_forms.def, or of the words for the machine in ir/words/post_forms.def.
 struct StatementForm {
   Word word = Word::END;
   std::string_view pattern;

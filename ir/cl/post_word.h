@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +35,22 @@ namespace arelem::cl {
     default:
       return false;
   }
+}
+/// Whether the word stands among its parameters.
+[[nodiscard]] inline bool has(const Post& post, Word word) {
+  return std::any_of(post.arguments.begin(), post.arguments.end(), [word](const Value& value) {
+    const Word* found = std::get_if<Word>(&value);
+    return found != nullptr && *found == word;
+  });
+}
+/// The first number among its parameters, wherever it stands; null where there is none.
+[[nodiscard]] inline const double* firstNumber(const Post& post) {
+  for (const Value& value : post.arguments) {
+    if (const double* number = std::get_if<double>(&value)) {
+      return number;
+    }
+  }
+  return nullptr;
 }
 /// The numbers among its parameters, in order.
 [[nodiscard]] inline std::vector<double> numbersOf(const Post& post) {

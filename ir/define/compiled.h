@@ -31,13 +31,18 @@ class NodeSet {
       }
     }
   }
-  void clear() {
-    for (const int member : members_) {
-      in_[static_cast<std::size_t>(member)] = false;
-    }
-    members_.clear();
-  }
   [[nodiscard]] const std::vector<int>& members() const { return members_; }
+  /// The nodes behind those that take the symbol.
+  [[nodiscard]] NodeSet behind(const Symbol& symbol) const {
+    NodeSet next(*pattern_);
+    for (const int member : members_) {
+      const Pattern::Node& node = pattern_->nodes[static_cast<std::size_t>(member)];
+      if (node.kind == Pattern::Node::Kind::take && node.wanted.accepts(symbol)) {
+        next.add(node.next);
+      }
+    }
+    return next;
+  }
 
  private:
   const Pattern* pattern_;

@@ -33,17 +33,9 @@ void copyOnly(EntityType own, Continuation& one) {
 
 Continuation continuation(const Pattern& pattern, std::span<const Symbol> parameters) {
   NodeSet now(pattern);
-  NodeSet next(pattern);
   now.add(pattern.start);
   for (const Symbol& symbol : parameters) {
-    next.clear();
-    for (const int member : now.members()) {
-      const Pattern::Node& node = pattern.nodes[static_cast<std::size_t>(member)];
-      if (node.kind == Kind::take && node.wanted.accepts(symbol)) {
-        next.add(node.next);
-      }
-    }
-    std::swap(now, next);
+    now = now.behind(symbol);
   }
   Continuation found;
   std::vector<int> members = now.members();

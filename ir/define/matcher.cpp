@@ -78,17 +78,9 @@ Mismatch explain(Word noun, std::span<const Symbol> parameters) {
 
 bool accepts(const Pattern& pattern, std::span<const Symbol> parameters) {
   NodeSet now(pattern);
-  NodeSet next(pattern);
   now.add(pattern.start);
   for (const Symbol& symbol : parameters) {
-    next.clear();
-    for (const int member : now.members()) {
-      const Pattern::Node& node = pattern.nodes[static_cast<std::size_t>(member)];
-      if (node.kind == Pattern::Node::Kind::take && node.wanted.accepts(symbol)) {
-        next.add(node.next);
-      }
-    }
-    std::swap(now, next);
+    now = now.behind(symbol);
     if (now.members().empty()) {
       return false;
     }

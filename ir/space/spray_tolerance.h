@@ -34,6 +34,14 @@ inline constexpr double wallClear = 0.25;
 /// Walls are looked for from this part of the stand-off above the work on: below, the work itself
 /// is near.
 inline constexpr double wallLift = 0.05;
+/// Of the stand-off, what a gun that is switched off keeps off the work where CLEARP does not say.
+inline constexpr double wayClear = 0.5;
+/// A way of the gun is proven clear in steps of at least this part of its clearance, which it keeps
+/// to spare.
+inline constexpr double wayStep = 0.05;
+/// A surface that leans more against the planes of sections, its normal nearer to theirs, is not
+/// followed by closer planes. Sine.
+inline constexpr double leastLean = 0.1;
 /// Arcs are drawn with at least this angle between corners. Radians.
 inline constexpr double arcStep = 1e-9;
 /// A row of film cells that runs along a pass, or square to it, but for this, does so. Sine.

@@ -7,8 +7,9 @@ namespace arelem {
 
 namespace {
 constexpr std::array table = {
-#define ARELEM_POST(word, form, least, most, words, acts, meaning) \
-  PostForm{Word::word, form, least, most, words, acts, meaning},
+#define ARELEM_POST(word, pattern, example, least, most, words, acts, meaning) \
+  PostForm{Word::word, pattern, least, most, words, acts, meaning},
+#define ARELEM_BARE(word, acts, meaning) PostForm{Word::word, "", 0, 0, "", acts, meaning},
 #include "ir/words/post_forms.def"
 #undef ARELEM_POST
 };

@@ -9,7 +9,7 @@ namespace arelem {
 /// What a word for the machine takes behind its slash.
 struct PostForm {
   Word word;
-  std::string_view form;  ///< as the manual shows it
+  std::string_view pattern;  ///< the usual form; "" of a word that stands alone
   int least = 0;          ///< numbers
   int most = 0;
   std::string_view words;  ///< that may stand in the list, with blanks between; "*" any

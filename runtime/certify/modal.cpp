@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/title.h"
 
 namespace arelem::certify {
 
@@ -27,15 +28,11 @@ std::array<double, 4> spread(const std::vector<double>& values) {
 }  // namespace
 
 Result<Named> named(const EntityPtr& entity) {
-  auto surface = surface::surfaceOf(*entity);
-  if (!surface) {
-    return surface.takeFailure();
+  auto found = surface::surfaceOf(*entity);
+  if (!found) {
+    return found.takeFailure();
   }
-  std::string name = entity->name.empty() ? fmt::format("({})", spell(entity->type)) : entity->name;
-  if (entity->subscript > 0) {
-    name += fmt::format("({})", entity->subscript);
-  }
-  return Named{*std::move(surface), std::move(name)};
+  return Named{*std::move(found), surface::titleOf(*entity)};
 }
 
 bool Modal::apply(const runtime::Action& action) {

@@ -53,6 +53,7 @@ class Arguments {
   /// The bytes of a data file that the program names.
   [[nodiscard]] Result<std::string> fileText(std::string_view name) const;
   [[nodiscard]] double millimeters() const { return context_.millimeters; }
+  [[nodiscard]] std::uint64_t mostCorners() const { return context_.mostCorners; }
 
   /// The point above (x, y) on the ZSURF plane.
   [[nodiscard]] Vec3 onZsurf(const geometry::Vec2& place) const {

@@ -6,6 +6,7 @@
 
 #include "ir/diag/result.h"
 #include "ir/geometry/entity.h"
+#include "ir/limits.h"
 #include "ir/words/words.h"
 #include "runtime/files/files.h"
 
@@ -23,6 +24,7 @@ struct Context {
   double zsurfA = 0.0, zsurfB = 0.0, zsurfC = 1.0, zsurfD = 0.0;
   const files::Files* files = nullptr;  ///< data files of the program; null: there are none
   double millimeters = 1.0;             ///< length of the part program's unit, mm
+  std::uint64_t mostCorners = Limits{}.corners;  ///< of a region
   /// Takes what is to be told of a definition that succeeds; may be null.
   std::vector<Failure>* remarks = nullptr;
   [[nodiscard]] double z(double x, double y) const {

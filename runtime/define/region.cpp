@@ -18,7 +18,9 @@ using region::Boundary;
 
 namespace {
 /// `chord`: what CHORD says; none where nothing is said.
-Result<Resolved> resolved(std::vector<Boundary> boundaries, std::optional<double> chord) {
+Result<Resolved> resolved(std::vector<Boundary> boundaries,
+                          std::optional<double> chord,
+                          std::uint64_t mostCorners) {
   std::size_t corners = 0;
   Eigen::AlignedBox3d box;
   for (const Boundary& boundary : boundaries) {
@@ -27,8 +29,8 @@ Result<Resolved> resolved(std::vector<Boundary> boundaries, std::optional<double
       box.extend(corner);
     }
   }
-  if (corners > region::mostCorners) {
-    return fail(diag::RegionSize, region::mostCorners);
+  if (corners > mostCorners) {
+    return fail(diag::RegionSize, mostCorners);
   }
   const double coarsest = box.isEmpty() ? HUGE_VAL : box.diagonal().norm() / 4.0;
   if (chord && *chord > coarsest) {
@@ -294,7 +296,7 @@ Result<Resolved> regionOfBoundaries(const Arguments& given) {
     number += count;
     boundary.corners = *std::move(corners);
   }
-  return resolved(std::move(boundaries), chord);
+  return resolved(std::move(boundaries), chord, given.mostCorners());
 }
 
 Result<Resolved> regionOfDrawing(const Arguments& given) {
@@ -311,6 +313,7 @@ Result<Resolved> regionOfDrawing(const Arguments& given) {
   }
   rules.chord = chord.value_or(defaultChord(given));
   rules.unit = given.millimeters();
+  rules.mostPoints = given.mostCorners();
   Result<region::Drawing> drawing = region::readDrawing(*text, name, rules);
   if (!drawing) {
     return drawing.takeFailure();
@@ -343,7 +346,7 @@ Result<Resolved> regionOfDrawing(const Arguments& given) {
       boundary.corners.emplace_back(p.x(), p.y(), height);
     }
   }
-  return resolved(std::move(boundaries), chord);
+  return resolved(std::move(boundaries), chord, given.mostCorners());
 }
 
 }  // namespace arelem::define

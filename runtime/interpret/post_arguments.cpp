@@ -60,7 +60,7 @@ void checkPostArguments(State& state, Word word, const Items& items) {
   if (items.empty()) {
     if (has(needy, word)) {
       state.report(diagnose(statement, diag::PostNumbers, spell(word), "no parameters",
-                            std::string(form->form)));
+                            std::string(form->pattern)));
     }
     return;
   }

@@ -82,17 +82,34 @@ class StrokeWriter {
   }
   /// The nozzle stands off along the normal. A footprint that is not round lies with its width
   /// across the travel, and is not turned over from pass to pass.
-  void go(const Vec3& place, const Vec3& normal, const Vec3& along) {
+  void goOver(const Vec3& place, const Vec3& normal, const Vec3& along) {
+    go({place + sprayed_.gun.standOff * normal, normal}, along);
+  }
+  void go(const spray::GunPose& pose, const Vec3& along) {
     Locate locate;
     locate.word = Word::GOTO;
-    locate.point = (place + sprayed_.gun.standOff * normal) / unit_;
-    locate.axis = normal;
-    const Vec3 across = normal.cross(along);
+    locate.point = pose.place / unit_;
+    locate.axis = pose.axis;
+    const Vec3 across = pose.axis.cross(along);
     if (!isRound_ && across.norm() > tolerance::nullDirection) {
       side_ = across.normalized() * (side_ && side_->dot(across) < 0.0 ? -1.0 : 1.0);
       locate.side = side_;
     }
     state_.emit(std::move(locate));
+  }
+
+  /// The way to a pass that does not go straight.
+  void goRound(std::size_t stroke, const Vec3& along) {
+    const auto way =
+        std::lower_bound(sprayed_.ways.begin(), sprayed_.ways.end(), stroke,
+                         [](const spray::WayRound& w, std::size_t i) { return w.stroke < i; });
+    if (way == sprayed_.ways.end() || way->stroke != stroke) {
+      return;
+    }
+    for (const spray::GunPose& pose : way->poses) {
+      post(Word::RAPID, {});
+      go(pose, along);
+    }
   }
 
   /// On a bent surface the nozzle goes a longer or shorter way than its spray.
@@ -111,32 +128,31 @@ class StrokeWriter {
     const Vec3 step = s.to - s.from;
     const double length = step.norm();
     const Vec3 along = length > 0.0 ? Vec3(step / length) : Vec3(Vec3::Zero());
-    const bool first = i == 0 || !sprayed_.strokes[i - 1].painting || s.newPass;
     const bool last = i + 1 == sprayed_.strokes.size() || !sprayed_.strokes[i + 1].painting ||
                       sprayed_.strokes[i + 1].newPass;
-    const double early = s.painting && first ? s.speed * sprayed_.gun.leadOn : 0.0;
     if (s.newPass) {
       off();
+      goRound(i, along);
       post(Word::RAPID, {});
       feed_ = 0.0;
-      go(s.from - early * along, s.normalFrom, along);
+      go(sprayed_.beginOf(s), along);
     }
     if (s.painting) {
       on();
       feed(nozzleSpeed(s, length));
       const double closing = last ? std::min(s.speed * sprayed_.gun.leadOff, length) : 0.0;
       if (closing > 0.0) {
-        go(s.to - closing * along, s.normalTo, along);
+        goOver(s.to - closing * along, s.normalTo, along);
         off();
       }
-      go(s.to, s.normalTo, along);
+      go(sprayed_.endOf(s), along);
       return;
     }
     off();
     feed(s.speed);
     // The next piece is switched on early: the gap ends before its place.
     const double before = sprayed_.chosen.operation.speed * sprayed_.gun.leadOn;
-    go(s.to - std::min(before, length) * along, s.normalTo, along);
+    goOver(s.to - std::min(before, length) * along, s.normalTo, along);
   }
 
   State& state_;
@@ -177,7 +193,7 @@ void sprayRegion(State& state, const SprayWords& words) {
   job.otherSide = words.otherSide;
   job.prices = words.prices;
   job.angles = words.angles;
-  job.mostPasses = state.options.limits.points;
+  job.limits = state.options.limits;
   job.sizes = words.sizes;
   if (job.sizes) {
     for (double* value : {&job.sizes->from, &job.sizes->to, &job.sizes->step}) {
@@ -220,6 +236,26 @@ void setLines(spray::SurfaceJob& job, const SprayWords& words, double unit) {
   }
 }
 
+/// Where the tool stands, mm, as far as the statements before tell: at a place of FROM or GOTO.
+std::optional<spray::GunPose> standing(const State& state) {
+  const double unit = state.context.millimeters;
+  for (auto action = state.out.actions.rbegin(); action != state.out.actions.rend(); ++action) {
+    if (const auto* locate = std::get_if<Locate>(&action->body)) {
+      const bool known = locate->word != Word::GODLTA;
+      const Vec3 axis = locate->axis.value_or(Vec3::Zero());
+      return known ? std::optional(spray::GunPose{locate->point * unit, axis.normalized()})
+                   : std::nullopt;
+    }
+    if (std::holds_alternative<FollowSpline>(action->body) ||
+        std::holds_alternative<Startup>(action->body) ||
+        std::holds_alternative<Follow>(action->body) ||
+        std::holds_alternative<Pocket>(action->body)) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
 void spraySurface(State& state, const SprayWords& words) {
   const double unit = state.context.millimeters;
   spray::SurfaceJob job;
@@ -232,16 +268,25 @@ void spraySurface(State& state, const SprayWords& words) {
   job.step = words.step * unit;
   job.chord = words.chord ? *words.chord * unit : job.chord;
   job.checkRadius = words.checkRadius;
+  if (words.clear) {
+    job.clear = *words.clear * unit;
+  }
   job.mostPoints = state.options.limits.points;
+  job.mostLines = state.options.limits.passes;
   job.speed = words.speed;
+  job.stands = standing(state);
   setLines(job, words, unit);
   Result<Sprayed> sprayed = spray::spraySurface(job);
   if (!sprayed) {
     refuse(state, words, sprayed.takeFailure());
     return;
   }
+  sprayed->work = words.work->name;
+  if (sprayed->unclear > 0) {
+    state.reportFailure(state.statement->span, fail(diag::SprayUnclear, sprayed->unclear,
+                                                    sprayed->label(), sprayed->clearance));
+  }
   if (sprayed->leftOut > 0) {
-    sprayed->work = words.work->name;
     state.reportFailure(
         state.statement->span,
         fail(diag::ShortLines, sprayed->leftOut, sprayed->leftOut + sprayed->lines,

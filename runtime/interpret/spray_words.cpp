@@ -17,7 +17,7 @@ constexpr std::string_view regionForm =
 constexpr std::string_view surfaceForm =
     "SPRAY/ surface, GUN, gun, FILM, h, {ULINES|VLINES|SECTN, plane|RADIAL, point, vector} "
     "[, LIMITS [, u1, u2, v1, v2] [, {XLARGE|XSMALL|YLARGE|YSMALL|ZLARGE|ZSMALL}, plane]...] [, "
-    "STEP, r] [, CHORD, tol] [, PAST, d] [, SPEED, v] [, REVERS] [, MINRAD, OFF]";
+    "STEP, r] [, CHORD, tol] [, PAST, d] [, CLEARP, c] [, SPEED, v] [, REVERS] [, MINRAD, OFF]";
 
 constexpr std::array sideWords = {Word::XLARGE, Word::XSMALL, Word::YLARGE,
                                   Word::YSMALL, Word::ZLARGE, Word::ZSMALL};
@@ -132,6 +132,8 @@ class Reader : private WordedReader {
         return numbers(word, {&words_.chord.emplace()});
       case Word::PAST:
         return numbers(word, {&words_.past});
+      case Word::CLEARP:
+        return numbers(word, {&words_.clear.emplace()});
       case Word::MINRAD:
         return radiusOff();
       default:

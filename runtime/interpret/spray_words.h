@@ -38,6 +38,7 @@ struct SprayWords {
   double step = 0.0;
   std::optional<double> chord;
   double past = 0.0;
+  std::optional<double> clear;
   bool checkRadius = true;
   [[nodiscard]] bool ofRegion() const { return work->type == EntityType::region; }
 };
@@ -47,7 +48,8 @@ struct SprayWords {
 /// db] [, ANGLE, t1, t2, dt]]
 /// SPRAY/ surface, GUN, gun, FILM, h, {ULINES | VLINES | SECTN, plane | RADIAL, point, vector}
 /// [, LIMITS [, u1, u2, v1, v2] [, {XLARGE | ... | ZSMALL}, plane]...] [, STEP, r] [, CHORD, tol]
-/// [, PAST, d] [, SPEED, v] [, REVERS] [, MINRAD, OFF] The words in any order. Errors: E0372.
+/// [, PAST, d] [, CLEARP, c] [, SPEED, v] [, REVERS] [, MINRAD, OFF] The words in any order.
+/// Errors: E0372.
 [[nodiscard]] Result<SprayWords> readSprayWords(Items items);
 
 }  // namespace arelem::runtime::interpret

@@ -68,6 +68,11 @@ std::optional<Failure> setWork(spray::SurfaceJob& job, const SprayWords& words, 
   if (words.work->type == EntityType::mesh) {
     return setMesh(job, words, *keep, unit);
   }
+  // What has ends of its own is there beyond LIMITS too.
+  if (Result<spray::Patch> whole = spray::patchOf(*words.work, {}, unit)) {
+    whole->flipped = words.otherSide;
+    job.wholePatch = *std::move(whole);
+  }
   for (const bool wide : {false, true}) {
     if (wide && (job.past <= 0.0 || keep->empty())) {
       return std::nullopt;

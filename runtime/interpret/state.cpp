@@ -11,6 +11,7 @@ namespace arelem::runtime::interpret {
 State::State(const ir::Program& p, const Options& o, DiagnosticSink& sink, Evaluation& evaluation)
     : program(p), options(o), out(evaluation), store(p, o.limits, o.history), sink_(sink) {
   context.files = &options.files;
+  context.mostCorners = options.limits.corners;
   if (options.carried != nullptr) {
     carried = *options.carried;
     multax = carried.multax;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/title.h"
 
 namespace arelem::motion {
 
@@ -118,15 +119,11 @@ std::unique_ptr<Field> onField(const surface::AnySurface& surface,
 }
 
 Result<NamedSurface> named(const EntityPtr& entity) {
-  auto surface = surface::surfaceOf(*entity);
-  if (!surface) {
-    return surface.takeFailure();
+  auto found = surface::surfaceOf(*entity);
+  if (!found) {
+    return found.takeFailure();
   }
-  std::string name = entity->name.empty() ? fmt::format("({})", spell(entity->type)) : entity->name;
-  if (entity->subscript > 0) {
-    name += fmt::format("({})", entity->subscript);
-  }
-  return NamedSurface{entity, *std::move(surface), std::move(name)};
+  return NamedSurface{entity, *std::move(found), surface::titleOf(*entity)};
 }
 
 NamedSurface partSurface(const State& state) {

@@ -24,7 +24,7 @@ struct DrawingRules {
   std::string layer;   ///< "" for all
   double chord = 0.0;  ///< largest distance of a chord from its curve, units of the part program
   double unit = 1.0;   ///< millimeters in a unit of the part program
-  std::uint64_t mostPoints = mostCorners;
+  std::uint64_t mostPoints = arelem::Limits{}.corners;
 };
 
 struct Drawing {

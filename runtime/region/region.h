@@ -11,8 +11,6 @@ namespace arelem::region {
 
 using Corners = std::vector<Vec3>;
 
-inline constexpr std::uint64_t mostCorners = 1'000'000;  ///< of all boundaries of a region
-
 /// Outlines with holes and islands in one plane. Seen against the normal outlines run
 /// counterclockwise and holes clockwise. Lengths in the unit of the part program.
 ///

@@ -42,19 +42,18 @@ const std::array<std::pair<double, double>, 16>& gaussRule() {
 
 /// Places of 0 ... 1 between which the film of the interval is smooth.
 std::vector<double> breaks(const Profile& profile, double spacing) {
+  // Every pass has its knots at the same places of its interval.
   std::vector<double> places = {0.0, 1.0};
-  const int reach = static_cast<int>(std::ceil(1.0 / spacing)) + 1;
-  for (int k = -reach; k <= reach; ++k) {
-    for (const double knot : profile.knots()) {
-      const double t = k + knot / spacing;
-      if (t > 0.0 && t < 1.0) {
-        places.push_back(t);
-      }
+  for (const double knot : profile.knots()) {
+    const double t = knot / spacing - std::floor(knot / spacing);
+    if (t > 0.0 && t < 1.0) {
+      places.push_back(t);
     }
   }
   std::sort(places.begin(), places.end());
+  const double same = tolerance::rounding * std::max(1.0, 1.0 / spacing);
   places.erase(std::unique(places.begin(), places.end(),
-                           [](double a, double b) { return b - a < tolerance::rounding; }),
+                           [same](double a, double b) { return b - a < same; }),
                places.end());
   return places;
 }

@@ -17,7 +17,7 @@ std::vector<double> heightsOf(const Extent& extent, double interval, const PassR
   if (strict && extent.high.y() - extent.low.y() <= 2.0 * rules.inset) {
     return {(extent.high.y() + extent.low.y()) / 2.0};  // one pass in the middle of a strip
   }
-  for (std::size_t n = 0; n <= mostPasses; ++n) {
+  for (std::size_t n = 0; n <= rules.mostPasses; ++n) {
     const double height = top - static_cast<double>(n) * interval;
     if (strict ? height <= last + tolerance::passHeight : height < last) {
       break;
@@ -32,7 +32,7 @@ std::vector<double> programHeights(const Extent& extent, double interval, const 
   std::vector<double> heights;
   const double last = extent.low.y() - interval + rules.inset;
   for (double height = extent.high.y() - rules.inset;
-       height >= last && heights.size() <= mostPasses; height -= interval) {
+       height >= last && heights.size() <= rules.mostPasses; height -= interval) {
     heights.push_back(height);
   }
   return heights;
@@ -73,7 +73,7 @@ PassPlan planPasses(const Outline& outline, const PassRules& rules) {
   const std::vector<double> heights = rules.stop == StopRule::program
                                           ? programHeights(extent, plan.interval, rules)
                                           : heightsOf(extent, plan.interval, rules);
-  plan.complete = heights.size() <= mostPasses;
+  plan.complete = heights.size() <= rules.mostPasses;
   if (!plan.complete) {
     return plan;
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "ir/limits.h"
 #include "runtime/spray/cost.h"
 #include "runtime/spray/offset.h"
 
@@ -19,6 +20,7 @@ struct PassRules {
   StopRule stop = StopRule::strict;
   double sharpest = mitreLimit;  ///< of corners, see SprayedArea
   double shortestGap = 0.0;      ///< a gap below this is painted over, mm (compress_path)
+  std::uint64_t mostPasses = arelem::Limits{}.passes;
   static constexpr double mitreLimit = 4.0;
 };
 
@@ -32,9 +34,8 @@ struct PassPlan {
   std::vector<Pass> passes;
   double interval = 0.0;  ///< s = 2 b (1 - beta), mm
   PathLengths lengths;
-  bool complete = true;  ///< false: more passes than `mostPasses`; then there are none
+  bool complete = true;  ///< false: more passes than the rules allow; then there are none
 };
-inline constexpr std::uint64_t mostPasses = 20'000;  ///< of one statement; lines on a surface too
 
 /// Horizontal passes over an outline from the top down, the first to the right, alternating.
 /// Source: Bartlett 3.2 with the corrections of formulas 1.

@@ -61,10 +61,13 @@ class Planner {
         return fail(diag::SprayValue, fmt::format("the end of {}", name), r.to,
                     "not below its begin");
       }
-      if ((r.to - r.from) / std::max(r.step, tolerance::searchStep) > mostValues &&
+      if ((r.to - r.from) / std::max(r.step, tolerance::searchStep) >
+              static_cast<double>(job_.limits.trials) &&
           r.to != r.from) {
-        return fail(diag::SprayValue, fmt::format("the number of steps of {}", name),
-                    (r.to - r.from) / r.step, fmt::format("at most {}", mostValues));
+        const double steps = (r.to - r.from) / r.step;
+        const bool ofSizes = range == &job_.sizes;
+        return tooLarge({ofSizes ? steps : 1.0, ofSizes ? 1.0 : steps}, steps, "trials",
+                        job_.limits.trials, "trials");
       }
     }
     if (job_.sizes && !(job_.sizes->from > 0.0)) {
@@ -84,8 +87,8 @@ class Planner {
       return fail(diag::SprayValue, "the overlap", overlap, "at least 0 and below 1");
     }
     const double over = 1.0 / (1.0 - overlap);
-    if (over > static_cast<double>(mostPasses)) {
-      return fail(diag::SprayPasses, std::ceil(over), "passes over each place", mostPasses)
+    if (over > static_cast<double>(job_.limits.passes)) {
+      return fail(diag::SprayPasses, std::ceil(over), "passes over each place", job_.limits.passes)
           .withHelp("a smaller OVRLAP needs fewer");
     }
     result_.sprayed.uniformity = spray::uniformity(profile_, overlap);
@@ -185,6 +188,7 @@ class Planner {
     task_.overlap = s.overlap;
     task_.insetRatio = s.insetRatio;
     task_.stop = program ? StopRule::program : StopRule::strict;
+    task_.mostPasses = job_.limits.passes;
     task_.sharpest = program ? HUGE_VAL : PassRules::mitreLimit;
     s.sharpest = task_.sharpest;
     task_.shortestGap = task_.limits.speed * (job_.gun.leadOn + job_.gun.leadOff);
@@ -212,17 +216,24 @@ class Planner {
     return checkFlow();
   }
 
+  [[nodiscard]] static Failure tooLarge(const SearchSize& size,
+                                        double count,
+                                        std::string_view what,
+                                        std::uint64_t most,
+                                        std::string_view flag) {
+    return fail(diag::SearchSize, size.sizes, size.angles, count, what, most, flag)
+        .withHelp("larger steps of HEIGHT and ANGLE make fewer");
+  }
+
   std::optional<Failure> objectionToSearch(const Range& sizes,
                                            const Range& angles,
                                            bool preferredToo) const {
     const SearchSize size = sizeOfSearch(task_, sizes, angles, preferredToo);
-    if (size.trials > static_cast<double>(mostTrials)) {
-      return fail(diag::SearchSize, size.sizes, size.angles, size.trials, "trials", mostTrials)
-          .withHelp("larger steps of HEIGHT and ANGLE make fewer");
+    if (size.trials > static_cast<double>(job_.limits.trials)) {
+      return tooLarge(size, size.trials, "trials", job_.limits.trials, "trials");
     }
-    if (size.passes > static_cast<double>(job_.mostPasses)) {
-      return fail(diag::SearchSize, size.sizes, size.angles, size.passes, "passes", job_.mostPasses)
-          .withHelp("larger steps of HEIGHT and ANGLE make fewer; --max-points allows more");
+    if (size.passes > static_cast<double>(job_.limits.searched)) {
+      return tooLarge(size, size.passes, "passes", job_.limits.searched, "searched");
     }
     return std::nullopt;
   }
@@ -256,7 +267,7 @@ class Planner {
       return fail(diag::SprayPasses,
                   std::ceil(passesFor(extent.high.y() - extent.low.y(), s.overlap, s.insetRatio,
                                       s.chosen.across)),
-                  "passes", mostPasses)
+                  "passes", job_.limits.passes)
           .withHelp(fmt::format("a larger footprint than {:.6g} mm to each side, or a smaller "
                                 "overlap, needs fewer",
                                 s.chosen.across));
@@ -282,7 +293,6 @@ class Planner {
     return std::nullopt;
   }
 
-  static constexpr double mostValues = 1e6;  // of a range
   const RegionJob& job_;
   const InterruptFlag* interrupted_;
   const Progress& progress_;

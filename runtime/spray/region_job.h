@@ -21,9 +21,9 @@ struct RegionJob {
   std::optional<double> speed;  ///< wanted, mm/s
   bool otherSide = false;       ///< the gun stands on the far side of the normal
   std::optional<Prices> prices;
-  std::optional<Range> sizes;                          ///< of b, mm
-  std::optional<Range> angles;                         ///< degrees
-  std::uint64_t mostPasses = arelem::Limits{}.points;  ///< of all trials of a search
+  std::optional<Range> sizes;   ///< of b, mm
+  std::optional<Range> angles;  ///< degrees
+  arelem::Limits limits;        ///< of passes, trials and searches
 };
 
 struct RegionResult {

@@ -43,8 +43,9 @@ std::vector<Trial> trialsAt(const Task& task,
   }
   if (preferredToo) {
     const Extent extent = extentOf(outline);
-    for (const double size : preferredSizes(extent.high.y() - extent.low.y(), task.overlap,
-                                            task.insetRatio, sizes.front(), sizes.back())) {
+    for (const double size :
+         preferredSizes(extent.high.y() - extent.low.y(), task.overlap, task.insetRatio,
+                        sizes.front(), sizes.back(), task.mostPasses)) {
       all.emplace_back(size, true);
     }
     std::sort(all.begin(), all.end());
@@ -82,6 +83,7 @@ PassRules rulesFor(const Task& task, double across) {
   rules.stop = task.stop;
   rules.sharpest = task.sharpest;
   rules.shortestGap = task.shortestGap;
+  rules.mostPasses = task.mostPasses;
   return rules;
 }
 
@@ -109,8 +111,12 @@ double passesFor(double height, double overlap, double insetRatio, double across
   return (height - 2.0 * insetRatio * across) / (2.0 * across * (1.0 - overlap)) + 1.0;
 }
 
-std::vector<double> preferredSizes(
-    double height, double overlap, double insetRatio, double smallest, double largest) {
+std::vector<double> preferredSizes(double height,
+                                   double overlap,
+                                   double insetRatio,
+                                   double smallest,
+                                   double largest,
+                                   std::uint64_t mostPasses) {
   std::vector<double> sizes;
   const double most = std::floor(passesFor(height, overlap, insetRatio, smallest));
   const double least = std::ceil(passesFor(height, overlap, insetRatio, largest));
@@ -133,19 +139,19 @@ SearchSize sizeOfSearch(const Task& task,
     return std::max(1.0, passesFor(tallest, task.overlap, task.insetRatio, across)) + 1.0;
   };
   SearchSize size;
-  size.sizes = widths.size();
-  size.angles = angles.values().size();
+  size.sizes = static_cast<double>(widths.size());
+  size.angles = static_cast<double>(angles.values().size());
   size.trials = static_cast<double>(widths.size());
   for (const double across : widths) {
     size.passes += passes(across);
   }
   if (preferredToo && !widths.empty()) {
-    const double most = std::min(passes(widths.front()), static_cast<double>(mostPasses));
+    const double most = std::min(passes(widths.front()), static_cast<double>(task.mostPasses));
     size.trials += most;
     size.passes += most * (most + 1.0) / 2.0;
   }
-  size.trials *= static_cast<double>(size.angles);
-  size.passes *= static_cast<double>(size.angles);
+  size.trials *= size.angles;
+  size.passes *= size.angles;
   return size;
 }
 

@@ -18,6 +18,7 @@ struct Task {
   StopRule stop = StopRule::strict;
   double sharpest = PassRules::mitreLimit;
   double shortestGap = 0.0;
+  std::uint64_t mostPasses = arelem::Limits{}.passes;
   GunLimits limits;
   Prices prices;
 };
@@ -29,7 +30,7 @@ struct Task {
 struct Trial {
   double across = 0.0;     ///< b, mm
   double degrees = 0.0;    ///< of the passes
-  bool complete = true;    ///< false: more passes than `mostPasses`
+  bool complete = true;    ///< false: more passes than the task allows
   bool preferred = false;  ///< b fits a whole number of passes into the height of the work
   std::size_t passes = 0;
   PathLengths lengths;
@@ -50,12 +51,16 @@ struct Range {
 /// Number of passes for a size, a real number.
 [[nodiscard]] double passesFor(double height, double overlap, double insetRatio, double across);
 [[nodiscard]] std::vector<double> preferredSizes(
-    double height, double overlap, double insetRatio, double smallest, double largest);
+    double height,
+    double overlap,
+    double insetRatio,
+    double smallest,
+    double largest,
+    std::uint64_t mostPasses = arelem::Limits{}.passes);
 
-inline constexpr std::uint64_t mostTrials = 1'000'000;
 /// What a search looks at, at most: no angle makes the work higher than it is wide across corners.
 struct SearchSize {
-  std::size_t sizes = 0, angles = 0;
+  double sizes = 0.0, angles = 0.0;
   double trials = 0.0;  ///< with preferred sizes
   double passes = 0.0;  ///< of all trials
 };

@@ -7,6 +7,7 @@
 #include "ir/space/vector.h"
 #include "ir/text/span.h"
 #include "runtime/spray/gun.h"
+#include "runtime/spray/gun_pose.h"
 #include "runtime/spray/inset.h"
 #include "runtime/spray/overlap.h"
 #include "runtime/spray/search.h"
@@ -50,6 +51,10 @@ struct Sprayed {
   Trial chosen;                 ///< size, angle, lengths, speed, flow and cost
   std::vector<Trial> trials;    ///< all that the search looked at
   std::vector<Stroke> strokes;  ///< in order, traverses left out
+  /// Where the gun is when a stroke that begins a pass is reached: before it, where the gun is
+  /// switched on early.
+  [[nodiscard]] GunPose beginOf(const Stroke& stroke) const;
+  [[nodiscard]] GunPose endOf(const Stroke& stroke) const;
 
   /// Of a region: its plane and its outline, for the film map.
   Vec3 origin3 = Vec3::Zero(), x = Vec3::UnitX(), y = Vec3::UnitY(), normal = Vec3::UnitZ();
@@ -64,7 +69,11 @@ struct Sprayed {
   std::size_t leftOut = 0;     ///< lines too short to be sprayed
   double shortest = HUGE_VAL;  ///< the length of the shortest of them
   double step = 0.0;
-  double past = 0.0;                        ///< how far lines go on beyond the edges
+  double clearance = 0.0;      ///< of traverses, 0: not looked at
+  std::size_t traverses = 0;   ///< from line to line
+  std::size_t unclear = 0;     ///< that find no way round and go straight on
+  std::vector<WayRound> ways;  ///< that do not go straight, by stroke; to the first line too
+  double past = 0.0;           ///< how far lines go on beyond the edges
   std::shared_ptr<const Patch> patch;       ///< of a surface that is no mesh, else null
   std::shared_ptr<const MeshSurface> mesh;  ///< of a mesh, else null
 };

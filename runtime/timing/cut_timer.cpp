@@ -110,8 +110,8 @@ class CutTimer::Path {
   }
 
   void delay(const cl::Post& post) {
-    const double value = *firstNumber(post);
-    const bool turns = hasOneOf(post, {Word::REV});
+    const double value = *cl::firstNumber(post);
+    const bool turns = cl::has(post, Word::REV);
     if (turns && !(feed_.now().turns() > 0.0)) {
       sink_.accept(at(record_->origin, fail(diag::UntimedStatement, "DELAY",
                                             std::string("REV, and the spindle has no speed"))));

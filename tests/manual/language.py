@@ -173,7 +173,7 @@ def post_words_page(tables):
     """Section 5: what each word for the machine takes, and the code profiles."""
     text = [GENERATED, "", "# Words for the machine", "",
             "Each is passed on unchanged to CL text, CL tapes and JSON, wherever it stands. A parameter is a number, a name or an "
-            "expression in parentheses, or one of the words listed; CLEARP and CLRSRF take surfaces, TRACUT, COPY and TRANS matrices. "
+            "expression in parentheses, or one of the words listed; CLEARP and CLRSRF take surfaces, TRACUT and COPY matrices. "
             "Another word is the warning [W0583](../diagnostics/W0583.md), another count of numbers "
             "[W0584](../diagnostics/W0584.md), and both are passed on: a postprocessor may have its own meaning. In other "
             "dialects than `cl` a name that is no word is [W0204](../diagnostics/W0204.md).", "",
@@ -185,7 +185,7 @@ def post_words_page(tables):
         bare = row["form"] == row["word"]
         count = row["least"] if row["least"] == row["most"] else f"{row['least']} to {row['most']}"
         words = {"": "none", "*": "any"}.get(row["words"], row["words"])
-        form = row["word"] if bare else row["form"] if row["bare"] else f"{row['word']}/ {row['form']}"
+        form = row["word"] if bare else f"{row['word']} [/ {row['form']}]" if row["bare"] else f"{row['word']}/ {row['form']}"
         form = form.replace("|", "\\|")
         text.append(f"| {row['word']} | {row['code']} | `{form}` | {count} | {words} | {row['acts'] or 'no'} | {row['meaning']} |")
     rest = [r["word"] for r in tables["words"] if r["class"].startswith("post") and r["word"] not in {p["word"] for p in tables["postWords"]}]

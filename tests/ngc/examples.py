@@ -7,6 +7,7 @@ REFUSED = {
     "ahead.apt": ("E0672", "the gun tilts"),
     "school_xing.apt": ("E0672", "the gun tilts"),
     "right_turn.apt": ("E0672", "the gun tilts"),
+    "ring_paint.apt": ("E0672", "the gun points at a ring from all sides"),
     "sen_half_cylinder.apt": ("E0672", "the gun points at a cylinder from all sides"),
     "sen_revolved.apt": ("E0672", "the gun points at a surface of revolution from all sides"),
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/LU>
 
@@ -52,7 +53,8 @@ class Layer {
 
   std::optional<Failure> parameterLines() {
     alongU_ = std::get<SurfaceJob::Way>(job_.lines) == SurfaceJob::Way::alongU;
-    if (auto failure = objectionToLines(longestWay(job_.patch, !alongU_) / widest_)) {
+    if (auto failure =
+            objectionToLines(longestWay(job_.patch, !alongU_) / widest_, job_.mostLines)) {
       return failure;
     }
     const Layout layout = {alongU_, widest_, job_.chord, job_.mostPoints};
@@ -83,7 +85,7 @@ class Layer {
     laid_.ranks.push_back(rank);
   }
 
-  /// Lines at a pole or a vertex: their nozzle goes far while their spray does not move.
+  /// Lines at a pole, a vertex or a corner: their nozzle goes far while their spray does not move.
   void leaveOutShort() {
     const double least = tolerance::shortestLine * job_.gun.footprint.across;
     LaidLines all;
@@ -101,37 +103,78 @@ class Layer {
   }
 
   std::optional<Failure> sections() {
+    std::optional<PatchGrid> grid;
+    if (!job_.mesh) {
+      Result<PatchGrid> made = PatchGrid::of(job_.patch, job_.chord, job_.mostPoints);
+      if (!made) {
+        return made.takeFailure();
+      }
+      grid = *std::move(made);
+    }
+    const auto cut = [&](const CuttingPlane& plane) {
+      return job_.mesh ? job_.mesh->sections({plane}, job_.chord) : patchSections(*grid, plane);
+    };
     Result<SectionPlanes> sections = sectionPlanes(job_, widest_);
+    if (sections && !sections->closed) {
+      const Tips tips = {isTip(cut(sections->planes.front())), isTip(cut(sections->planes.back()))};
+      if (tips.low || tips.high) {
+        sections = sectionPlanes(job_, widest_, tips);
+      }
+    }
     if (!sections) {
       return sections.takeFailure();
     }
-    laid_.step = sections->step;
-    sides_ = !sections->closed;
-    planes_ = std::move(sections->planes);
-    last_ = planes_.size() - 1;
-    if (job_.mesh) {
-      for (std::size_t i = 0; i < planes_.size(); ++i) {
-        takeSections(job_.mesh->sections({planes_[i]}, job_.chord), i);
-      }
-      return std::nullopt;
+    laid_.sections = *std::move(sections);
+    laid_.step = laid_.sections.step;
+    sides_ = !laid_.sections.closed;
+    last_ = planes().size() - 1;
+    for (std::size_t i = 0; i < planes().size(); ++i) {
+      takeSections(cut(planes()[i]), i);
     }
-    const Result<PatchGrid> grid = PatchGrid::of(job_.patch, job_.chord, job_.mostPoints);
-    if (!grid) {
-      return grid.failure();
-    }
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-      for (const SurfaceLine& line : sectionOf(job_.patch, *grid, planes_[i], job_.chord)) {
-        std::vector<SurfaceLine> pieces = onItsSide(line, planes_[i]);
-        for (SurfaceLine& piece : pieces) {
-          if (planes_[i].half && piece.size() >= 2) {
-            putOntoAxis(piece.front(), planes_[i]);
-            putOntoAxis(piece.back(), planes_[i]);
+    leaveOutShort();
+    return std::nullopt;
+  }
+
+  [[nodiscard]] const std::vector<CuttingPlane>& planes() const { return laid_.sections.planes; }
+
+  /// Whether an outermost section goes round a tip that it would paint as a spot.
+  [[nodiscard]] bool isTip(const std::vector<SurfaceLine>& pieces) const {
+    double length = 0.0;
+    for (const SurfaceLine& piece : pieces) {
+      length += lengthOf(piece);
+      const auto meets = [&](const Vec3& end) {
+        int ends = 0;
+        for (const SurfaceLine& other : pieces) {
+          for (const Vec3& place : {other.front().place, other.back().place}) {
+            ends += (place - end).norm() <= tolerance::coincidence ? 1 : 0;
           }
         }
-        takeSections(std::move(pieces), i);
+        return ends > 1;
+      };
+      if (!meets(piece.front().place) || !meets(piece.back().place) ||
+          (!job_.mesh && onEdge(piece[piece.size() / 2], tolerance::edgeOfSection))) {
+        return false;
       }
     }
-    return std::nullopt;
+    return length < std::numbers::pi * widest_;
+  }
+
+  [[nodiscard]] std::vector<SurfaceLine> patchSections(const PatchGrid& grid,
+                                                       const CuttingPlane& plane) const {
+    std::vector<SurfaceLine> all;
+    for (const SurfaceLine& line : sectionOf(job_.patch, grid, plane, job_.chord)) {
+      for (SurfaceLine& piece : onItsSide(line, plane)) {
+        if (piece.size() < 2) {
+          continue;
+        }
+        if (plane.half) {
+          putOntoAxis(piece.front(), plane);
+          putOntoAxis(piece.back(), plane);
+        }
+        all.push_back(std::move(piece));
+      }
+    }
+    return all;
   }
 
   /// An end where the axis of radial planes cuts a chord goes to where it cuts the surface: by
@@ -168,19 +211,15 @@ class Layer {
 
   void takeSections(std::vector<SurfaceLine> pieces, std::size_t rank) {
     for (SurfaceLine& piece : pieces) {
-      // Where planes end, sections leave points, which would be spots.
-      const double least = tolerance::shortestLine * job_.gun.footprint.across;
-      if (piece.size() >= 2 && lengthOf(piece) >= least) {
-        appendToAndFro(laid_.lines, std::move(piece));
-        laid_.ranks.push_back(rank);
-      }
+      appendToAndFro(laid_.lines, std::move(piece));
+      laid_.ranks.push_back(rank);
     }
   }
 
   /// Where the side of a line lies that has no neighbor.
   [[nodiscard]] Vec3 outside(const SurfaceLine& line, bool first) const {
-    if (!planes_.empty()) {
-      return first ? Vec3(-planes_.front().normal) : planes_.back().normal;
+    if (!planes().empty()) {
+      return first ? Vec3(-planes().front().normal) : planes().back().normal;
     }
     const Vec3& middle = line[line.size() / 2].place;
     const SurfaceLine& neighbor = laid_.whole[first ? 1 : last_ - 1];
@@ -193,7 +232,7 @@ class Layer {
 
   /// The first and the last section of a closed body lie at no edge.
   [[nodiscard]] bool runsAlongEdge(const SurfaceLine& line) const {
-    if (planes_.empty()) {
+    if (planes().empty()) {
       return true;
     }
     if ((line.front().place - line.back().place).norm() > tolerance::coincidence) {
@@ -238,8 +277,8 @@ class Layer {
 
   void goBeyond(std::size_t i) {
     Ends ends = job_.ends;
-    if (!planes_.empty() && planes_[laid_.ranks[i]].half) {
-      const CuttingPlane& plane = planes_[laid_.ranks[i]];
+    if (!planes().empty() && planes()[laid_.ranks[i]].half) {
+      const CuttingPlane& plane = planes()[laid_.ranks[i]];
       ends.push_back({*plane.half, plane.half->dot(plane.place)});
     }
     goPast(laid_.lines[i], {job_.past, job_.gun.standOff, walls_}, ends,
@@ -268,7 +307,6 @@ class Layer {
   double widest_;
   const Walls* walls_;
   LaidLines laid_;
-  std::vector<CuttingPlane> planes_;  // of sections
   bool alongU_ = true;
   bool sides_ = false;    // the first and the last line lie at edges
   std::size_t last_ = 0;  // rank

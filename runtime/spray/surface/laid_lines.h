@@ -1,5 +1,5 @@
 #pragma once
-#include "runtime/spray/surface/surface_job.h"
+#include "runtime/spray/surface/section_planes.h"
 
 namespace arelem::spray {
 
@@ -10,6 +10,7 @@ struct LaidLines {
   std::vector<SurfaceLine> lines;
   std::vector<std::size_t> ranks;  ///< of each line: which of `whole`, or which section it is of
   std::vector<SurfaceLine> whole;  ///< of u or v, before planes cut them; empty for sections
+  SectionPlanes sections;          ///< of sections
   double step = 0.0;               ///< mm, where they are farthest apart
   std::size_t leftOut = 0;         ///< lines too short to be sprayed
   double shortest = HUGE_VAL;      ///< the length of the shortest of them

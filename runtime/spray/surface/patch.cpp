@@ -217,6 +217,7 @@ class Builder {
     const region::Frame frame =
         region::frameOf(plane.normal, plane.distance * unit_ * plane.normal);
     patch_.at = [frame](double u, double v) { return frame.inSpace({u, v}); };
+    patch_.bend = [](double) { return Patch::Bend{}; };
     uUnit_ = vUnit_ = unit_;
     unbounded_ = true;
   }
@@ -225,6 +226,7 @@ class Builder {
     const Turning turning(c.point * unit_, c.axis);
     const double radius = c.radius * unit_;
     patch_.at = [turning, radius](double u, double v) { return turning.at(u, radius, v); };
+    patch_.bend = [radius](double) { return Patch::Bend{radius * degree * degree, 0.0, 0.0}; };
     around(0.0, 0.0, true);
     vUnit_ = unit_;
   }
@@ -235,6 +237,9 @@ class Builder {
     const double sine = std::sqrt(1.0 - cosine * cosine);
     patch_.at = [turning, cosine, sine](double u, double v) {
       return turning.at(u, v * sine, v * cosine);
+    };
+    patch_.bend = [sine](double most) {
+      return Patch::Bend{most * sine * degree * degree, sine * degree, 0.0};
     };
     around(0.0, 0.0, true);
     vUnit_ = unit_;
@@ -247,6 +252,9 @@ class Builder {
     patch_.at = [turning, radius](double u, double v) {
       return turning.at(u, radius * std::cos(v * degree), radius * std::sin(v * degree));
     };
+    patch_.bend = [most = radius * degree * degree](double) {
+      return Patch::Bend{most, most, most};
+    };
     around(-90.0, 90.0, false);
     lowest_ = -90.0;
     highest_ = 90.0;
@@ -258,6 +266,10 @@ class Builder {
     const double minor = t.minor * unit_;
     patch_.at = [turning, major, minor](double u, double v) {
       return turning.at(u, major + minor * std::cos(v * degree), minor * std::sin(v * degree));
+    };
+    patch_.bend = [major, minor](double) {
+      const double ring = minor * degree * degree;
+      return Patch::Bend{(major + minor) * degree * degree, ring, ring};
     };
     around(0.0, 360.0, false);
   }

@@ -26,6 +26,12 @@ struct HalfSpace {
 /// ruled surface u runs along the curves and v from the first to the second, both 0 to 1.
 struct Patch {
   std::function<Vec3(double u, double v)> at;
+  /// How long the second derivatives of a place are at most, where |v| is at most `most`; empty
+  /// where that is not known.
+  struct Bend {
+    double uu = 0.0, uv = 0.0, vv = 0.0;
+  };
+  std::function<Bend(double most)> bend;
   double u0 = 0.0, u1 = 1.0, v0 = 0.0, v1 = 1.0;
   bool flipped = false;         ///< the gun stands on the other side
   std::vector<HalfSpace> keep;  ///< the piece ends at these planes too

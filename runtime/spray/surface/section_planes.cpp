@@ -1,6 +1,7 @@
 #include "runtime/spray/surface/section_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -10,13 +11,17 @@
 #include "ir/space/tolerance.h"
 #include "runtime/region/region.h"
 #include "runtime/spray/surface/gap.h"
+#include "runtime/spray/surface/ground.h"
 #include "runtime/spray/surface/kept.h"
+#include "runtime/spray/surface/patch_mesh.h"
 
 namespace arelem::spray {
 
 namespace {
 constexpr double degree = std::numbers::pi / 180.0;
+constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int samples = 64;
+constexpr std::uint32_t leanSteps = 128;
 
 /// Places that span the work, and which of them are neighbors.
 KeptGrid gridOf(const SurfaceJob& job) {
@@ -34,115 +39,211 @@ KeptGrid gridOf(const SurfaceJob& job) {
   return grid;
 }
 
-std::pair<double, double> rangeOf(const KeptGrid& grid,
-                                  const std::function<double(const Vec3&)>& field) {
-  double low = HUGE_VAL;
-  double high = -HUGE_VAL;
-  for (const Vec3& place : grid.places) {
-    low = std::min(low, field(place));
-    high = std::max(high, field(place));
+/// The work in triangles.
+geometry::TriangleMesh trianglesOf(const SurfaceJob& job) {
+  if (job.mesh) {
+    return job.mesh->mesh();
   }
-  return {low, high};
+  ShadedMesh whole;
+  whole.mesh = meshOf(job.patch, leanSteps).mesh;
+  whole.normals.resize(whole.mesh.triangles.size(), {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitZ()});
+  return clipped(std::move(whole), job.patch.keep).mesh;
 }
 
-/// Angle about the axis of radial sections, degrees from the frame's x.
+/// Angle about the axis of radial sections, radians from the frame's x.
 double angleOf(const SurfaceJob::Radial& radial, const Vec3& place) {
   const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
   const Vec3 arm = place - radial.place;
-  return std::atan2(arm.dot(frame.y), arm.dot(frame.x)) / degree;
+  return std::atan2(arm.dot(frame.y), arm.dot(frame.x));
 }
 
-/// What the sections are levels of: the height over a plane in mm, or the angle about an axis in
-/// degrees.
-struct Levels {
-  std::function<double(const Vec3&)> field;
-  std::vector<double> values;
-  double start = 0.0;  ///< of angles, degrees
-  double step = 0.0;   ///< mm, where they are farthest apart
-  bool closed = false;
-};
+double intoTurn(double angle) {
+  return angle - turn * std::floor(angle / turn);
+}
 
-/// Equal steps between the extremes; the outermost sections lie a little inside. Radial sections of
-/// a whole turn have no double one; those of less begin behind the empty side.
-Result<Levels> levelsOf(const SurfaceJob& job, double widest) {
-  const KeptGrid grid = gridOf(job);
-  Levels levels;
-  double lengthOfUnit = 1.0;
-  bool wholeTurn = false;
-  if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job.lines)) {
-    levels.field = [n = parallel->normal](const Vec3& p) { return n.dot(p); };
-  } else {
-    const auto& radial = std::get<SurfaceJob::Radial>(job.lines);
-    std::vector<std::pair<double, double>> arcs;
-    for (const auto& [a, b] : grid.neighbors) {
-      arcs.emplace_back(angleOf(radial, grid.places[a]), angleOf(radial, grid.places[b]));
+/// How far it is over a surface across sections, in a unit of their level: planes with this normal,
+/// and as far apart at the place as `unit` tells.
+double apartOver(const Vec3& surface, const Vec3& planes, double unit) {
+  return unit / std::max(surface.cross(planes).norm(), tolerance::leastLean);
+}
+
+/// What the sections are levels of: the height over a plane, or the angle about an axis from
+/// `start` on.
+class Field {
+ public:
+  explicit Field(const SurfaceJob& job) : job_(job) {
+    const KeptGrid grid = gridOf(job);
+    if (const auto* radial = std::get_if<SurfaceJob::Radial>(&job.lines)) {
+      std::vector<std::pair<double, double>> arcs;
+      for (const auto& [a, b] : grid.neighbors) {
+        arcs.emplace_back(angleOf(*radial, grid.places[a]) / degree,
+                          angleOf(*radial, grid.places[b]) / degree);
+      }
+      const std::optional<double> gap = middleOfGap(arcs);
+      closed_ = !gap;
+      start_ = gap.value_or(0.0) * degree;
     }
-    const std::optional<double> gap = middleOfGap(arcs);
-    wholeTurn = !gap;
-    levels.start = gap.value_or(0.0);
-    levels.field = [radial, start = levels.start](const Vec3& p) {
-      const double turn = angleOf(radial, p) - start;
-      return turn - 360.0 * std::floor(turn / 360.0);
-    };
-    const auto arm = rangeOf(
-        grid, [&radial](const Vec3& p) { return (p - radial.place).cross(radial.axis).norm(); });
-    lengthOfUnit = arm.second * degree;
+    low_ = closed_ ? 0.0 : HUGE_VAL;
+    high_ = closed_ ? turn : -HUGE_VAL;
+    for (const Vec3& place : grid.places) {
+      low_ = std::min(low_, level(place));
+      high_ = std::max(high_, level(place));
+    }
   }
-  const auto [low, high] = wholeTurn ? std::pair{0.0, 360.0} : rangeOf(grid, levels.field);
-  const double length = (high - low) * lengthOfUnit;
-  if (auto failure = objectionToLines(length / widest)) {
-    return *std::move(failure);
-  }
-  const LineCount count = lineCount(length, widest);
-  const double margin = tolerance::sectionMargin * (high - low);
-  const int last = count.intervals - (wholeTurn ? 1 : 0);
-  for (int i = 0; i <= last; ++i) {
-    levels.values.push_back(low + margin + (high - low - 2.0 * margin) * i / count.intervals);
-  }
-  levels.step = count.step;
-  levels.closed = wholeTurn;
-  return levels;
-}
 
-/// How often planes so far apart cross the triangles of a mesh, about.
-double crossings(const geometry::TriangleMesh& mesh, const Vec3& normal, double step) {
-  double height = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [low, high] =
-        std::minmax({normal.dot(mesh.corner(t, 0)), normal.dot(mesh.corner(t, 1)),
-                     normal.dot(mesh.corner(t, 2))});
-    height += high - low;
-  }
-  return height / step;
-}
-}  // namespace
+  [[nodiscard]] double low() const { return low_; }
+  [[nodiscard]] double high() const { return high_; }
+  [[nodiscard]] bool closed() const { return closed_; }
 
-Result<SectionPlanes> sectionPlanes(const SurfaceJob& job, double widest) {
-  SectionPlanes result;
-  const Result<Levels> levels = levelsOf(job, widest);
-  if (!levels) {
-    return levels.failure();
-  }
-  result.step = levels->step;
-  result.closed = levels->closed;
-  for (const double level : levels->values) {
-    CuttingPlane& plane = result.planes.emplace_back();
-    if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job.lines)) {
+  [[nodiscard]] CuttingPlane plane(double level) const {
+    CuttingPlane plane;
+    if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job_.lines)) {
       plane.normal = parallel->normal;
       plane.level = level;
-      continue;
+      return plane;
     }
-    const auto& radial = std::get<SurfaceJob::Radial>(job.lines);
+    const auto& radial = std::get<SurfaceJob::Radial>(job_.lines);
     const region::Frame frame = region::frameOf(radial.axis, Vec3::Zero());
-    const double angle = (levels->start + level) * degree;
-    plane.half = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+    plane.half = std::cos(start_ + level) * frame.x + std::sin(start_ + level) * frame.y;
     plane.place = radial.place;
     plane.normal = radial.axis.cross(*plane.half);
     plane.level = plane.normal.dot(radial.place);
+    return plane;
+  }
+
+  /// The levels that each triangle lies between.
+  [[nodiscard]] std::vector<LevelSpan> spans() const {
+    const geometry::TriangleMesh mesh = trianglesOf(job_);
+    std::vector<LevelSpan> spans;
+    spans.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const std::array<Vec3, 3> corners = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+      std::holds_alternative<SurfaceJob::Parallel>(job_.lines) ? addParallel(corners, spans)
+                                                               : addRadial(corners, spans);
+    }
+    return spans;
+  }
+
+ private:
+  using Corners = std::array<Vec3, 3>;
+
+  [[nodiscard]] double level(const Vec3& place) const {
+    if (const auto* parallel = std::get_if<SurfaceJob::Parallel>(&job_.lines)) {
+      return parallel->normal.dot(place);
+    }
+    return intoTurn(angleOf(std::get<SurfaceJob::Radial>(job_.lines), place) - start_);
+  }
+  static Vec3 normalOf(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
+
+  void addParallel(const Corners& corners, std::vector<LevelSpan>& spans) const {
+    const Vec3& planes = std::get<SurfaceJob::Parallel>(job_.lines).normal;
+    const auto [low, high] = std::minmax({level(corners[0]), level(corners[1]), level(corners[2])});
+    spans.push_back({low, high, apartOver(normalOf(corners), planes, 1.0)});
+  }
+
+  void addRadial(const Corners& corners, std::vector<LevelSpan>& spans) const {
+    const auto& radial = std::get<SurfaceJob::Radial>(job_.lines);
+    LevelSpan span = {0.0, 0.0, 0.0};
+    double angle = 0.0;  // from the first corner on
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 arm = corners[k] - radial.place;
+      const Vec3 planes = radial.axis.cross(arm);
+      if (planes.norm() > tolerance::coincidence) {
+        span.apart =
+            std::max(span.apart, apartOver(normalOf(corners), planes.normalized(), planes.norm()));
+      }
+      angle +=
+          std::remainder(angleOf(radial, corners[(k + 1) % 3]) - angleOf(radial, corners[k]), turn);
+      span.low = std::min(span.low, angle);
+      span.high = std::max(span.high, angle);
+    }
+    if (std::abs(angle) > turn / 2.0) {
+      spans.push_back({0.0, turn, span.apart});  // the axis goes through it
+      return;
+    }
+    const double first = level(corners[0]);
+    const double shift = intoTurn(first + span.low);
+    span = {shift, shift + span.high - span.low, span.apart};
+    spans.push_back(span);
+    if (span.high > turn) {
+      spans.push_back({0.0, span.high - turn, span.apart});
+    }
+  }
+
+  const SurfaceJob& job_;
+  double start_ = 0.0;  // radians
+  double low_ = 0.0, high_ = 0.0;
+  bool closed_ = false;
+};
+
+/// Equal steps over the ground, from tip to tip or from edge to edge: the outermost sections lie a
+/// little inside an edge. Those of a whole turn have no double one.
+void layLevels(const Ground& ground,
+               const Field& field,
+               double widest,
+               const Tips& tips,
+               SectionPlanes& result) {
+  const double halves = (tips.low ? 0.5 : 0.0) + (tips.high ? 0.5 : 0.0);
+  const double length = ground.length() * (1.0 - tolerance::sectionMargin);
+  const double steps = std::ceil(length / widest - halves);
+  const int intervals = std::max(static_cast<int>(steps), halves > 0.5 ? 0 : 1);
+  result.step = ground.length() / (intervals + halves);
+  const double margin = tolerance::sectionMargin * (field.high() - field.low());
+  const int last = intervals - (field.closed() ? 1 : 0);
+  for (int i = 0; i <= last; ++i) {
+    const double level = ground.levelAt((i + (tips.low ? 0.5 : 0.0)) * result.step);
+    result.levels.push_back(field.closed()
+                                ? level + margin
+                                : std::clamp(level, field.low() + margin, field.high() - margin));
+  }
+}
+
+/// How often planes cross the triangles of a mesh.
+double crossings(const std::vector<LevelSpan>& spans, const std::vector<double>& levels) {
+  double count = 0.0;
+  for (const LevelSpan& span : spans) {
+    count += static_cast<double>(std::lower_bound(levels.begin(), levels.end(), span.high) -
+                                 std::lower_bound(levels.begin(), levels.end(), span.low));
+  }
+  return count;
+}
+}  // namespace
+
+double SectionPlanes::apartAt(std::size_t plane, const Vec3& place, const Vec3& normal) const {
+  const std::size_t n = levels.size();
+  if (n < 2) {
+    return step;
+  }
+  const CuttingPlane& own = planes[plane];
+  const double unit = own.half ? own.half->dot(place - own.place) : 1.0;
+  double between = 0.0;
+  if (closed) {
+    between = (intoTurn(levels[(plane + 1) % n] - levels[plane]) +
+               intoTurn(levels[plane] - levels[(plane + n - 1) % n])) /
+              2.0;
+  } else {
+    const std::size_t from = plane > 0 ? plane - 1 : 0;
+    const std::size_t to = std::min(plane + 1, n - 1);
+    between = (levels[to] - levels[from]) / static_cast<double>(to - from);
+  }
+  return apartOver(normal, own.normal, unit) * between;
+}
+
+Result<SectionPlanes> sectionPlanes(const SurfaceJob& job, double widest, const Tips& tips) {
+  const Field field(job);
+  const std::vector<LevelSpan> spans = field.spans();
+  const Ground ground(spans, field.low(), field.high());
+  if (auto failure = objectionToLines(ground.length() / widest, job.mostLines)) {
+    return *std::move(failure);
+  }
+  SectionPlanes result;
+  result.closed = field.closed();
+  layLevels(ground, field, widest, tips, result);
+  for (const double level : result.levels) {
+    result.planes.push_back(field.plane(level));
   }
   if (job.mesh) {
-    // Radial planes are as many as parallel ones where they lie farthest apart.
-    const double points = crossings(job.mesh->mesh(), result.planes.front().normal, result.step);
+    const double points = crossings(spans, result.levels);
     if (points > static_cast<double>(job.mostPoints)) {
       return fail(diag::SprayPoints, points, job.chord, job.mostPoints)
           .withHelp("a larger STEP needs fewer");

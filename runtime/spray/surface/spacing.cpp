@@ -8,6 +8,7 @@ namespace arelem::spray {
 namespace {
 constexpr double parallel = 0.995;  // shares above it are one: chords and arcs differ as much
 constexpr double evenEnough = 0.1;
+constexpr double stepOfShare = 0.02;
 constexpr int mostHalvings = 6;
 
 constexpr int patience = 8;  // pieces of a line that may lead away before it is near
@@ -70,7 +71,7 @@ LinePoint middleOf(const LinePoint& a, const LinePoint& b) {
   return {(a.place + b.place) / 2.0, (a.normal + b.normal).normalized(), (a.uv + b.uv) / 2.0};
 }
 
-Spacing::Spacing(const std::vector<SurfaceLine>& lines, double step) : lines_(lines) {
+LineSpacing::LineSpacing(const std::vector<SurfaceLine>& lines, double step) : lines_(lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const LinePoint& point : lines[i]) {
       widest_ = std::max(widest_, distance(i, point));
@@ -79,7 +80,7 @@ Spacing::Spacing(const std::vector<SurfaceLine>& lines, double step) : lines_(li
   widest_ = std::min(widest_, step);
 }
 
-double Spacing::distance(std::size_t line, const LinePoint& point) const {
+double LineSpacing::distance(std::size_t line, const LinePoint& point) const {
   double sum = 0.0;
   int count = 0;
   if (line > 0) {
@@ -93,9 +94,16 @@ double Spacing::distance(std::size_t line, const LinePoint& point) const {
   return count > 0 ? sum / count : 0.0;
 }
 
-double Spacing::share(std::size_t line, const LinePoint& point) const {
+double LineSpacing::share(std::size_t line, const LinePoint& point) const {
   const double share = widest_ > 0.0 ? distance(line, point) / widest_ : 1.0;
   return share >= parallel ? 1.0 : std::max(share, nearest);
+}
+
+double SectionSpacing::share(std::size_t line, const LinePoint& point) const {
+  const double share = sections_.apartAt(line, point.place, point.normal) / sections_.step;
+  // In steps, so that the triangles of a mesh do not make a feed each.
+  const double even = std::round(share / stepOfShare) * stepOfShare;
+  return std::clamp(even, nearest, 1.0);
 }
 
 SurfaceLine divided(const Spacing& spacing,

@@ -9,6 +9,7 @@
 #include "runtime/spray/surface/laid_lines.h"
 #include "runtime/spray/surface/section_planes.h"
 #include "runtime/spray/surface/spacing.h"
+#include "runtime/spray/surface/traverses.h"
 #include "runtime/spray/surface/walls.h"
 
 namespace arelem::spray {
@@ -29,12 +30,11 @@ class Planner {
     s_.gun = job_.gun;
     s_.film = job_.film;
     for (const auto& step : {&Planner::check, &Planner::checkRadius, &Planner::checkHollow,
-                             &Planner::layOut, &Planner::chooseSpeed}) {
+                             &Planner::layOut, &Planner::chooseSpeed, &Planner::strokes}) {
       if (std::optional<Failure> failure = (this->*step)()) {
         return *std::move(failure);
       }
     }
-    strokes();
     return std::move(s_);
   }
 
@@ -52,6 +52,9 @@ class Planner {
     if (!(job_.past >= 0.0 && job_.past <= farthest)) {
       return fail(diag::SprayValue, "PAST", job_.past,
                   fmt::format("0 to {:.6g} mm, two footprints", farthest));
+    }
+    if (!(job_.clearance() >= 0.0 && job_.clearance() <= tolerance::farthestCorner)) {
+      return fail(diag::SprayValue, "CLEARP", job_.clearance(), "at least 0 mm");
     }
     if (job_.step < 0.0 || widest_ > 2.0 * job_.gun.footprint.across) {
       return fail(diag::SprayValue, "STEP", job_.step,
@@ -108,13 +111,13 @@ class Planner {
   }
 
   std::optional<Failure> layOut() {
-    const bool mayMeet = job_.gun.standOff > 0.0 && (job_.mesh || std::isfinite(hollow_));
-    std::optional<Walls> walls;
-    if (mayMeet && job_.checkRadius) {
-      walls = job_.mesh ? Walls((job_.wholeMesh ? job_.wholeMesh : job_.mesh)->mesh())
-                        : Walls::of(job_.patch);
+    const bool mayMeet =
+        job_.gun.standOff > 0.0 && job_.checkRadius && (job_.mesh || std::isfinite(hollow_));
+    if (mayMeet || job_.clearance() > 0.0) {
+      walls_ = job_.mesh ? Walls((job_.wholeMesh ? job_.wholeMesh : job_.mesh)->mesh())
+                         : Walls::of(job_.wholePatch.value_or(job_.patch));
     }
-    Result<LaidLines> laid = layLines(job_, widest_, walls ? &*walls : nullptr);
+    Result<LaidLines> laid = layLines(job_, widest_, mayMeet ? &*walls_ : nullptr);
     if (!laid) {
       return laid.takeFailure();
     }
@@ -128,7 +131,12 @@ class Planner {
     if (laid_.lines.empty()) {
       return fail(diag::SprayValue, "the number of sections", 0.0, "at least 1");
     }
-    return walls ? objectionToWalls(laid_.lines, job_.gun.standOff, *walls) : std::nullopt;
+    if (speedFollowsSpacing()) {
+      spacing_ = laid_.sections.planes.empty()
+                     ? std::unique_ptr<Spacing>(new LineSpacing(laid_.whole, laid_.step))
+                     : std::unique_ptr<Spacing>(new SectionSpacing(laid_.sections));
+    }
+    return mayMeet ? objectionToWalls(laid_.lines, job_.gun.standOff, *walls_) : std::nullopt;
   }
 
   /// How much faster the nozzle goes than its spray, 1 where it goes slower.
@@ -164,11 +172,10 @@ class Planner {
   /// The smallest share of the spacing on the lines, where the speed follows it: else 1.
   [[nodiscard]] double narrowest() const {
     double least = 1.0;
-    if (speedFollowsSpacing()) {
-      const Spacing spacing(laid_.whole, laid_.step);
+    if (spacing_) {
       for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
         for (const LinePoint& point : laid_.lines[n]) {
-          least = std::min(least, spacing.share(laid_.ranks[n], point));
+          least = std::min(least, spacing_->share(laid_.ranks[n], point));
         }
       }
     }
@@ -182,7 +189,7 @@ class Planner {
     Operation& o = s_.chosen.operation;
     const double flow = gun.flow * gun.efficiency;
     if (job_.speed || gun.flow == 0.0) {
-      o.speed = job_.speed.value_or(fastest);
+      o.speed = job_.speed.value_or(fastest * narrowest());
       if (!(o.speed > 0.0)) {
         return fail(diag::SprayGun, "SPEED or FLOW");
       }
@@ -210,29 +217,24 @@ class Planner {
     return std::nullopt;
   }
 
-  /// Where lines of u or v lie closer the gun moves faster: a film like elsewhere, but for what its
+  /// Where lines lie closer the gun moves faster: a film like elsewhere, but for what its
   /// largest speed forbids. Not with SPEED.
   [[nodiscard]] bool speedFollowsSpacing() const {
-    return std::holds_alternative<SurfaceJob::Way>(job_.lines) && !job_.speed &&
-           job_.gun.flow > 0.0 && laid_.whole.size() > 1;
+    return !job_.speed && std::max(laid_.whole.size(), laid_.sections.planes.size()) > 1;
   }
 
-  void strokes() {
+  std::optional<Failure> strokes() {
     Trial& chosen = s_.chosen;
     chosen.across = job_.gun.footprint.across;
     chosen.passes = laid_.lines.size();
-    const bool follows = speedFollowsSpacing();
-    const Spacing spacing(follows ? laid_.whole : none_, laid_.step);
     double seconds = 0.0;
     for (std::size_t n = 0; n < laid_.lines.size(); ++n) {
       const SurfaceLine& line = laid_.lines[n];
-      if (n > 0) {
-        chosen.lengths.unpainted += (line.front().place - laid_.lines[n - 1].back().place).norm();
-      }
       bool begins = true;
       for (std::size_t i = 1; i < line.size(); ++i) {
-        const SurfaceLine pieces = follows ? divided(spacing, laid_.ranks[n], line[i - 1], line[i])
-                                           : SurfaceLine{line[i - 1], line[i]};
+        const SurfaceLine pieces = spacing_
+                                       ? divided(*spacing_, laid_.ranks[n], line[i - 1], line[i])
+                                       : SurfaceLine{line[i - 1], line[i]};
         for (std::size_t k = 1; k < pieces.size(); ++k) {
           const LinePoint& a = pieces[k - 1];
           const LinePoint& b = pieces[k];
@@ -240,7 +242,7 @@ class Planner {
           if (length == 0.0) {
             continue;
           }
-          const double share = follows ? spacing.share(laid_.ranks[n], middleOf(a, b)) : 1.0;
+          const double share = spacing_ ? spacing_->share(laid_.ranks[n], middleOf(a, b)) : 1.0;
           const double fastest = job_.gun.speed > 0.0 ? job_.gun.speed / ahead(a, b) : HUGE_VAL;
           const double speed = std::min(chosen.operation.speed / share, fastest);
           s_.strokes.push_back(
@@ -251,15 +253,21 @@ class Planner {
         }
       }
     }
+    if (auto failure = goRound(s_, job_, walls_ ? &*walls_ : nullptr)) {
+      return failure;
+    }
     s_.overlap = 1.0 - s_.step / (2.0 * job_.gun.footprint.across);
     s_.uniformity = uniformity(job_.gun.profile(), s_.overlap);
-    const GunLimits limits = {chosen.operation.speed, job_.gun.flow, job_.gun.efficiency};
+    // Between lines nothing holds the gun back.
+    const GunLimits limits = {std::max(job_.gun.speed, chosen.operation.speed), job_.gun.flow,
+                              job_.gun.efficiency};
     Operation mean = chosen.operation;
     mean.speed = seconds > 0.0 ? chosen.lengths.painted / seconds : mean.speed;
     chosen.cost = costOf(chosen.lengths, s_.area, job_.film, mean, limits, {});
     s_.shortestTime = spray::shortestTime(s_.area, job_.film, limits);
     s_.mesh = job_.mesh;
     s_.patch = job_.mesh ? nullptr : std::make_shared<const Patch>(job_.patch);
+    return std::nullopt;
   }
 
   const SurfaceJob& job_;
@@ -267,15 +275,16 @@ class Planner {
   double widest_ = 0.0;
   double hollow_ = HUGE_VAL;  // smallest radius where the surface bends towards the gun
   LaidLines laid_;
-  const std::vector<SurfaceLine> none_;
+  std::optional<Walls> walls_;
+  std::unique_ptr<Spacing> spacing_;  // where the speed follows it
 };
 }  // namespace
 
-std::optional<Failure> objectionToLines(double lines) {
-  if (lines <= static_cast<double>(mostPasses)) {
+std::optional<Failure> objectionToLines(double lines, std::uint64_t most) {
+  if (lines <= static_cast<double>(most)) {
     return std::nullopt;
   }
-  return fail(diag::SprayPasses, std::ceil(lines), "lines", mostPasses)
+  return fail(diag::SprayPasses, std::ceil(lines), "lines", most)
       .withHelp("a larger STEP or footprint needs fewer");
 }
 

@@ -1,10 +1,10 @@
 #include "runtime/spray/surface/walls.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ir/space/spray_tolerance.h"
+#include "runtime/spray/surface/patch_mesh.h"
 
 namespace arelem::spray {
 
@@ -49,8 +49,10 @@ class FirstCrossing : public geometry::TriangleSearch {
     const double share = before / (before - behind);
     const Vec3 place = from_ + share * way_;
     for (std::size_t k = 0; k < 3; ++k) {
+      // A way through an edge goes through one of its triangles at least.
       const Vec3& corner = mesh_.corner(t, k);
-      if ((mesh_.corner(t, (k + 1) % 3) - corner).cross(place - corner).dot(normal) < 0.0) {
+      const Vec3 edge = mesh_.corner(t, (k + 1) % 3) - corner;
+      if (edge.cross(place - corner).dot(normal) < -tolerance::wallTouch * edge.norm()) {
         return;
       }
     }
@@ -73,41 +75,16 @@ class FirstCrossing : public geometry::TriangleSearch {
 Walls::Walls(const geometry::TriangleMesh& mesh) : mesh_(mesh), tree_(geometry::makeTree(mesh)) {}
 
 Walls Walls::of(const Patch& patch) {
-  const auto at = [&patch](double i, double k) {
-    return patch.at(patch.u0 + (patch.u1 - patch.u0) * i / steps,
-                    patch.v0 + (patch.v1 - patch.v0) * k / steps);
-  };
-  geometry::TriangleMesh mesh;
-  double blur = 0.0;
-  for (std::uint32_t i = 0; i <= steps; ++i) {
-    for (std::uint32_t k = 0; k <= steps; ++k) {
-      mesh.vertices.push_back(at(i, k));
-      if (i == steps || k == steps) {
-        continue;
-      }
-      const std::uint32_t own = i * (steps + 1) + k;
-      const std::uint32_t right = own + steps + 1;
-      mesh.triangles.push_back({own, right, right + 1});
-      mesh.triangles.push_back({own, right + 1, own + 1});
-      const Vec3 middle = (at(i, k) + at(i + 1.0, k + 1.0)) / 2.0;
-      blur = std::max(blur, (at(i + 0.5, k + 0.5) - middle).norm());
-    }
-  }
-  std::erase_if(mesh.triangles, [&mesh](const auto& t) {
-    const Vec3& a = mesh.vertices[t[0]];
-    return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm() == 0.0;
-  });
-  Walls walls(mesh);
-  walls.blur_ = blur;
+  const PatchMesh triangles = meshOf(patch, steps);
+  Walls walls(triangles.mesh);
+  walls.blur_ = triangles.blur;
   return walls;
 }
 
-double Walls::from(const Vec3& place) const {
+Vec3 Walls::nearest(const Vec3& place) const {
   const std::size_t t = tree_->nearest(place, -1);
-  return (geometry::nearestOn(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), place)
-              .point -
-          place)
-      .norm();
+  return geometry::nearestOn(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), place)
+      .point;
 }
 
 std::optional<double> Walls::between(const Vec3& from, const Vec3& to) const {

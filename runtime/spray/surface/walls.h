@@ -17,10 +17,13 @@ class Walls {
   /// How far from `from`, on the straight way to `to`, lies the first triangle that the way goes
   /// through; none where it goes through none. To touch one is not to go through it.
   [[nodiscard]] std::optional<double> between(const Vec3& from, const Vec3& to) const;
+  /// The place on the triangles that is nearest to one.
+  [[nodiscard]] Vec3 nearest(const Vec3& place) const;
   /// Distance of the nearest triangle, mm.
-  [[nodiscard]] double from(const Vec3& place) const;
+  [[nodiscard]] double from(const Vec3& place) const { return (nearest(place) - place).norm(); }
   /// Triangles lie as far beside the surface that they stand for, mm; 0 of a mesh.
   [[nodiscard]] double blur() const { return blur_; }
+  [[nodiscard]] const geometry::TriangleMesh& mesh() const { return mesh_; }
 
  private:
   geometry::TriangleMesh mesh_;

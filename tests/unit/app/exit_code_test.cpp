@@ -20,8 +20,8 @@ TEST(ExitCode, FollowsTheRoomOfTheDiagnostic) {
   EXPECT_EQ(codeOf("E0601"), ExitCode::outputNotWritten);
   EXPECT_EQ(codeOf("E0701"), ExitCode::inputUnreadable);
   EXPECT_EQ(codeOf("E0801"), ExitCode::limitReached);
-  for (const char* limit :
-       {"E0239", "E0418", "E0513", "E0525", "E0564", "E0732", "E0891", "E0895"}) {
+  for (const char* limit : {"E0239", "E0358", "E0359", "E0375", "E0393", "E0418", "E0513", "E0525",
+                            "E0564", "E0732", "E0891", "E0895"}) {
     EXPECT_EQ(codeOf(limit), ExitCode::limitReached) << limit;
   }
   for (const char* file : {"E0102", "E0650", "E0651", "E0652"}) {

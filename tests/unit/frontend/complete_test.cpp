@@ -45,7 +45,7 @@ TEST(Complete, WordsThatTheFormsLetFollow) {
 }
 
 TEST(Complete, WordsOfStatements) {
-  EXPECT_THAT(after("COOLNT/"), ElementsAre("FLOOD", "MIST", "OFF", "ON", "TAPKUL"));
+  EXPECT_THAT(after("COOLNT/"), ElementsAre("AIR", "FLOOD", "MIST", "OFF", "ON", "TAPKUL", "THRU"));
   EXPECT_THAT(after("units/m"), ElementsAre("MM"));
   EXPECT_THAT(after("TRACUT/"), ElementsAre("MX1", "NOMORE"));
   EXPECT_THAT(after("SMOOTH/.1,"),

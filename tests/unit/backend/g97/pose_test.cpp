@@ -134,6 +134,20 @@ TEST(G97Angles, PointTheGunAlongTheAxisInEveryOctant) {
   }
 }
 
+TEST(G97Angles, OfTheSourceKeepTheGunOnItsSideInEveryOctant) {
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      for (const double z : {-1.0, 1.0}) {
+        const Vec3 axis = Vec3(x, y, z).normalized();
+        // atan(1 / sqrt 2) and 45 degrees differ by 9.7356 degrees.
+        EXPECT_NEAR(degreesOff(matrixOf({}, robopaintAngles(axis)).col(2), axis), 9.7356, 1e-4);
+      }
+    }
+  }
+  // What rounding leaves of c at the edge of a half cylinder turns nothing over.
+  EXPECT_EQ(robopaintAngles(Vec3(1, 0, -1e-17)).p, 0.0);
+}
+
 TEST(G97Angles, AlongTheCoordinateAxesWithASide) {
   for (const bool fixed : {false, true}) {
     robot::G97Style style;

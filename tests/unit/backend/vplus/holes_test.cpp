@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "backend/robot/feed.h"
 #include "backend/vplus/reader.h"
 #include "tests/unit/backend/vplus/programs.h"
 
@@ -76,14 +75,6 @@ TEST(Vplus, TurnsOfASpindleCount) {
   EXPECT_THAT(codes, ElementsAre("W0620"));  // the spindle itself is no part of a robot's program
   EXPECT_THAT(text, HasSubstr("SPEED 2.000, 100"));
   EXPECT_THAT(text, HasSubstr("DELAY 0.300"));
-}
-
-TEST(Vplus, OnlyTurnsOfASpindleAreTurns) {
-  using robot::turnsBehind;
-  EXPECT_EQ(turnsBehind(post(Word::SPINDL, {-900.0}), 0.0), 900.0);
-  EXPECT_EQ(turnsBehind(post(Word::SPINDL, {Word::CLW}), 600.0), 600.0);
-  EXPECT_EQ(turnsBehind(post(Word::SPINDL, {Word::OFF}), 600.0), 0.0);
-  EXPECT_EQ(turnsBehind(post(Word::SPINDL, {200.0, std::string("SFM")}), 600.0), 0.0);
 }
 
 TEST(Vplus, CyclesWithoutMovesAreRefused) {

@@ -222,5 +222,16 @@ TEST(Past, SectionsOfAClosedBodyHaveNoSides) {
   EXPECT_EQ(beyond(sprayed(job), [](const Vec3& p) { return p.norm() < 300.0 + 1e-6; }), 0U);
 }
 
+TEST(Walls, AWayThroughACornerGoesThroughTheWork) {
+  // Through the edges of a cube's triangles, and through its corners.
+  const Walls walls(box(100.0));
+  for (const Vec3& from : {Vec3(50.0, 50.0, 200.0), Vec3(25.0, 75.0, 200.0), Vec3(0.0, 0.0, 200.0),
+                           Vec3(100.0, 30.0, 200.0)}) {
+    EXPECT_TRUE(walls.between(from, Vec3(from.x(), from.y(), 50.0))) << from.transpose();
+  }
+  const Vec3 out = Vec3(-1.0, -1.0, -1.0);
+  EXPECT_TRUE(walls.between(200.0 * Vec3::Ones(), out * 50.0));
+}
+
 }  // namespace
 }  // namespace arelem::spray

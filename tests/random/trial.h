@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tests/random/motion.h"
+#include "tests/random/scene.h"
+
+namespace arelem::scenes {
+
+/// What a scene showed.
+struct Finding {
+  SceneId id;
+  std::string outcome;             ///< "computed", or the code with which it was refused
+  std::vector<std::string> wrong;  ///< none: the scene is as it should be
+  bool confirmed = false;          ///< a refusal that an independent search agrees with
+  double seconds = 0.0;
+};
+
+/// A folder for data files, which goes with the object.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  [[nodiscard]] const std::string& path() const { return path_; }  ///< with a slash at its end
+
+ private:
+  std::string path_;
+};
+
+/// Writes the data files of a scene moved.
+void writeFiles(const Scene& scene, const Similarity& to, const std::string& folder);
+
+/// Codes of motion that name why a scene has no motion. All others are failures.
+[[nodiscard]] bool isExplained(std::string_view code);
+
+/// Computes the scene, proves it, and compares it with itself moved.
+[[nodiscard]] Finding tryScene(const Scene& scene,
+                               const Folder& folder,
+                               const InterruptFlag& interrupted);
+
+}  // namespace arelem::scenes
