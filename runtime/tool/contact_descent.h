@@ -54,7 +54,8 @@ class ContactDescent {
     if (cutter_.e == 0.0 && std::abs(nz) < axial) {
       turnTo(-corner.normal);
     }
-    const bool inwards = nz > 0.0 && corner.normal.dot(search_.toward) > 0.0;
+    // Over a crest the rim is as near as what is between: the bottom's contact stays where it is.
+    const bool inwards = nz > 0.0 && corner.normal.dot(search_.toward) > -levelSlope;
     onCorner_ = !inwards && nz <= cutter_.cosAlpha && nz >= cutter_.sinBeta;
     if (cutter_.alpha == 0.0 && cutter_.e > 0.0 && inwards) {
       return onDisc(corner);
@@ -71,7 +72,12 @@ class ContactDescent {
     const Vec3 way = search_.discFoot - te_;
     const Vec3 offset = way - way.dot(axis_) * axis_;
     last_ = sample(te_ + offset + cutter_.f * axis_);
-    search_.onDisc = offset.norm() <= cutter_.e && inDisc(offset);
+    search_.onDisc = offset.norm() <= cutter_.e;
+    if (!search_.onDisc) {
+      turnTo(offset);  // it leaves the bottom there
+      return result(cutter_.r);
+    }
+    search_.onDisc = inDisc(offset);
     const Contact c = result(cutter_.r);
     search_.discFoot = c.point - c.gap * c.normal;
     return c;
@@ -310,7 +316,7 @@ class ContactDescent {
       return onBottom();
     }
     const Contact inner = result(cutter_.r);
-    if (inner.gap >= rim.gap) {
+    if (inner.gap > rim.gap + levelSlope) {
       return rim;
     }
     search_.onDisc = true;
