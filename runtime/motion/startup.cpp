@@ -120,14 +120,14 @@ class Starter {
     return std::nullopt;
   }
 
-  /// The sense of the motion, for axes that lead: before any motion the way to the surfaces.
+  /// The sense of the motion, for axes that lead: before any motion the way to the third surface.
   [[nodiscard]] Vec3 forward() const {
-    Vec3 way = Vec3::Zero();
-    for (const Goal& goal : goals_) {
-      const surface::Foot foot = footOn(goal.surface.surface, state_.toolEnd);
-      way -= foot.distance * foot.normal;
+    constexpr std::size_t third = 2;
+    if (state_.forward || goals_.size() <= third) {
+      return state_.forward.value_or(Vec3::Zero());
     }
-    return state_.forward.value_or(way);
+    const surface::Foot foot = footOn(goals_[third].surface.surface, state_.toolEnd);
+    return -foot.distance * foot.normal;
   }
 
   [[nodiscard]] AxisParty party(const Goal& goal) const {

@@ -46,6 +46,7 @@ struct State {
   std::optional<Word> driveRelation;  ///< TLLFT, TLRGT, TLON; none before the first of them
   bool alwaysIterate = false;         ///< 3DCALC
   bool multax = false;
+  bool toldOfAxis = false;  ///< that one is not written
   bool gougeCheck = false;
   bool output = true;  ///< CUT, not DNTCUT
   runtime::ToolAxis axisRule;

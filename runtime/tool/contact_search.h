@@ -38,6 +38,13 @@ class ContactSearch {
         return ball;
       }
     }
+    if (search_.onDisc && search_.convex) {
+      const Contact level = descent_.onDiscAgain();
+      if (search_.onDisc && supports(level)) {
+        return level;
+      }
+      search_.onDisc = false;
+    }
     descent_.begin();
     const Contact local = descent_.nearestPiece();
     const bool proven = search_.convex
@@ -87,17 +94,23 @@ class ContactSearch {
       return false;
     }
     const double high = lowHeight();
-    const Vec3 q = te_ + cutter_.e * search_.toward + cutter_.f * axis_;
-    const double off = (c.point + cutter_.r * c.normal - q).norm();
-    if (cutter_.e == 0.0 ? !onCorner : off > supportSlack * (1.0 + cutter_.e)) {
+    const Vec3 core = c.point + cutter_.r * c.normal;
+    const Vec3 rim = te_ + cutter_.e * search_.toward + cutter_.f * axis_;
+    const double slack = supportSlack * (1.0 + cutter_.e);
+    const bool inside = (core - rim).norm() > slack;
+    if (cutter_.e == 0.0 ? !onCorner : inside && !isLevel(c, slack)) {
       return false;
     }
+    const Vec3& q = inside ? core : rim;
     const double radius = 2.0 * cutter_.e + high;
     const auto proves = [&](double towards) {
       const double slope = -c.normal.dot(search_.toward);
       const double widening = cutter_.sinBeta / cutter_.cosBeta;
+      if (inside && towards > 0.0) {
+        return false;
+      }
       const double bent = towards * (2.0 * cutter_.e + 0.5 * high * (1.0 + widening * widening));
-      return towards * cutter_.e <= slope &&
+      return (inside || towards * cutter_.e <= slope) &&
              (high <= 0.0 || bent + widening <= c.normal.dot(axis_));
     };
     if (radius <= 0.0) {
@@ -107,6 +120,13 @@ class ContactSearch {
       return true;
     }
     return proves(boundAround(q, c, reserve * radius)) || proves(boundAround(q, c, radius));
+  }
+
+  /// True where the contact is inside a level bottom: the distance has no slope there. Where it
+  /// bends away from the cutter everywhere it is the least.
+  [[nodiscard]] bool isLevel(const Contact& c, double slack) const {
+    const double nz = c.normal.dot(axis_);
+    return nz > 0.0 && 2.0 * cutter_.e * (c.normal - nz * axis_).norm() <= slack;
   }
 
   /// How much the distance bends towards the cutter within `radius` of q; kept in the search.
