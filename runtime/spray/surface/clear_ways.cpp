@@ -13,6 +13,7 @@ namespace arelem::spray {
 namespace {
 constexpr int mostLifts = 8;        // doubled each time
 constexpr double boxMargin = 1.25;  // of the clearance, about the work
+constexpr double belowCosts = 3.0;  // ways below the work are as much longer
 constexpr double stopCosts = 0.1;   // of the clearance: fewer places on the way are better
 
 /// A way that is tried: from a node that has been reached to one that has not.
@@ -26,8 +27,8 @@ struct Attempt {
 };
 }  // namespace
 
-ClearWays::ClearWays(const Walls& walls, double clearance, bool strict)
-    : walls_(walls), clearance_(clearance), strict_(strict) {
+ClearWays::ClearWays(const Walls& walls, double clearance, bool strict, const Vec3& upper)
+    : walls_(walls), clearance_(clearance), strict_(strict), upper_(upper) {
   low_ = high_ = walls.mesh().vertices.front();
   for (const Vec3& corner : walls.mesh().vertices) {
     low_ = low_.cwiseMin(corner);
@@ -160,11 +161,14 @@ std::optional<std::vector<GunPose>> ClearWays::between(const GunPose& from,
   std::vector<std::size_t> before(nodes.size(), none);
   std::vector<bool> reached(nodes.size(), false);
   std::priority_queue<Attempt, std::vector<Attempt>, std::greater<>> attempts;
+  const double lowest = std::min(upper_.dot(from.place), upper_.dot(to.place));
   const auto reach = [&](std::size_t node, double way) {
     reached[node] = true;
     for (std::size_t next = 0; next < nodes.size(); ++next) {
       if (!reached[next]) {
-        const double length = way + distance(node, next) + stopCosts * clearance_;
+        const double below = std::max(0.0, lowest - upper_.dot(nodes[next].pose.place));
+        const double length =
+            way + distance(node, next) + stopCosts * clearance_ + belowCosts * below;
         attempts.push({length + distance(next, goal), length, node, next});
       }
     }

@@ -15,8 +15,13 @@ class ClearWays {
  public:
   /// The nozzle comes no nearer to the work than `clearance`, mm, but where it leaves a line and
   /// comes to the next: along its axis. Not `strict`: where a line lies nearer, a way may too, but
-  /// for a tenth of the clearance. `walls` must outlive it.
-  ClearWays(const Walls& walls, double clearance, bool strict = true);
+  /// for a tenth of the clearance. Ways
+  /// that lead to the other side than `upper`, below both of their ends, are taken where others are
+  /// much longer: a table may stand there. `walls` must outlive it.
+  ClearWays(const Walls& walls,
+            double clearance,
+            bool strict = true,
+            const Vec3& upper = Vec3::UnitZ());
 
   /// The poses on the way, none where it is clear straight on: off along the axis, round the work
   /// or over it, and to the next line along its axis; the shortest way over the places that are
@@ -44,6 +49,7 @@ class ClearWays {
   const Walls& walls_;
   double clearance_;
   bool strict_;
+  Vec3 upper_;
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // corners of the box about the work
 };
 

@@ -20,6 +20,19 @@ double lengthOf(const GunPose& from, const std::vector<GunPose>& poses, const Gu
   return length + (to.place - before).norm();
 }
 
+/// The side of the work from which it is sprayed, up where that is from all sides.
+Vec3 upperOf(const std::vector<Stroke>& strokes) {
+  constexpr double mostly = 0.2;  // of the way
+  Vec3 sum = Vec3::Zero();
+  double way = 0.0;
+  for (const Stroke& stroke : strokes) {
+    const double length = (stroke.to - stroke.from).norm();
+    sum += length * stroke.normalFrom;
+    way += length;
+  }
+  return sum.norm() > mostly * way ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+}
+
 /// Leads the gun from the place of the program to the first line, and from line to line.
 class Leader {
  public:
@@ -27,7 +40,7 @@ class Leader {
       : sprayed_(sprayed), job_(job) {
     if (walls != nullptr && job.clearance() > 0.0) {
       sprayed.clearance = job.clearance();
-      ways_.emplace(*walls, sprayed.clearance, job.clear.has_value());
+      ways_.emplace(*walls, sprayed.clearance, job.clear.has_value(), upperOf(sprayed.strokes));
     }
   }
 

@@ -87,6 +87,19 @@ TEST(ClearWays, GoRoundABall) {
   EXPECT_DOUBLE_EQ(ways.nearestOn(from.place, -from.place), 0.0);
 }
 
+TEST(ClearWays, DoNotGoBelow) {
+  const Walls walls = Walls::of(ball(100.0));
+  const GunPose from = {Vec3(-150.0, 0.0, 0.0), -Vec3::UnitX()};
+  const GunPose to = {Vec3(150.0, 0.0, 0.0), Vec3::UnitX()};
+  for (const Vec3& upper : {Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0), Vec3(0.0, 0.6, 0.8)}) {
+    const auto poses = ClearWays(walls, 25.0, true, upper).between(from, to);
+    ASSERT_TRUE(poses);
+    for (const GunPose& pose : *poses) {
+      EXPECT_GE(upper.dot(pose.place), -1e-9);
+    }
+  }
+}
+
 TEST(ClearWays, GoStraightWhereItIsClear) {
   const Walls walls = Walls::of(ball(100.0));
   const Vec3 aside = Vec3(-1.0, 0.2, 0.0).normalized();
