@@ -20,6 +20,8 @@ namespace {
 /// Time of every pair between two writings of the table, seconds. Pairs whose scenes take longer
 /// get fewer of them.
 constexpr double sliceSeconds = 0.2;
+/// Pairs between two writings of the table.
+constexpr std::size_t together = 10;
 
 std::size_t pairOf(const std::string& text) {
   const std::size_t comma = text.find(',');
