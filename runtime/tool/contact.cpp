@@ -61,7 +61,9 @@ Contact contactOf(const surface::TabulatedCylinder& s,
   if (const auto section = search.section.contact(s, side, cutter, te, axis)) {
     return *section;
   }
-  return contactOf<surface::TabulatedCylinder>(s, side, cutter, te, axis, search);
+  const auto low = search.section.low();
+  const Contact found = contactOf<surface::TabulatedCylinder>(s, side, cutter, te, axis, search);
+  return low && low->gap < found.gap ? *low : found;
 }
 
 Contact contactOf(const surface::Plane& s,
