@@ -212,6 +212,9 @@ std::optional<Contact> SectionSearch::contact(const TabulatedCylinder& s,
   const Edge* edge = nullptr;
   const Level* level = nullptr;
   for (std::size_t i = 0; i < edgeCount_; ++i) {
+    if (edges_[i].levels.empty()) {
+      continue;
+    }
     const double moved = at.dot(edges_[i].inPlane);
     const double raised = at.dot(edges_[i].outInPlane);
     for (const Level& l : edges_[i].levels) {
