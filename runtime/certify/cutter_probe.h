@@ -4,6 +4,7 @@
 #include "ir/space/motion_tolerance.h"
 #include "runtime/certify/body_search.h"
 #include "runtime/certify/core_probe.h"
+#include "runtime/certify/curve_search.h"
 #include "runtime/tool/contact.h"
 #include "runtime/tool/rounded.h"
 
@@ -38,6 +39,7 @@ class CutterProbe final : public Probe {
         relation_(relation),
         core_(surface_, relation_),
         search_(surface_, relation_),
+        curve_(surface_, cutter_, relation_),
         pieces_(piecesOf(cutter_)) {
     relation_.cutter = &cutter_;
     convex_ = relation.side > 0.0 && isConvexSolid(surface_) && isConvex(cutter_);
@@ -230,7 +232,10 @@ class CutterProbe final : public Probe {
   /// that was measured.
   double searched(
       double from, double to, double aim, std::span<const Piece> pieces, Stretch& result) {
-    bool proven = inVain_ < patience && aim > -unbounded;
+    if (aim > -unbounded && curve_.run(*this, from, to, aim, result)) {
+      return aim;
+    }
+    bool proven = inVain_ < patience && aim > -unbounded && result.sample >= aim;
     for (const Piece& p : pieces) {
       if (!proven) {
         break;
@@ -246,11 +251,34 @@ class CutterProbe final : public Probe {
     return proven ? aim : -unbounded;
   }
 
+  /// The search in the plane, for surfaces along which nothing changes.
+  struct NoCurve {
+    NoCurve(const S&, const tool::Profile&, const Relation&) {}
+    bool run(const CutterProbe&, double, double, double, Stretch&) { return false; }
+  };
+  struct Curve {
+    Curve(const S& surface, const tool::Profile& cutter, const Relation& relation)
+        : search(surface, cutter, relation) {}
+    bool run(const CutterProbe& probe, double from, double to, double aim, Stretch& result) {
+      if (probe.chord_.turn() > 0.0) {
+        return false;
+      }
+      const BodyResult r = search.run(probe.chord_, from, to, aim, budget);
+      if (r.sample < result.sample) {
+        result.sample = r.sample;
+        result.sampleAt = r.sampleAt;
+      }
+      return r.proven;
+    }
+    CurveSearch search;
+  };
+
   S surface_;
   tool::Profile cutter_;
   Relation relation_;
   CoreGap<S> core_;
   BodySearch<S> search_;
+  std::conditional_t<std::is_same_v<S, surface::TabulatedCylinder>, Curve, NoCurve> curve_;
   std::vector<Piece> pieces_;
   tool::Search<S> guess_;
   typename S::Hint hint_{};

@@ -79,8 +79,10 @@ class MeshProbe final : public Probe {
 
   [[nodiscard]] double lowest(const Node& a, const Node& b, double aim) {
     const double more = thick_ + turning(a, b);
-    return search_.near.lowest(mesh_.shape(), cutter_, a.toolEnd, b.toolEnd, a.axis, aim + more) -
-           more;
+    const double least =
+        search_.near.lowest(mesh_.shape(), cutter_, a.toolEnd, b.toolEnd, a.axis, aim + more);
+    // What reaches the aim reaches it after rounding too.
+    return least >= aim + more ? std::max(aim, least - more) : least - more;
   }
 
   [[nodiscard]] double gapAt(const Node& n, std::size_t triangle) const {

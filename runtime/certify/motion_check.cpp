@@ -80,13 +80,13 @@ void MotionCheck::judgeStop(StatementResult& result,
   if (!stop.good && measuredGood && contact.touch.high <= a.outer + a.slack) {
     report(result, action,
            fail(diag::StopUndecided, stop.condition, stop.surface, contact.touch.low,
-                contact.touch.high, -a.inner, a.outer));
+                contact.touch.high, 0.0 - a.inner, a.outer));
   } else if (!stop.good && contact.tangent) {
     report(result, action,
            fail(diag::DoesNotTouch, stop.surface, std::abs(contact.touch.high), a.outer));
   } else if (!stop.good) {
     report(result, action,
-           fail(diag::StopMissed, contact.touch.high, stop.condition, stop.surface, -a.inner,
+           fail(diag::StopMissed, contact.touch.high, stop.condition, stop.surface, 0.0 - a.inner,
                 a.outer));
   }
   result.stops.push_back(std::move(stop));
@@ -107,7 +107,7 @@ void MotionCheck::judge(StatementResult& result,
     const Vec3& p = r.leastPlace;
     report(result, action,
            fail(diag::ToleranceUndecided, figures.surface, p.x(), p.y(), p.z(),
-                std::uint64_t{r.leastVector + 1}, v.least.proven, v.least.measured, -a.inner));
+                std::uint64_t{r.leastVector + 1}, v.least.proven, v.least.measured, 0.0 - a.inner));
   }
   if (v.outer == State::refuted) {
     const Vec3& p = r.greatestPlace;

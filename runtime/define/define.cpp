@@ -12,7 +12,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/define/parameter_symbol.h"
 #include "runtime/define/resolve.h"
-#include "runtime/geometry/kinds.h"
+#include "runtime/geometry/built.h"
 
 namespace arelem::define {
 
@@ -161,9 +161,7 @@ Result<Entity> define(EntityType type,
   entity.form = std::get<FormId>(found);
   entity.canon = std::move(resolved->canon);
   entity.pattern = resolved->pattern;
-  if (type == EntityType::mesh) {
-    entity.built = surface::builtMesh(entity.canon);
-  }
+  entity.built = surface::builtOf(type, entity.canon);
   return entity;
 }
 

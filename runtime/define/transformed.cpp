@@ -7,7 +7,7 @@
 #include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/define.h"
-#include "runtime/geometry/kinds.h"
+#include "runtime/geometry/built.h"
 #include "runtime/geometry/shapes.h"
 #include "runtime/region/region.h"
 #include "runtime/geometry/triangle_mesh.h"
@@ -240,7 +240,7 @@ Result<Entity> transformed(const Entity& entity, std::span<const double, 12> mat
   Entity result = entity;
   result.type = form->first;
   result.canon = std::move(form->second);
-  result.built = result.type == EntityType::mesh ? surface::builtMesh(result.canon) : nullptr;
+  result.built = surface::builtOf(result.type, result.canon);
   return result;
 }
 

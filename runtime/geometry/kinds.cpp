@@ -5,6 +5,7 @@
 #include "ir/diag/geometry.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/built.h"
 #include "runtime/geometry/polyconic.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 
@@ -71,6 +72,17 @@ std::shared_ptr<const MeshShape> builtMesh(std::span<const double> canon) {
   return std::make_shared<const MeshShape>(geometry::TriangleMesh::of(canon));
 }
 
+std::shared_ptr<const void> builtOf(EntityType type, std::span<const double> canon) {
+  switch (type) {
+    case EntityType::mesh:
+      return builtMesh(canon);
+    case EntityType::ruledSurface:
+      return std::make_shared<const Ruled>(geometry::RuledSurface::of(canon));
+    default:
+      return nullptr;
+  }
+}
+
 Result<AnySurface> surfaceOf(const Entity& entity) {
   const auto& c = entity.canon;
   switch (entity.type) {
@@ -99,7 +111,8 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
       return AnySurface(Mesh(entity.built ? std::static_pointer_cast<const MeshShape>(entity.built)
                                           : builtMesh(c)));
     case EntityType::ruledSurface:
-      return AnySurface(Ruled(geometry::RuledSurface::of(c)));
+      return AnySurface(entity.built ? *std::static_pointer_cast<const Ruled>(entity.built)
+                                     : Ruled(geometry::RuledSurface::of(c)));
     case EntityType::polyconic:
       return AnySurface(Polyconic(geometry::Polyconic::of(c)));
     default:

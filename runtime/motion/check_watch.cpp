@@ -32,7 +32,7 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
       band_(band),
       pathBand_(pathBand),
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
-      pointTool_(tool.cutter == nullptr || (tool.cutter->isPoint() && tool.thick == 0.0)),
+      pointTool_(tool.cutter == nullptr),
       arm_(tool.cutter == nullptr ? 0.0 : std::hypot(tool.cutter->maxRadius(), tool.cutter->h)) {
   plus_ = makeField(surface.surface, 1.0, tool);
   minus_ = makeField(surface.surface, -1.0, tool);
@@ -168,6 +168,13 @@ bool CheckWatch::touchesHere(const Measure& m) {
   return turned;
 }
 
+/// True where a tool without thickness goes from one side of the surface to the other: the gap on
+/// the one side closes where that on the other opens, and neither is negative.
+bool CheckWatch::slipsThrough(const Measure& m, const Field* outsideBefore) const {
+  return !pointTool_ && now_.armed && now_.positive && m.value > tolerance::sameSide && near(m) &&
+         m.field != outsideBefore;
+}
+
 /// The gap that vanishes at a zero: entering, the one that was open before; leaving, the one that
 /// opens.
 Field* CheckWatch::vanishing(const Measure& m, Field* outsideBefore) {
@@ -185,11 +192,18 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   for (;;) {
     const Measure m = measure(s, u);
     const double size = std::abs(m.value);
-    Field* const outsideBefore = now_.outside;
-    now_.outside = m.value > 0.0 ? m.field : now_.outside;
+    // Where it starts at the surface the tool is on neither side.
+    Field* const outsideBefore = now_.armed ? now_.outside : m.field;
+    now_.outside = m.value > tolerance::sameSide ? m.field : now_.outside;
     if (crosses(m)) {
       if (++now_.seen == wanted()) {
         return Hit{before, u, vanishing(m, outsideBefore)};
+      }
+      now_.bandField = nullptr;
+    } else if (slipsThrough(m, outsideBefore)) {
+      now_.seen += 2;
+      if (now_.seen >= wanted()) {
+        return Hit{before, u, now_.seen == wanted() ? m.field : outsideBefore};
       }
       now_.bandField = nullptr;
     } else if (touchesHere(m) && u > ignoredUntil_) {

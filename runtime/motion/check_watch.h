@@ -26,7 +26,7 @@ class CheckWatch {
     bool touch = false;            ///< the slope of the gap changes sign there, not the gap
   };
 
-  /// `cutter` null watches the tool end (ON, or a check of a tool without size). `drive` is the
+  /// `cutter` null watches the tool end (ON). `drive` is the
   /// field whose normal must agree at a tangency. Cut vectors stray by up to `pathBand` from the
   /// path proper, so a tangency is looked for that much beyond the band; whoever gets the hit
   /// checks the gap there (`touches`).
@@ -100,6 +100,7 @@ class CheckWatch {
     return std::abs(measure.value) <= band_ + pathBand_;
   }
   [[nodiscard]] bool touchesHere(const Measure& measure);
+  [[nodiscard]] bool slipsThrough(const Measure& measure, const Field* outsideBefore) const;
   [[nodiscard]] Field* vanishing(const Measure& measure, Field* outsideBefore);
   [[nodiscard]] int wanted() const;
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);

@@ -88,6 +88,14 @@ class CutterField final : public Field {
     }
     return Field::judge(chord, inner, outer);
   }
+  [[nodiscard]] std::optional<Facets> facets() const override {
+    if constexpr (hasFaces<S>) {
+      if (tool::isConvex(cutter_)) {
+        return Facets{&surface_, &cutter_, thick_};
+      }
+    }
+    return std::nullopt;
+  }
 
  private:
   S surface_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "runtime/certify/chord.h"
@@ -16,6 +17,13 @@ struct Judgement {
 /// What a gap in the middle of a cut vector says: as if the gap bent evenly away from its ends.
 [[nodiscard]] Judgement judgeGap(double gap, double inner, double outer);
 
+/// A mesh and the convex cutter that runs along it.
+struct Facets {
+  const surface::Mesh* mesh = nullptr;
+  const tool::Profile* cutter = nullptr;
+  double thick = 0.0;
+};
+
 /// The gap between the tool and one side of one surface as a function of where the tool is:
 /// 1-Lipschitz in the tool end, with the contact normal as gradient. Remembers the last contact to
 /// start the next search, so one Field belongs to one motion of one thread.
@@ -27,6 +35,8 @@ class Field {
   /// Whether the gap stays in [-inner, outer] over the whole straight cut vector between two
   /// positions. Smooth surfaces set no limit: there the slopes at a few places tell enough.
   [[nodiscard]] virtual Judgement judge(const certify::Chord& chord, double inner, double outer);
+  /// Of a mesh and a convex cutter; they stay as long as the field.
+  [[nodiscard]] virtual std::optional<Facets> facets() const { return std::nullopt; }
   /// True where the gap is a linear function of the tool end (planes).
   [[nodiscard]] bool flat() const { return flat_; }
   /// True for meshes: no few places tell about those between them; `judge` does.

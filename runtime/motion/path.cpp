@@ -144,9 +144,12 @@ class ChordFit {
            const PathPoint& b,
            std::size_t guide,
            double length,
-           const Vec3& turn)
-      : field_(field), a_(a), b_(b), length_(length), turn_(turn) {
+           const std::optional<certify::Chord>& turning)
+      : field_(field), a_(a), turning_(turning), length_(length) {
     direction_ = (b.toolEnd - a.toolEnd) / length;
+    if (turning_) {
+      turn_ = turning_->turn() / length * turning_->pole();
+    }
     first_ = node(0.0, a.contacts[guide], a.toolEnd);
     last_ = node(length, b.contacts[guide], b.toolEnd);
   }
@@ -167,7 +170,7 @@ class ChordFit {
 
  private:
   /// Nodes that a cubic foretells but for this share of the band are smooth.
-  static constexpr double smoothShare = 2e-3;
+  static constexpr double smoothShare = 2.5e-4;
   static constexpr int deepest = 8;
 
   [[nodiscard]] GapNode node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
@@ -176,9 +179,7 @@ class ChordFit {
   GapNode measure(double along) {
     const double share = along / length_;
     const Vec3 place = a_.toolEnd + along * direction_;
-    const Vec3 axis =
-        turn_.isZero(0.0) ? a_.axis : Vec3((a_.axis + share * (b_.axis - a_.axis)).normalized());
-    return node(along, field_.at(place, axis), place);
+    return node(along, field_.at(place, turning_ ? turning_->axis(share) : a_.axis), place);
   }
   void consider(const GapNode& a, const GapNode& b, int depth) {
     const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
@@ -193,10 +194,10 @@ class ChordFit {
   }
 
   Field& field_;
-  const PathPoint &a_, &b_;
+  const PathPoint& a_;
+  const std::optional<certify::Chord>& turning_;
   double length_;
-  const Vec3& turn_;
-  Vec3 direction_;
+  Vec3 direction_, turn_ = Vec3::Zero();
   GapNode first_, last_;
   double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
   double factor_ = tolerance::farAway;
@@ -228,7 +229,11 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   }
   // A cut vector that only turns the axis is measured by the angle.
   const double scale = length > 0.0 ? length : (b.axis - a.axis).norm();
-  const Vec3 turn = turning ? spin(a.axis, b.axis, scale) : Vec3(Vec3::Zero());
+  // The proof takes the axis to turn evenly too.
+  std::optional<certify::Chord> evenly;
+  if (turning) {
+    evenly.emplace(a.toolEnd, b.toolEnd, a.axis, b.axis);
+  }
   double factor = tolerance::farAway;
   middle.end = b.toolEnd;
   misses = {0, 0};
@@ -243,7 +248,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     // A start outside its band by the slack allowed there must not stop the motion.
     const double inner = std::max({guides[i].inner, -a.contacts[i].gap, -b.contacts[i].gap});
     const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
-    ChordFit chordFit(*guides[i].field, a, b, i, scale, turn);
+    ChordFit chordFit(*guides[i].field, a, b, i, scale, evenly);
     factor = std::min(factor, chordFit.run(inner, outer));
     middle.slope[i] = chordFit.middleSlope();
   }

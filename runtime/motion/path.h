@@ -85,6 +85,9 @@ class Path {
   }
   [[nodiscard]] std::array<double, 2> rests() const { return {guides[0].rest, guides[1].rest}; }
   [[nodiscard]] bool flat() const { return guides[0].flat() && guides[1].flat(); }
+  /// Sets the tangent of a place whose contacts are known, so that it goes with `towards`; false
+  /// where the surfaces have no common one.
+  [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards);
   /// Factor by which the chord may grow, or must shrink, to fit both bands.
   [[nodiscard]] double fit(const PathPoint& a, const PathPoint& b);
   /// The same, and to fit the largest turn of an axis that follows the path.
@@ -92,7 +95,6 @@ class Path {
 
  private:
   [[nodiscard]] double fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b);
-  [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards);
 };
 
 /// The cut vector from one place to the next.

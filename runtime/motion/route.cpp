@@ -10,6 +10,8 @@ namespace arelem::motion {
 namespace {
 /// Share of the band that stays between a stop and the band's edge (the old system's 10 %).
 constexpr double edgeShare = 0.1;
+/// Where the axis turns, curvature is measured over so many times the distance.
+constexpr double turningProbe = 4.0;
 
 bool isVertical(const Vec3& axis) {
   return std::abs(axis.z()) >= 1.0 - tolerance::rounding;
@@ -38,6 +40,16 @@ bool isPlaneRoute(const State& state,
 
 double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
+  if (!axis.isFixed()) {
+    // The contact may jump round the cutter as the axis turns, and its normal with it: three gaps
+    // tell how the gap bends, over a way that rounding leaves enough of.
+    const double way = turningProbe * step;
+    const auto gap = [&](double along) {
+      const Vec3 place = toolEnd + along * t;
+      return field.at(place, axis.at(place)).gap;
+    };
+    return (gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way);
+  }
   const Vec3 ahead = toolEnd + step * t;
   const Vec3 behind = toolEnd - step * t;
   const Vec3 change =

@@ -112,13 +112,22 @@ class Starter {
   std::optional<Failure> setAxis() {
     const AxisParty drive = party(goals_[0]);
     const AxisParty part = goals_.size() > 1 ? party(goals_[1]) : AxisParty{};
-    const Vec3 forward = state_.forward ? *state_.forward : Vec3(Vec3::Zero());
-    auto axis = chooseAxis(state_, goals_.size() > 1 ? &part : nullptr, drive, forward);
+    auto axis = chooseAxis(state_, goals_.size() > 1 ? &part : nullptr, drive, forward());
     if (!axis) {
       return axis.takeFailure();
     }
     rule_ = *std::move(axis);
     return std::nullopt;
+  }
+
+  /// The sense of the motion, for axes that lead: before any motion the way to the surfaces.
+  [[nodiscard]] Vec3 forward() const {
+    Vec3 way = Vec3::Zero();
+    for (const Goal& goal : goals_) {
+      const surface::Foot foot = footOn(goal.surface.surface, state_.toolEnd);
+      way -= foot.distance * foot.normal;
+    }
+    return state_.forward.value_or(way);
   }
 
   [[nodiscard]] AxisParty party(const Goal& goal) const {

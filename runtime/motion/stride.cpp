@@ -91,10 +91,22 @@ double Stride::accepted() const {
 std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
   for (const Guide& g : path_.guides) {
     if (g.field->isFaceted()) {
-      return nextAlongFacets(a, cap);
+      return nextAlongMesh(a, cap);
     }
   }
   return nextAlongCurves(a, cap);
+}
+
+/// In a plane the whole tolerance is seen at once; else, and where that ends, lengths are tried.
+std::optional<PathPoint> Stride::nextAlongMesh(const PathPoint& a, double cap) {
+  auto seen = facets_.next(a, std::min(cap, longest_));
+  if (seen && !facets_.isCutShort()) {
+    return seen;
+  }
+  auto tried = nextAlongFacets(a, cap);
+  const bool farther = tried && (!seen || (tried->toolEnd - a.toolEnd).squaredNorm() >
+                                              (seen->toolEnd - a.toolEnd).squaredNorm());
+  return farther ? tried : seen;
 }
 
 /// Which edge of the band the cut vector that failed should have aimed at: where the surface comes

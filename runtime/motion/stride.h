@@ -1,5 +1,5 @@
 #pragma once
-#include "runtime/motion/path.h"
+#include "runtime/motion/facets/facet_stride.h"
 
 namespace arelem::motion {
 
@@ -7,7 +7,7 @@ namespace arelem::motion {
 class Stride {
  public:
   /// `longest` is MAXDP; it does not bind where both surfaces are planes.
-  Stride(Path& path, double longest) : path_(path), longest_(longest) {}
+  Stride(Path& path, double longest) : path_(path), longest_(longest), facets_(path) {}
 
   /// The end of the next cut vector from `a`, not farther than `cap`. None where the path ends or
   /// has a corner; a cut vector towards a corner ends in it.
@@ -17,6 +17,7 @@ class Stride {
 
  private:
   [[nodiscard]] std::optional<PathPoint> nextAlongCurves(const PathPoint& a, double cap);
+  [[nodiscard]] std::optional<PathPoint> nextAlongMesh(const PathPoint& a, double cap);
   [[nodiscard]] std::optional<PathPoint> nextAlongFacets(const PathPoint& a, double cap);
   /// How far from the gap aimed at a cut vector may end.
   [[nodiscard]] double accepted() const;
@@ -29,6 +30,7 @@ class Stride {
 
   Path& path_;
   double longest_;
+  FacetStride facets_;
   double usual_ = 0.0;  ///< length of the last cut vector along facets
 };
 

@@ -51,6 +51,19 @@ Contact contactOf(const S& s,
   return ContactSearch<S>(s, side, cutter, te, axis, search).run();
 }
 
+/// Square to the generatrix the section tells all.
+Contact contactOf(const surface::TabulatedCylinder& s,
+                  double side,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis,
+                  Search<surface::TabulatedCylinder>& search) {
+  if (const auto section = search.section.contact(s, side, cutter, te, axis)) {
+    return *section;
+  }
+  return contactOf<surface::TabulatedCylinder>(s, side, cutter, te, axis, search);
+}
+
 Contact contactOf(const surface::Plane& s,
                   double side,
                   const Profile& cutter,

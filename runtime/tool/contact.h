@@ -3,6 +3,7 @@
 #include "runtime/geometry/kinds.h"
 #include "runtime/tool/near_triangles.h"
 #include "runtime/tool/profile.h"
+#include "runtime/tool/section_contact.h"
 
 /// Contact of a cutter with one side of a surface.
 ///
@@ -19,9 +20,9 @@ struct Contact {
 };
 
 /// Where the last contact was: starts the next search.
-template <surface::Surface S>
-struct Search {
-  typename S::Hint hint{};
+template <class Hint>
+struct LastContact {
+  Hint hint{};
   bool valid = false;
   bool convex = false;                     ///< side * distance is a convex function of the place
   Vec3 toward = Vec3::UnitX();             ///< direction of the contact about the axis
@@ -33,6 +34,14 @@ struct Search {
   /// when the tool was there:
   double lead = -1.0, leadGap = 0.0;
   Vec3 leadAt = Vec3::Zero(), leadAxis = Vec3::Zero();
+};
+
+template <surface::Surface S>
+struct Search : LastContact<typename S::Hint> {};
+
+template <>
+struct Search<surface::TabulatedCylinder> : LastContact<surface::TabulatedCylinder::Hint> {
+  SectionSearch section;
 };
 
 /// With a mesh: the last foot or nearest triangle, and what is near on the way.

@@ -194,10 +194,11 @@ class EdgeSearch {
     return {share, a, a.gradient.dot(edge_), Support::at(place(share), a)};
   }
 
-  /// Lowers `best` where the edge is nearer; roughly where it is not nearer than `enough`.
-  void run(OnEdge low, OnEdge high, double enough, TriangleGap& best) const {
+  /// Lowers `best` where the edge is nearer. True where `best` shows that the whole triangle is
+  /// farther off than `enough`.
+  bool run(OnEdge low, OnEdge high, double enough, TriangleGap& best) const {
     if (low.slope >= 0.0 || high.slope <= 0.0) {
-      return;
+      return false;
     }
     int kept = 0;  // how often the same end stayed
     double atLow = low.slope;
@@ -208,11 +209,18 @@ class EdgeSearch {
       const double kink = meeting(low, high);
       const double bound = low.away.distance + low.slope * (kink - low.share);
       if (bound >= best.gap) {
-        return;
+        return false;
       }
-      if (bound > enough || nearest.distance - bound <= leastOfEdge ||
+      if (nearest.distance - bound <= leastOfEdge ||
           (high.share - low.share) * length_ <= placeOnEdge) {
         break;
+      }
+      if (bound > enough) {
+        const TriangleGap found = between(low, high, nearest);
+        if (found.low > enough) {
+          best = found;
+          return true;
+        }
       }
       double share = i % 2 == 0   ? low.share - atLow * (high.share - low.share) / (atHigh - atLow)
                      : i % 8 == 7 ? 0.5 * (low.share + high.share)
@@ -241,6 +249,7 @@ class EdgeSearch {
     if (nearest.distance <= best.gap) {
       best = between(low, high, nearest);
     }
+    return false;
   }
 
  private:
@@ -294,7 +303,9 @@ TriangleGap onBorder(const PlacedBody& body, const Facet& t, double enough) {
     for (int part = 1; part <= parts; ++part) {
       const OnEdge high =
           part == parts ? edge.at(1.0, away[next]) : edge.at(static_cast<double>(part) / parts);
-      edge.run(low, high, enough, best);
+      if (edge.run(low, high, enough, best)) {
+        return best;
+      }
       low = high;
     }
   }

@@ -1,4 +1,4 @@
-// Random scenes: README of the tests, `random/`.
+// Random scenes of motion; tests/README.md tells how to use it.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -12,12 +12,14 @@ void addOptions(CLI::App& app, scenes::Request& request) {
   app.add_option("--each", request.each, "scenes of every pair of kinds (1)");
   app.add_option("--pair", request.pair, "PART,DRIVE: only scenes of this pair of kinds");
   app.add_option("--first", request.first, "number of the first scene of every pair (0)");
-  app.add_option("--only", request.only, "SEED:PART,DRIVE,NUMBER: this one scene, with its program");
+  app.add_option("--only", request.only,
+                 "SEED:PART,DRIVE,NUMBER: this one scene, with its program");
   app.add_option("--jobs", request.jobs, "threads (one for each core)");
   app.add_option("--found", request.found, "folder for the programs of scenes that fail");
   app.add_option("--table", request.table,
                  "table of counts: goes on behind the scenes that it has, and adds to it");
-  app.add_option("--failures", request.failures, "list of the scenes that fail; it is added to");
+  app.add_option("--failures", request.failures,
+                 "list of scenes that are known to fail; with --table it is added to");
   app.add_flag("--again", request.again, "runs the scenes of the list of failures once more");
   app.add_option("--minutes", request.minutes, "begins no round of scenes after this time");
   app.add_option("--slow", request.slow, "tells of scenes that take longer, seconds");

@@ -18,14 +18,16 @@ struct Run {
 
 /// What became of a program.
 struct Motion {
-  std::vector<std::string> codes;  ///< of the errors, each once, in order
-  std::string message;             ///< of the first error
-  std::vector<Run> runs;           ///< long motions fill several records: they are one run
-  std::vector<std::string> unproven;  ///< what the certificate says against the motion
-  double computing = 0.0, proving = 0.0;  ///< seconds; computing includes reading
+  std::vector<std::string> codes;         ///< of the errors, each once, in order
+  std::string message;                    ///< of the first error
+  std::vector<Run> runs;                  ///< long motions fill several records: they are one run
+  std::vector<std::string> unproven;      ///< what the certificate says against the motion
+  double computing = 0.0, proving = 0.0;  ///< processor seconds; computing includes reading
 
-  /// "computed", or the code of the first error.
-  [[nodiscard]] std::string outcome() const { return codes.empty() ? "computed" : codes.front(); }
+  /// "computed", or the code of the first error in the order in which they were found.
+  [[nodiscard]] std::string outcome() const {
+    return codes.empty() ? "computed" : message.substr(0, message.find(' '));
+  }
 };
 
 /// A part program in work: what it defined can be asked for afterwards.
@@ -47,6 +49,7 @@ class Work {
   app::Settings settings_;
   const InterruptFlag& interrupted_;
   std::unique_ptr<app::Compilation> job_;
+  double reading_ = 0.0;  ///< processor seconds of Section 1
   bool evaluated_ = false;
 };
 

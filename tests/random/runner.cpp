@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,8 +15,9 @@
 namespace arelem::scenes {
 
 namespace {
-/// Scenes of every pair between two writings of the table.
-constexpr std::uint64_t roundLength = 5;
+/// Time of every pair between two writings of the table, seconds. Pairs whose scenes take longer
+/// get fewer of them.
+constexpr double sliceSeconds = 1.0;
 
 std::size_t pairOf(const std::string& text) {
   const std::size_t comma = text.find(',');
@@ -26,8 +28,7 @@ std::size_t pairOf(const std::string& text) {
       return pair;
     }
   }
-  throw std::runtime_error(
-      fmt::format("no pair `{}`; kinds: {}", text, fmt::join(kinds, " ")));
+  throw std::runtime_error(fmt::format("no pair `{}`; kinds: {}", text, fmt::join(kinds, " ")));
 }
 
 /// The inverse of spell(id).
@@ -46,11 +47,16 @@ void write(const Scene& scene, const Similarity& to, const std::string& folder) 
   writeFiles(scene, to, folder + "/");
 }
 
+/// A row of the list of failures.
+std::string row(const Finding& finding) {
+  return spell(finding.id) + "\t" + finding.outcome + "\t" + finding.wrong.front() + "\n";
+}
+
 class Runner {
  public:
   explicit Runner(const Request& request)
       : request_(request), crew_(request.jobs), table_(request.seed) {
-    if (!request.table.empty()) {
+    if (counts()) {
       table_.read(request.table);
     }
   }
@@ -59,10 +65,13 @@ class Runner {
     if (!request_.only.empty()) {
       const SceneId id = idOf(request_.only);
       fmt::print("{}", drawScene(id).program({}));
-      take(crew_.tryAll(std::vector{id}));
+      take(crew_.tryAll(std::vector{Slice{id}}));
     } else if (request_.again) {
       repeat();
     } else {
+      for (const Finding& finding : listed()) {
+        known_.insert(spell(finding.id));
+      }
       rounds();
     }
     fmt::print("{}", table_.summary());
@@ -70,35 +79,38 @@ class Runner {
   }
 
  private:
+  /// A single scene is not counted.
+  [[nodiscard]] bool counts() const { return !request_.table.empty() && request_.only.empty(); }
+
   void rounds() {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t low = request_.pair.empty() ? 0 : pairOf(request_.pair);
     const std::size_t high = request_.pair.empty() ? pairCount : low + 1;
+    std::vector<std::uint64_t> next(pairCount, request_.first);
+    for (std::size_t pair = low; pair < high && counts(); ++pair) {
+      next[pair] = table_.scenes(pair);
+    }
+    const std::uint64_t end = request_.first + request_.each;
     for (;;) {
-      std::vector<SceneId> ids;
-      for (std::uint64_t k = 0; k < roundLength; ++k) {
-        for (std::size_t pair = low; pair < high; ++pair) {
-          const std::uint64_t number = next(pair) + k;
-          if (number < request_.first + request_.each) {
-            ids.push_back({request_.seed, pair, number});
-          }
+      std::vector<Slice> slices;
+      for (std::size_t pair = low; pair < high; ++pair) {
+        if (next[pair] < end) {
+          slices.push_back({{request_.seed, pair, next[pair]}, end - next[pair], sliceSeconds});
         }
       }
-      if (ids.empty()) {
+      if (slices.empty()) {
         return;
       }
-      done_ += roundLength;
-      take(crew_.tryAll(ids));
+      const std::vector<Finding> findings = crew_.tryAll(slices);
+      for (const Finding& finding : findings) {
+        next[finding.id.pair] = finding.id.number + 1;
+      }
+      take(findings);
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
       if (request_.minutes && spent.count() > 60.0 * *request_.minutes) {
         return;
       }
     }
-  }
-
-  /// The first number that was not run. With a table, that behind its scenes.
-  std::uint64_t next(std::size_t pair) const {
-    return request_.table.empty() ? request_.first + done_ : table_.scenes(pair);
   }
 
   void take(const std::vector<Finding>& findings) {
@@ -112,15 +124,16 @@ class Runner {
                    finding.outcome);
       }
     }
-    if (!request_.table.empty()) {
+    if (counts()) {
       table_.write(request_.table);
     }
     std::fflush(stdout);
   }
 
   void tell(const Finding& finding) {
-    ++failed_;
-    fmt::print("scene {}:\n", spell(finding.id));
+    const bool known = known_.contains(spell(finding.id));
+    failed_ += known ? 0 : 1;
+    fmt::print("scene {}{}:\n", spell(finding.id), known ? " (known to fail)" : "");
     for (const std::string& text : finding.wrong) {
       fmt::print("  {}\n", text);
     }
@@ -130,41 +143,43 @@ class Runner {
       write(scene, {}, folder + "/drawn");
       write(scene, scene.move, folder + "/moved");
     }
-    if (!request_.failures.empty() && !request_.again) {
-      std::ofstream(request_.failures, std::ios::app)
-          << spell(finding.id) << "\t" << finding.outcome << "\t" << finding.wrong.front() << "\n";
+    if (counts() && !request_.failures.empty() && !request_.again && !known) {
+      std::ofstream(request_.failures, std::ios::app) << row(finding);
     }
+  }
+
+  /// The scenes of the list of failures, with their outcomes then. Comments are kept.
+  std::vector<Finding> listed() {
+    std::vector<Finding> old;
+    std::ifstream in(request_.failures);
+    std::string line;
+    while (std::getline(in, line)) {
+      if (line.empty() || line[0] == '#') {
+        comments_ += line + "\n";
+        continue;
+      }
+      std::istringstream cells(line);
+      std::string scene, outcome;
+      std::getline(cells, scene, '\t');
+      std::getline(cells, outcome, '\t');
+      old.push_back({idOf(scene), outcome, {"failed"}});
+    }
+    return old;
   }
 
   /// The listed failures once more: the table and the list then hold what is true now.
   void repeat() {
-    std::vector<SceneId> ids;
-    std::vector<Finding> old;
-    std::ifstream in(request_.failures);
-    std::string line, comments;
-    while (std::getline(in, line)) {
-      std::istringstream cells(line);
-      std::string scene, outcome;
-      if (line.empty() || line[0] == '#') {
-        comments += line + "\n";
-        continue;
-      }
-      std::getline(cells, scene, '\t');
-      std::getline(cells, outcome, '\t');
-      ids.push_back(idOf(scene));
-      old.push_back({ids.back(), outcome, {"failed"}});
-    }
-    in.close();
-    for (const Finding& finding : old) {
+    std::vector<Slice> slices;
+    for (const Finding& finding : listed()) {
+      slices.push_back({finding.id});
       table_.remove(finding);
     }
-    const std::vector<Finding> findings = crew_.tryAll(ids);
+    const std::vector<Finding> findings = crew_.tryAll(slices);
     std::ofstream out(request_.failures);
-    out << comments;
+    out << comments_;
     for (const Finding& finding : findings) {
       if (!finding.wrong.empty()) {
-        out << spell(finding.id) << "\t" << finding.outcome << "\t" << finding.wrong.front()
-            << "\n";
+        out << row(finding);
       }
     }
     take(findings);
@@ -173,7 +188,9 @@ class Runner {
   const Request& request_;
   Crew crew_;
   Table table_;
-  std::uint64_t done_ = 0, failed_ = 0;
+  std::set<std::string> known_;
+  std::string comments_;
+  std::uint64_t failed_ = 0;
 };
 }  // namespace
 

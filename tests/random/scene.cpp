@@ -44,7 +44,10 @@ std::array<double, 7> drawCutter(Dice& dice) {
 }
 
 void drawAxis(Scene& scene, Dice& dice) {
-  if (!scene.multax || !dice.chance(0.3)) {
+  // The normal of a mesh jumps: few axes that follow it settle, and it takes long to tell.
+  const bool faceted = std::holds_alternative<MeshShape>(scene.part) ||
+                       std::holds_alternative<MeshShape>(scene.drive);
+  if (!scene.multax || !dice.chance(faceted ? 0.02 : 0.3)) {
     return;
   }
   scene.axis = dice.choice({AxisWord::normalPart, AxisWord::normalPart, AxisWord::normalDrive,
@@ -59,8 +62,8 @@ void drawAxis(Scene& scene, Dice& dice) {
 /// `up`.
 Shape touching(
     const Shape& shape, const Vec3& near, const Vec3& up, const Vec3& along, Dice& dice) {
-  const surface::Foot foot = std::holds_alternative<MeshShape>(shape) ? surface::Foot{0.0, up}
-                                                                      : footOf(shape, near);
+  const surface::Foot foot =
+      std::holds_alternative<MeshShape>(shape) ? surface::Foot{0.0, up} : footOf(shape, near);
   const Vec3 at = near - foot.distance * foot.normal;
   const double radius = dice.among(1.5, 6), side = dice.chance(0.5) ? 1.0 : -1.0;
   const Vec3 axis = (along - along.dot(foot.normal) * foot.normal).normalized();
@@ -75,13 +78,13 @@ void drawExtra(Scene& scene, Dice& dice) {
     scene.secondStop = dice.choice({"TO", "ON", "PAST"});
   } else if (share < 0.18) {
     scene.extra = Extra::tangentDrive;
-    scene.check = touching(scene.drive, Vec3{dice.among(2, 4.5), 0, 0.5}, Vec3::UnitY(),
-                           Vec3::UnitZ(), dice);
+    scene.check =
+        touching(scene.drive, Vec3{dice.among(2, 4.5), 0, 0.5}, Vec3::UnitY(), Vec3::UnitZ(), dice);
     scene.stop = dice.choice({"TANTO", "DSTAN"});
   } else if (share < 0.24) {
     scene.extra = Extra::tangentPart;
-    scene.check = touching(scene.part, Vec3{dice.among(2, 4.5), 0, 0}, Vec3::UnitZ(),
-                           Vec3::UnitY(), dice);
+    scene.check =
+        touching(scene.part, Vec3{dice.among(2, 4.5), 0, 0}, Vec3::UnitZ(), Vec3::UnitY(), dice);
     scene.stop = "PSTAN";
   } else if (share < 0.34) {
     scene.extra = Extra::implied;
@@ -175,10 +178,11 @@ std::vector<std::string> motionStatements(const Scene& s, const Similarity& to) 
   };
   switch (s.extra) {
     case Extra::secondCheck:
-      return {motion + "," + s.stop + ",CS1,L1," + s.secondStop + ",CS2,L2",
-              "L1)" + up(1), "TRANTO/L3", "L2)" + up(2), "L3)" + up(4)};
+      return {motion + "," + s.stop + ",CS1,L1," + s.secondStop + ",CS2,L2", "L1)" + up(1),
+              "TRANTO/L3", "L2)" + up(2), "L3)" + up(4)};
     case Extra::implied:
-      return {motion, (s.turnsLeft != to.mirrors() ? "GOLFT" : "GORGT") + std::string("/CS1,ON,CS2")};
+      return {motion,
+              (s.turnsLeft != to.mirrors() ? "GOLFT" : "GORGT") + std::string("/CS1,ON,CS2")};
     case Extra::counted:
       return {motion + "," + s.stop + ",2,INTOF,CS1"};
     default:

@@ -31,7 +31,7 @@ enum class AxisWord : std::uint8_t { fixed, normalPart, normalDrive, angle, lead
 struct Scene {
   SceneId id;
   Shape part, drive, check, second;
-  std::array<double, 7> cutter{};  ///< lengths but for the angles at 4 and 5
+  std::array<double, 7> cutter{};             ///< lengths but for the angles at 4 and 5
   std::optional<std::array<double, 3>> ring;  ///< CUTTER/OPTION: surface, radius, height
   double inner = 0.0, outer = 0.002;
   std::array<double, 3> thick{};  ///< part, drive, check surface

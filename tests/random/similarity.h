@@ -16,9 +16,7 @@ struct Similarity {
   [[nodiscard]] double length(double x) const { return scale * x; }
   [[nodiscard]] bool mirrors() const { return turn.determinant() < 0.0; }
   /// Where a moved place came from.
-  [[nodiscard]] Vec3 before(const Vec3& p) const {
-    return turn.transpose() * (p - shift) / scale;
-  }
+  [[nodiscard]] Vec3 before(const Vec3& p) const { return turn.transpose() * (p - shift) / scale; }
 };
 
 }  // namespace arelem::scenes

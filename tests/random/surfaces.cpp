@@ -131,8 +131,8 @@ Shape roundDrive(std::string_view kind, double y, Dice& dice) {
   if (kind == "cone") {
     return ConeShape{Vec3{u(-1, 1), y - 14, 40}, -Vec3::UnitZ(), u(15, 20)};
   }
-  return TorusShape{Vec3{u(-1, 1), y - 12, u(-1, 1)}, Vec3{u(-0.1, 0.1), u(-0.1, 0.1), 1},
-                    u(9, 10), 2.5};
+  return TorusShape{Vec3{u(-1, 1), y - 12, u(-1, 1)}, Vec3{u(-0.1, 0.1), u(-0.1, 0.1), 1}, u(9, 10),
+                    2.5};
 }
 
 Shape quadricDrive(Dice& dice) {
@@ -146,7 +146,8 @@ Shape quadricDrive(Dice& dice) {
     }
     default: {  // hyperbolic cylinder along z, as HYPERB makes
       const double a = u(2, 4), b = u(5, 9), y = u(-level, level) + a;
-      return quadric({-1 / (b * b), 1 / (a * a), 0, 0, 0, -2 * y / (a * a), 0, y * y / (a * a) - 1});
+      return quadric(
+          {-1 / (b * b), 1 / (a * a), 0, 0, 0, -2 * y / (a * a), 0, y * y / (a * a) - 1});
     }
   }
 }
@@ -163,8 +164,7 @@ Shape partSurface(std::size_t index, Dice& dice) {
   }
   if (kind == "tabcyl") {
     const double lean = dice.chance(0.5) ? 0.3 : 0.0;
-    return wave(dice, Vec3::UnitZ(),
-                Vec3{dice.among(-lean, lean), 1, dice.among(-lean, lean)});
+    return wave(dice, Vec3::UnitZ(), Vec3{dice.among(-lean, lean), 1, dice.among(-lean, lean)});
   }
   if (kind == "ruled") {
     return ruled(dice, Vec3::UnitZ(), Vec3::UnitY(), Vec3(0, 0, z));
@@ -190,8 +190,7 @@ Shape driveSurface(std::size_t index, Dice& dice) {
   }
   if (kind == "tabcyl") {
     const double lean = dice.chance(0.5) ? 0.2 : 0.0;
-    return wave(dice, Vec3::UnitY(),
-                Vec3{dice.among(-lean, lean), dice.among(-lean, lean), 1});
+    return wave(dice, Vec3::UnitY(), Vec3{dice.among(-lean, lean), dice.among(-lean, lean), 1});
   }
   if (kind == "ruled") {
     return ruled(dice, Vec3::UnitY(), Vec3::UnitZ(), Vec3(0, y, 0));

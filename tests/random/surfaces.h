@@ -8,9 +8,9 @@
 namespace arelem::scenes {
 
 /// The kinds of part and drive surface: the rows of the table are their pairs.
-inline constexpr std::array<std::string_view, 10> kinds{
-    "plane", "sphere", "cylinder", "cone",      "torus",
-    "quadric", "tabcyl", "ruled",  "polyconic", "mesh"};
+inline constexpr std::array<std::string_view, 10> kinds{"plane",     "sphere",  "cylinder", "cone",
+                                                        "torus",     "quadric", "tabcyl",   "ruled",
+                                                        "polyconic", "mesh"};
 inline constexpr std::size_t pairCount = kinds.size() * kinds.size();
 
 /// A surface under the tool near the x axis.

@@ -1,9 +1,13 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <vector>
+
+#include <Eigen/LU>
 
 #include "runtime/geometry/kinds.h"
 
@@ -16,10 +20,12 @@ inline constexpr int rulingsOfASpan = 64;
 inline constexpr double reachOfACurve = 1.0;
 /// A curve that leaves its base line steeper than this (a section that turns back) ends there.
 inline constexpr double steepest = 8.0;
-/// Newton's steps from a place between two of a curve's table, which are near, and how near to its
-/// carrier it ends, as a share of the coordinates.
-inline constexpr int stepsFromTable = 8;
-inline constexpr double onCarrier = 2e-15;
+/// Coefficients of the polynomial that stands for a curve's height over a span of its fractions.
+inline constexpr int curveTerms = 8;
+/// Polynomials for each curve distance.
+inline constexpr int spansOfACurve = 16;
+/// A polynomial stands for the curve where it is this near to it, as a share of the coordinates.
+inline constexpr double onCurve = 4e-15;
 
 /// A place of a curve with its derivatives by the fraction.
 struct CurvePlace {
@@ -106,54 +112,103 @@ class RuledCurve {
     return c;
   }
 
-  /// Heights of the curve over its base line at even fractions, with their slopes: a cubic between
-  /// two is so near that Newton needs a step or two.
+  /// The height over the base line between two fractions, by powers of t in [-1, 1].
+  struct Span {
+    std::array<double, curveTerms> terms{};
+    bool good = false;
+  };
+
+  /// Heights over even fractions.
   void tabulate() {
-    const int count = std::max(2, static_cast<int>((high_ - low_) * rulingsOfASpan) + 1);
-    const Vec3 chord = section_.finish - section_.start;
+    const int count = std::max(1, static_cast<int>((high_ - low_) * spansOfACurve));
+    if (!(high_ > low_)) {
+      return;
+    }
     for (int i = 0; i < count; ++i) {
-      const double f = low_ + (high_ - low_) * i / (count - 1);
-      const auto place = section_.at(f);
-      if (!place) {
-        heights_.clear();
-        return;
-      }
-      const double squared = section_.heading.squaredNorm();
-      heights_.push_back({(*place - section_.base(f)).dot(section_.heading) / squared,
-                          (derived(*place).first - chord).dot(section_.heading) / squared});
+      spans_.push_back(
+          spanOver(low_ + (high_ - low_) * i / count, low_ + (high_ - low_) * (i + 1) / count));
     }
   }
-  /// The place between two of the table; none where Newton does not end there.
+  [[nodiscard]] std::optional<double> heightAt(double f) const {
+    const auto place = section_.at(f);
+    return place ? std::optional((*place - section_.base(f)).dot(section_.heading) /
+                                 section_.heading.squaredNorm())
+                 : std::nullopt;
+  }
+  /// The polynomial through the heights at the Chebyshev places, ends included: what is left of
+  /// them over the straight line between the ends is small, and so is the rounding of its terms.
+  [[nodiscard]] Span spanOver(double from, double to) const {
+    using Row = Eigen::Matrix<double, curveTerms, 1>;
+    using Table = Eigen::Matrix<double, curveTerms, curveTerms>;
+    const auto nodeAt = [](int k) { return -std::cos(std::numbers::pi * k / (curveTerms - 1)); };
+    static const Table inverse = [&] {
+      Table powers;
+      for (int k = 0; k < curveTerms; ++k) {
+        for (int j = 0; j < curveTerms; ++j) {
+          powers(k, j) = std::pow(nodeAt(k), j);
+        }
+      }
+      return Table(powers.inverse());
+    }();
+    const double middle = 0.5 * (from + to);
+    const double half = 0.5 * (to - from);
+    const auto first = heightAt(from);
+    const auto last = heightAt(to);
+    if (!first || !last) {
+      return {};
+    }
+    const double mean = 0.5 * (*first + *last);
+    const double rise = 0.5 * (*last - *first);
+    Row rest = Row::Zero();
+    for (int k = 1; k + 1 < curveTerms; ++k) {
+      const auto height = heightAt(middle + nodeAt(k) * half);
+      if (!height) {
+        return {};
+      }
+      rest[k] = *height - mean - rise * nodeAt(k);
+    }
+    const Row terms = inverse * rest;
+    Span span;
+    std::copy(terms.begin(), terms.end(), span.terms.begin());
+    span.terms[0] += mean;
+    span.terms[1] += rise;
+    const double allowed = onCurve * (1.0 + section_.base(middle).cwiseAbs().maxCoeff() +
+                                      std::abs(mean) * section_.heading.norm());
+    span.good = true;
+    for (const double t : {-0.97, -0.6, 0.1, 0.75, 0.97}) {
+      const auto height = heightAt(middle + t * half);
+      span.good = span.good && height && std::abs(valueOf(span, t)[0] - *height) <= allowed;
+    }
+    return span;
+  }
+  /// The height and its first two derivatives by t.
+  [[nodiscard]] static std::array<double, 3> valueOf(const Span& span, double t) {
+    double value = 0.0;
+    double slope = 0.0;
+    double half = 0.0;
+    for (int k = curveTerms - 1; k >= 0; --k) {
+      half = half * t + slope;
+      slope = slope * t + value;
+      value = value * t + span.terms[static_cast<std::size_t>(k)];
+    }
+    return {value, slope, 2.0 * half};
+  }
   [[nodiscard]] std::optional<CurvePlace> fromTable(double f) const {
-    if (heights_.empty() || !(high_ > low_)) {
+    if (spans_.empty()) {
       return std::nullopt;
     }
-    const auto last = static_cast<double>(heights_.size() - 2);
-    const double x = (f - low_) / (high_ - low_) * (last + 1.0);
-    const double floor = std::clamp(std::floor(x), 0.0, last);
-    const auto i = static_cast<std::size_t>(floor);
-    const Height& a = heights_[i];
-    const Height& b = heights_[i + 1];
-    const double t = x - floor;
-    const double rest = 1.0 - t;
-    const double width = (high_ - low_) / (last + 1.0);
-    double height = a.value + t * t * (3.0 - 2.0 * t) * (b.value - a.value) +
-                    width * t * rest * (rest * a.slope - t * b.slope);
-    const Vec3 base = section_.base(f);
-    return std::visit(
-        [&]<class S>(const S& s) -> std::optional<CurvePlace> {
-          typename S::Hint hint{};
-          for (int step = 0; step < stepsFromTable; ++step) {
-            const Vec3 place = base + height * section_.heading;
-            const Foot foot = s.foot(place, hint);
-            if (std::abs(foot.distance) <= onCarrier * (1.0 + place.cwiseAbs().maxCoeff())) {
-              return derivedOn(s, place, foot, hint);
-            }
-            height -= foot.distance / foot.normal.dot(section_.heading);
-          }
-          return std::nullopt;
-        },
-        *carrier_);
+    const auto count = static_cast<double>(spans_.size());
+    const double x = (f - low_) / (high_ - low_) * count;
+    const double floor = std::clamp(std::floor(x), 0.0, count - 1.0);
+    const Span& span = spans_[static_cast<std::size_t>(floor)];
+    if (!span.good) {
+      return std::nullopt;
+    }
+    const double byF = 2.0 * count / (high_ - low_);
+    const std::array<double, 3> v = valueOf(span, 2.0 * (x - floor) - 1.0);
+    return CurvePlace{section_.base(f) + v[0] * section_.heading,
+                      section_.finish - section_.start + byF * v[1] * section_.heading,
+                      byF * byF * v[2] * section_.heading};
   }
 
   /// The same formulas with all that the carrier may do within `radius` of the place: its normal
@@ -205,10 +260,7 @@ class RuledCurve {
   geometry::SectionCurve section_;
   std::unique_ptr<AnySurface> carrier_;
   double low_ = 0.0, high_ = 1.0;
-  struct Height {
-    double value, slope;
-  };
-  std::vector<Height> heights_;
+  std::vector<Span> spans_;
 };
 
 }  // namespace arelem::surface

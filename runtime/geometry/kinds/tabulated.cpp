@@ -12,7 +12,7 @@ using Piece = TabulatedCylinder::Piece;
 constexpr int newtonLimit = 40;
 /// A step of Newton that is smaller than this share of the piece is the last: the next would be
 /// about its square.
-constexpr double lastStep = 1e-9;
+constexpr double lastStep = 1e-7;
 /// Parts of a piece that are looked at one by one.
 constexpr int parts = 4;
 /// A place between two feet on a graph that rises by at most 45 degrees is farther off than they
@@ -146,26 +146,49 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
   const double u = curve.u.dot(point);
   const double v = curve.v.dot(point);
   Nearest best;
-  int bestPiece = -1;
-  const int count = static_cast<int>(curve.pieces.size());
-  if (hint.piece >= 0) {
+  int bestPiece = hint.piece;
+  bool whole = hint.piece < 0;  // every piece is to be looked at
+  if (!whole) {
     const Piece& p = curve.pieces[static_cast<std::size_t>(hint.piece)];
-    best = descend(p, toLocal(p, u, v), hint.x);
-    bestPiece = hint.piece;
-  }
-  for (int i = 0; i < count; ++i) {
-    const Piece& p = curve.pieces[static_cast<std::size_t>(i)];
     const Local q = toLocal(p, u, v);
-    if (i == hint.piece ? hasOneMinimum(p, q) : boxBound(p, q) >= best.squared) {
-      continue;
+    best = descend(p, q, hint.x);
+    if (!hasOneMinimum(p, q)) {
+      const Nearest found = nearestOf(p, q, best.squared);
+      best = found.squared < best.squared ? found : best;
     }
-    const Nearest found = nearestOf(p, q, best.squared);
-    if (found.squared < best.squared) {
-      best = found;
-      bestPiece = i;
-    }
+    // The others are nearer by the way since they were looked at, at most.
+    const double moved = std::sqrt((u - hint.u) * (u - hint.u) + (v - hint.v) * (v - hint.v));
+    whole = std::sqrt(best.squared) + moved > hint.others;
   }
-  hint = {bestPiece, best.x};
+  if (whole) {
+    double others = std::numeric_limits<double>::infinity();
+    const int count = static_cast<int>(curve.pieces.size());
+    for (int i = 0; i < count; ++i) {
+      if (i == hint.piece) {
+        continue;
+      }
+      const Piece& p = curve.pieces[static_cast<std::size_t>(i)];
+      const Local q = toLocal(p, u, v);
+      const double bound = boxBound(p, q);
+      if (bound >= best.squared) {
+        others = std::min(others, bound);
+        continue;
+      }
+      const Nearest found = nearestOf(p, q, best.squared);
+      if (found.squared < best.squared) {
+        others = std::min(others, best.squared);
+        best = found;
+        bestPiece = i;
+      } else {
+        others = best.squared;
+      }
+    }
+    hint.others = std::sqrt(others);
+    hint.u = u;
+    hint.v = v;
+  }
+  hint.piece = bestPiece;
+  hint.x = best.x;
   const Piece& p = curve.pieces[static_cast<std::size_t>(bestPiece)];
   const Local q = toLocal(p, u, v);
   const double s = slope(p, best.x);

@@ -23,6 +23,8 @@ class TabulatedCylinder {
   struct Hint {
     int piece = -1;  ///< of the last foot, -1: none
     double x = 0.0;  ///< its local parameter
+    /// Seen from this place of the plane, the other pieces were at least so far away.
+    double others = -1.0, u = 0.0, v = 0.0;
   };
   struct Curve {
     Vec3 u = Vec3::UnitX(), v = Vec3::UnitY(), w = Vec3::UnitZ();

@@ -165,5 +165,51 @@ TEST(Prove, BoundsHoldForEveryCutterAndSurface) {
   EXPECT_EQ(decided, runs);
 }
 
+/// z = x^2/4 - x over x in [0, 4], lowest at x = 2 with -1, with straight ends; along y.
+surface::TabulatedCylinder trough() {
+  auto curve = std::make_shared<surface::TabulatedCylinder::Curve>();
+  curve->u = Vec3::UnitX();
+  curve->v = Vec3::UnitZ();
+  curve->w = -Vec3::UnitY();
+  const double d = std::sqrt(0.5);
+  curve->pieces = {{-10 * d, 10 * d, d, -d, 10, 0, 0, 0, true, false, 0, 0},
+                   {0, 0, 1, 0, 4, 0, 0.25, -1, false, false, -1, 0},
+                   {4, 0, d, d, 10, 0, 0, 0, false, true, 0, 0}};
+  return surface::TabulatedCylinder(std::move(curve));
+}
+
+TEST(Prove, AFlatCutterInATroughGoesFromRimToRim) {
+  // Radius 1, level from x = 1.5 to 2.5: it is nearest at the ends, where a rim is over x = 0.5 and
+  // 3.5, at -7/16, of slope 3/4; in the middle the rims are 5/16 higher over the trough.
+  Scene scene{trough(), cutter({2.0}), 1.0, Vec3::UnitZ(), std::nullopt, {0.0, 1.0, 1e-9}};
+  Verdict v = scene.prove({1.5, 0, -0.4375}, {2.5, 0, -0.4375});
+  EXPECT_TRUE(v.good());
+  EXPECT_LT(v.nodes, 200);
+  EXPECT_LE(std::abs(v.least.measured), 1e-9);
+  EXPECT_LE(v.greatest.measured, 0.3125);
+  v = scene.prove({1.5, 0, -0.4475}, {2.5, 0, -0.4475});
+  EXPECT_EQ(v.inner, State::refuted);
+  EXPECT_NEAR(v.least.measured, -0.008, 1e-4);  // 0.01 times the cosine of the slope
+}
+
+TEST(Prove, ACutterBelowATabulatedCylinderByWhatIsAllowedIsProven) {
+  // A flat cutter of radius 1 cuts 0.05 deep into a crest, z = x - x^2/4, below its top.
+  auto curve = std::make_shared<surface::TabulatedCylinder::Curve>(trough().curve());
+  curve->v = -Vec3::UnitZ();
+  curve->w = Vec3::UnitY();
+  Scene scene{surface::TabulatedCylinder(std::move(curve)),
+              cutter({2.0}),
+              -1.0,
+              Vec3::UnitZ(),
+              std::nullopt,
+              {0.05, 0.05, 1e-9}};
+  Verdict v = scene.prove({1.8, 0, 0.95}, {2.2, 0, 0.95});
+  EXPECT_TRUE(v.good());
+  EXPECT_NEAR(v.least.proven, -0.05, 2e-3);
+  scene.allowed.inner = 0.04;
+  v = scene.prove({1.8, 0, 0.95}, {2.2, 0, 0.95});
+  EXPECT_EQ(v.inner, State::refuted);
+}
+
 }  // namespace
 }  // namespace arelem::certify

@@ -1,0 +1,385 @@
+#include "runtime/motion/facets/tunnel_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arelem::motion {
+
+namespace {
+/// Shares of the band: what the tunnel is narrower at each edge, the largest corner of a bottom,
+/// and the rest of heights.
+constexpr double spareShare = 0.008;
+constexpr double bentShare = 0.03;
+constexpr double restShare = 1e-5;
+/// Corners of this share of what is spared are none.
+constexpr double straightShare = 0.25;
+/// Places beyond the tops of cells where nothing may be either, in bands.
+constexpr double aboveBands = 4.5;
+/// Lengths of the lists, in lengths of a cut vector, at the beginning.
+constexpr double wideReach = 4.0;
+constexpr double nearReach = 0.5;
+constexpr double stepReach = 0.125;
+/// Cells shorter than this share of a cut vector are a wall or a cliff.
+constexpr double leastReach = 1e-4;
+constexpr int deepest = 40;
+/// Lists from the tree are made longer or shorter until they are between `few` and `many`.
+constexpr std::size_t few = 100;
+constexpr std::size_t many = 220;
+constexpr std::size_t most = 4000;
+constexpr std::size_t fewNear = 20;
+constexpr std::size_t manyNear = 40;
+constexpr double growth = 1.4;
+constexpr double firstWide = 0.06, firstNear = 0.01;
+constexpr double mostShare = 4.0;
+/// Slabs are made this much higher than the last one had to be.
+constexpr double roomy = 1.5;
+constexpr double slabBands = 6.0;
+constexpr double faster = 1.6;
+constexpr double slower = 0.8;
+/// A rest of a list shorter than this share of a step is no step.
+constexpr double remainder = 0.3;
+constexpr int dropLimit = 12;
+constexpr double leastRise = 0.25;
+
+/// The length of the next list, where one of this length had `count` triangles. Short ones do not
+/// get smaller for being shorter: what counts is what the cutter is near to in one place.
+double better(
+    double length, std::size_t count, std::size_t least, std::size_t greatest, double shortest) {
+  return count < least                           ? growth * length
+         : count > greatest && length > shortest ? length / growth
+                                                 : length;
+}
+}  // namespace
+
+TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
+    : triangles_(task),
+      band_(task.high - task.low),
+      spare_(spareShare * band_),
+      bent_(bentShare * band_),
+      heights_(triangles_, restShare * band_),
+      wide_{{}, wideReach * reach, firstWide},
+      near_{{}, nearReach * reach, firstNear},
+      step_(stepReach * reach),
+      least_(leastReach * reach),
+      shortest_(reach) {}
+
+bool TunnelBuilder::begin(const SectionPoint& at) {
+  tunnel_.clear();
+  marks_.clear();
+  ended_ = true;
+  const auto z = drop(at);
+  if (!z) {
+    return false;
+  }
+  // A short list to find the first node.
+  const SectionPoint here{at.s, *z};
+  const Way around{{at.s - least_, *z}, {at.s + least_, *z}, slabBands * band_ + 4.0 * least_};
+  if (!triangles_.gather(around, most)) {
+    return false;
+  }
+  const auto node = heights_.node(here, triangles_.all());
+  if (!node || around.beside(node->point()) > around.slab) {
+    return false;
+  }
+  last_ = *node;
+  wide_.way.to.s = near_.way.to.s = at.s;
+  ended_ = false;
+  return extend();
+}
+
+/// The height at which the least gap of all triangles is about the task's low.
+std::optional<double> TunnelBuilder::drop(const SectionPoint& guess) {
+  SectionPoint p = guess;
+  for (int i = 0; i < dropLimit; ++i) {
+    const tool::TriangleGap gap = triangles_.least(p);
+    const double rise = gap.normal.dot(task().section.up);
+    if (rise < leastRise) {
+      return std::nullopt;
+    }
+    const double excess = gap.gap - task().low;
+    p.z -= excess / rise;
+    if (std::abs(excess) <= band_) {
+      return p.z;
+    }
+  }
+  return std::nullopt;
+}
+
+void TunnelBuilder::List::settleShare() {
+  share = std::clamp(roomy * use, 0.5 * share, share);
+  use = 0.0;
+}
+
+/// The wide list for the piece of way from the last node on.
+bool TunnelBuilder::gather() {
+  const SectionPoint here = last_.point();
+  const double slope = last_.highest().slope();
+  wide_.settleShare();
+  for (; wide_.length > least_ && wide_.share <= mostShare; wide_.length /= 2.0) {
+    const auto z = drop({here.s + wide_.length, here.z + slope * wide_.length});
+    if (!z) {
+      continue;
+    }
+    wide_.way = {
+        here, {here.s + wide_.length, *z}, wide_.share * wide_.length + 2.0 * slabBands * band_};
+    if (!triangles_.gather(wide_.way, most)) {
+      continue;
+    }
+    const auto node = heights_.node(here, triangles_.all());
+    if (!node) {
+      return false;
+    }
+    wide_.length = better(wide_.length, triangles_.all().size(), few, many, shortest_);
+    last_ = *node;
+    near_.way.to.s = here.s;
+    return true;
+  }
+  return false;
+}
+
+/// The short list for the next piece of way; false where there is none.
+bool TunnelBuilder::focus() {
+  near_.settleShare();
+  for (;;) {
+    if (last_.s >= wide_.way.to.s - least_ && !gather()) {
+      return false;
+    }
+    const SectionPoint here = last_.point();
+    double length = std::min(near_.length, wide_.way.to.s - here.s);
+    nearEnd_.reset();
+    for (; !nearEnd_ && length > least_; length /= 2.0) {
+      nearEnd_ = heights_.node({here.s + length, here.z + last_.highest().slope() * length},
+                               triangles_.all());
+    }
+    if (!nearEnd_) {
+      return false;
+    }
+    near_.way = {here, nearEnd_->point(), 0.0};
+    near_.way.slab = near_.share * (near_.way.to.s - here.s) + slabBands * band_;
+    const double beside = std::max(wide_.way.beside(here), wide_.way.beside(near_.way.to));
+    wide_.see(beside + near_.way.slab - slabBands * band_);
+    if (beside + near_.way.slab > wide_.way.slab) {
+      wide_.share *= 2.0;
+      wide_.way.to.s = here.s;
+      if (wide_.share > mostShare) {
+        return false;
+      }
+      continue;
+    }
+    triangles_.focus(near_.way);
+    near_.length =
+        better(near_.length, triangles_.near().size(), fewNear, manyNear, nearReach * shortest_);
+    return true;
+  }
+}
+
+bool TunnelBuilder::isInSlab(const TouchNode& node) {
+  const double beside = near_.way.beside(node.point());
+  near_.see(beside);
+  return beside + aboveBands * band_ <= near_.way.slab;
+}
+
+bool TunnelBuilder::extend() {
+  const double before = last_.s;
+  while (!ended_ && last_.s == before) {
+    if (last_.s >= near_.way.to.s - least_ && !focus()) {
+      ended_ = true;
+      break;
+    }
+    const double rest = near_.way.to.s - last_.s;
+    const bool toEnd = rest < (1.0 + remainder) * step_;
+    const double s = toEnd ? near_.way.to.s : last_.s + step_;
+    const SectionPoint here = last_.point();
+    std::optional<TouchNode> node = nearEnd_;
+    if (!toEnd) {
+      node = heights_.node({s, here.z + last_.highest().slope() * step_}, triangles_.near());
+    }
+    const Outcome outcome = node ? settle(last_, *node, 0) : Outcome::ends;
+    if (outcome == Outcome::outside) {
+      near_.share *= 2.0;
+      near_.use = near_.share;
+      near_.way.to.s = last_.s;
+      ended_ = near_.share > mostShare;
+    } else if (outcome == Outcome::ends) {
+      step_ /= 4.0;
+      ended_ = step_ < least_;
+    }
+  }
+  return last_.s > before;
+}
+
+/// The triangle whose heights at both ends are the node's but for what may be spared.
+std::optional<std::uint32_t> TunnelBuilder::witness(TouchNode& a, TouchNode& b) {
+  const std::uint32_t i = a.highest().index;
+  const std::uint32_t k = b.highest().index;
+  if (i == k || heights_.nearTop(b, i, spare_)) {
+    return i;
+  }
+  return heights_.nearTop(a, k, spare_) ? std::optional(k) : std::nullopt;
+}
+
+/// Below both tangents of the triangle that is touched at both ends.
+TunnelBuilder::Bottom TunnelBuilder::bottomOf(TouchNode& a, TouchNode& b, std::uint32_t i) const {
+  const TouchHeight& first = *a.of(i);
+  const TouchHeight& last = *b.of(i);
+  const double length = b.s - a.s;
+  // Heights of the tangents, over the heights of touch: nothing but rounding.
+  const double over0 = first.tangentHeight(a.s, task().low) - first.z;
+  const double over1 = last.tangentHeight(b.s, task().low) - last.z;
+  const double mean = (last.z - first.z) / length;
+  const double fall0 = first.slope() - mean;
+  const double fall1 = mean - last.slope();
+  const double turn = fall0 + fall1;
+  const double share = turn > 0.0 ? std::clamp(fall1 / turn, 0.0, 1.0) : 0.5;
+  const double rise = std::max(over0, over1) +
+                      std::max(0.0, length * std::min(fall0 * share, fall1 * (1.0 - share)));
+  Bottom bottom{{a.s, a.point().z + spare_}, {}, {b.s, b.point().z + spare_}, 0.0};
+  bottom.corner.s = a.s + (share > 0.0 && share < 1.0 ? share : 0.5) * length;
+  bottom.corner.z = heightOn(bottom.from, bottom.to, bottom.corner.s);
+  if (rise > straightShare * spare_) {
+    bottom.rise = rise;
+    bottom.corner.z += rise;
+  }
+  return bottom;
+}
+
+/// Where a triangle may come through the bottom of a cell, or between bottom and top.
+std::optional<double> TunnelBuilder::penetrationBy(const Bottom& bottom, std::uint32_t j) {
+  const double low = task().low;
+  const double above = aboveBands * band_;
+  bool first = false;
+  bool second = false;
+  const auto see = [&](const SectionTriangles::Tangent& t) {
+    const double more = t.byZ < 0.0 ? above * t.byZ : 0.0;
+    const double middle = t.at(bottom.corner) + more;
+    if (middle >= low) {
+      first = first || t.at(bottom.from) + more >= low;
+      second = second || t.at(bottom.to) + more >= low;
+    }
+    return first && second;
+  };
+  const SectionTriangles::Tangents& known = triangles_.tangents(j);
+  for (std::uint32_t i = 0; i < known.count; ++i) {
+    if (see(known.last[i])) {
+      return std::nullopt;
+    }
+  }
+  const auto between = [](const SectionPoint& a, const SectionPoint& b) {
+    return SectionPoint{0.5 * (a.s + b.s), 0.5 * (a.z + b.z)};
+  };
+  for (int i = 0; i < 4; ++i) {
+    const SectionPoint p = i == 0   ? !first && !second ? bottom.corner
+                                      : first           ? between(bottom.corner, bottom.to)
+                                                        : between(bottom.from, bottom.corner)
+                             : i == 1 ? bottom.corner
+                           : i == 2 ? bottom.from
+                                    : bottom.to;
+    const auto m = triangles_.measure(j, p, low);
+    if (m.gap < low) {
+      return p.s;
+    }
+    if (see(m.tangent)) {
+      return std::nullopt;
+    }
+  }
+  return bottom.corner.s;
+}
+
+std::optional<double> TunnelBuilder::penetration(const Bottom& bottom, std::uint32_t skipped) {
+  for (const std::uint32_t j : triangles_.near()) {
+    if (j == skipped) {
+      continue;
+    }
+    if (const auto s = penetrationBy(bottom, j)) {
+      return s;
+    }
+  }
+  return std::nullopt;
+}
+
+void TunnelBuilder::emit(TouchNode& a, TouchNode& b, const Bottom& bottom, std::uint32_t i) {
+  const double before = heights_.top(a.s, *a.of(i));
+  if (tunnel_.empty()) {
+    tunnel_.addBottom(bottom.from);
+    tunnel_.addTop({a.s, before});
+    marks_.push_back({a.s, triangles_.triangle(i)});
+  }
+  tunnel_.lowerTop(before);
+  if (bottom.rise > 0.0) {
+    tunnel_.addBottom(bottom.corner);
+  }
+  tunnel_.addBottom(bottom.to);
+  tunnel_.addTop({b.s, heights_.top(b.s, *b.of(i))});
+  marks_.push_back({b.s, triangles_.triangle(b.highest().index)});
+}
+
+TunnelBuilder::Outcome TunnelBuilder::divide(TouchNode& a, TouchNode& b, double s, int depth) {
+  const double edge = 0.05 * (b.s - a.s);
+  s = std::clamp(s, a.s + edge, b.s - edge);
+  if (depth >= deepest || b.s - a.s <= least_) {
+    return Outcome::ends;
+  }
+  const SectionPoint guess{s, heightOn(a.point(), b.point(), s)};
+  auto middle = heights_.node(guess, triangles_.near());
+  if (!middle) {
+    return Outcome::ends;
+  }
+  if (depth == 0) {
+    step_ *= slower;
+  }
+  const Outcome first = settle(a, *middle, depth + 1);
+  return first == Outcome::done ? settle(*middle, b, depth + 1) : first;
+}
+
+TunnelBuilder::Outcome TunnelBuilder::settle(TouchNode& a, TouchNode& b, int depth) {
+  if (!isInSlab(b)) {
+    return Outcome::outside;
+  }
+  const auto i = witness(a, b);
+  if (!i) {
+    // Where the two tangents cross: the ridge or the valley between two triangles.
+    const double turn = a.highest().slope() - b.highest().slope();
+    const double ahead = b.point().z - a.point().z - b.highest().slope() * (b.s - a.s);
+    const double share = turn == 0.0 ? 0.5 : ahead / turn / (b.s - a.s);
+    return divide(a, b, a.s + (share > 0.0 && share < 1.0 ? share : 0.5) * (b.s - a.s), depth);
+  }
+  const Bottom bottom = bottomOf(a, b, *i);
+  if (bottom.rise > bent_) {
+    return divide(a, b, bottom.corner.s, depth);
+  }
+  if (const auto s = penetration(bottom, *i)) {
+    return divide(a, b, *s, depth);
+  }
+  emit(a, b, bottom, *i);
+  if (depth == 0) {
+    step_ = std::min(faster * step_, near_.length);
+  }
+  if (&b != &last_) {
+    last_ = b;
+  }
+  return Outcome::done;
+}
+
+void TunnelBuilder::forget(double s) {
+  tunnel_.forget(s);
+  constexpr std::size_t enough = 512;
+  const auto behind = std::lower_bound(marks_.begin(), marks_.end(), s,
+                                       [](const Mark& m, double at) { return m.s < at; });
+  if (behind - marks_.begin() > static_cast<std::ptrdiff_t>(enough)) {
+    marks_.erase(marks_.begin(), behind - 1);
+  }
+}
+
+tool::TriangleGap TunnelBuilder::touchAt(const SectionPoint& p) const {
+  auto behind = std::lower_bound(marks_.begin(), marks_.end(), p.s,
+                                 [](const Mark& m, double at) { return m.s < at; });
+  behind = behind == marks_.end() ? behind - 1 : behind;
+  tool::TriangleGap best = triangles_.gapTo(behind->triangle, p);
+  if (behind != marks_.begin() && (behind - 1)->triangle != behind->triangle) {
+    const tool::TriangleGap other = triangles_.gapTo((behind - 1)->triangle, p);
+    best = other.gap < best.gap ? other : best;
+  }
+  return best;
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,75 @@
+#pragma once
+#include "runtime/motion/facets/touch_heights.h"
+#include "runtime/motion/facets/tunnel.h"
+
+namespace arelem::motion {
+
+/// Finds the tunnel of a motion along facets, piece by piece.
+///
+/// Cells between two nodes have one straight line as top, from the heights of one triangle at both
+/// ends, which is right as those heights are concave in between. Their bottom is a straight line or
+/// one with a corner; no triangle comes up to it, which tangents of its gap prove. Cells for which
+/// that cannot be shown are divided.
+class TunnelBuilder {
+ public:
+  /// `reach`: the length of a cut vector, roughly.
+  TunnelBuilder(const FacetTask& task, double reach);
+
+  /// Starts at a place within the tolerance; false where no tunnel begins there.
+  bool begin(const SectionPoint& at);
+  /// Makes it longer; false where it ends: at walls, cliffs and borders.
+  bool extend();
+  [[nodiscard]] const Tunnel& tunnel() const { return tunnel_; }
+  void forget(double s);
+  /// The triangle touched at s, the nearer of those at the nodes around.
+  [[nodiscard]] tool::TriangleGap touchAt(const SectionPoint& p) const;
+  [[nodiscard]] const FacetTask& task() const { return triangles_.task(); }
+
+ private:
+  enum class Outcome : std::uint8_t { done, outside, ends };
+  using Way = SectionTriangles::Way;
+  /// A piece of way whose triangles are listed.
+  struct List {
+    Way way;
+    double length = 0.0;  ///< of the next
+    double share = 0.0;   ///< half the height of its slab, as a share of its length
+    double use = 0.0;     ///< what of that was made use of
+
+    void see(double beside) { use = std::max(use, beside / (way.to.s - way.from.s)); }
+    /// The share of the next one is near to what this one took.
+    void settleShare();
+  };
+  struct Mark {
+    double s = 0.0;
+    std::uint32_t triangle = 0;
+  };
+  struct Bottom {
+    SectionPoint from, corner, to;
+    double rise = 0.0;  ///< of the corner; 0: it is none
+  };
+
+  bool gather();
+  bool focus();
+  [[nodiscard]] std::optional<double> drop(const SectionPoint& guess);
+  Outcome settle(TouchNode& a, TouchNode& b, int depth);
+  Outcome divide(TouchNode& a, TouchNode& b, double s, int depth);
+  [[nodiscard]] std::optional<std::uint32_t> witness(TouchNode& a, TouchNode& b);
+  [[nodiscard]] Bottom bottomOf(TouchNode& a, TouchNode& b, std::uint32_t i) const;
+  [[nodiscard]] std::optional<double> penetration(const Bottom& bottom, std::uint32_t skipped);
+  [[nodiscard]] std::optional<double> penetrationBy(const Bottom& bottom, std::uint32_t j);
+  void emit(TouchNode& a, TouchNode& b, const Bottom& bottom, std::uint32_t i);
+  [[nodiscard]] bool isInSlab(const TouchNode& node);
+
+  SectionTriangles triangles_;
+  double band_, spare_, bent_;
+  TouchHeights heights_;
+  Tunnel tunnel_;
+  TouchNode last_;
+  std::optional<TouchNode> nearEnd_;  ///< at the end of the short list's way
+  std::vector<Mark> marks_;
+  List wide_, near_;
+  double step_, least_, shortest_;
+  bool ended_ = false;
+};
+
+}  // namespace arelem::motion
