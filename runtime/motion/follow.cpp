@@ -187,8 +187,12 @@ class Follower {
   /// tolerance: the way back would be for nothing.
   bool hasArrived(const PathPoint& stop, const Met& met) {
     const Vec3 way = stop.toolEnd - last_.toolEnd;
-    return way.norm() <= tolerance::sameSide ||
-           (way.dot(last_.tangent) < 0.0 && stops_.isWithin(last_, met));
+    double near = tolerance::sameSide;
+    for (const Guide& g : course_.path.guides) {
+      // Along planes on which the axis turns cut vectors end this far beside the stops.
+      near += g.field->flat() ? 2.0 * Guide::aimShare * (g.inner + g.outer) : 0.0;
+    }
+    return way.norm() <= near || (way.dot(last_.tangent) < 0.0 && stops_.isWithin(last_, met));
   }
 
   /// The stop, if one cut vector reaches it within the bands; otherwise shortens `cap` so that the

@@ -6,13 +6,10 @@ vertical surfaces only, the tool lies down instead.
 """
 import json
 import math
-import sys
 import unittest
 
-from arelem_run import PROJECT, ArelemCase
-
-sys.path.insert(0, str(PROJECT / "tests" / "random"))
-import surfaces  # noqa: E402
+import moved_surfaces as surfaces
+from arelem_run import ArelemCase
 
 BAND = 0.004
 CUTTERS = ("1,.5", "1", "1,.2", ".8,.1,.313071,.1,0,8,4", "1,0,0,0,30,0,4")
