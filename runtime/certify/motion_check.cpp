@@ -102,7 +102,7 @@ void MotionCheck::judge(StatementResult& result,
     const Vec3& p = r.leastPlace;
     report(result, action,
            fail(diag::Undercut, -v.least.measured, figures.surface, p.x(), p.y(), p.z(),
-                std::uint64_t{r.leastVector + 1}, a.inner));
+                std::uint64_t{r.leastVector + 1}, a.inner, -v.least.measured - a.inner));
   } else if (v.inner == State::undecided) {
     const Vec3& p = r.leastPlace;
     report(result, action,
@@ -113,7 +113,7 @@ void MotionCheck::judge(StatementResult& result,
     const Vec3& p = r.greatestPlace;
     report(result, action,
            fail(diag::LeftOff, v.greatest.measured, figures.surface, p.x(), p.y(), p.z(),
-                std::uint64_t{r.greatestVector + 1}, a.outer));
+                std::uint64_t{r.greatestVector + 1}, a.outer, v.greatest.measured - a.outer));
   } else if (v.outer == State::undecided) {
     const Vec3& p = r.greatestPlace;
     report(
