@@ -11,9 +11,9 @@
 namespace arelem::certify {
 
 namespace {
-/// Components of a contact normal along the last cut vector below this do not tell whether the tool
-/// approaches the surface or leaves it: a path may turn by more between a chord and its end.
-constexpr double glancing = 0.1;
+/// Components of a contact normal along the path below this do not tell whether the tool approaches
+/// the surface or leaves it.
+constexpr double glancing = 1e-3;
 /// Cosine of the angle within which contact normals agree at a tangency.
 constexpr double agreeing = 0.5;
 
