@@ -225,7 +225,7 @@ class Motions {
     putFeed(s.feed);
     auto found = motion::startupPosition(state_, s);
     if (!found) {
-      report(found.takeFailure());
+      reportIf(motion::ofMotion(state_, found.takeFailure()));
     } else {
       const Vec3 before = state_.toolEnd;
       if (s.surfaces.size() > 1) {
@@ -258,7 +258,7 @@ class Motions {
     } else {
       request.drive = *std::move(drive);
       request.checks = *std::move(checks);
-      reportIf(runFollow(f, request, since));
+      reportIf(motion::ofMotion(state_, runFollow(f, request, since)));
     }
     motion::forgetOneShots(state_);
   }

@@ -110,7 +110,7 @@ std::optional<Failure> setCutter(State& state, const runtime::Parameter& p, bool
   if (!profile) {
     return profile.takeFailure();
   }
-  state.cutter = *profile;
+  state.cutter = tool::joined(*profile);
   state.option = {};
   return used ? tool::shapeFault(*profile) : std::nullopt;
 }
@@ -188,6 +188,7 @@ void moveTo(State& state, const Vec3& toolEnd) {
   }
   state.toolEnd = toolEnd;
   state.positioned = true;
+  state.adrift = false;
 }
 
 void forgetOneShots(State& state) {

@@ -27,6 +27,7 @@ enum Role : std::size_t { partRole = 0, driveRole = 1, checkRole = 2, secondChec
 struct State {
   Vec3 toolEnd = Vec3::Zero();
   bool positioned = false;  ///< FROM or a motion was met
+  bool adrift = false;      ///< the last motion failed: the tool is not where the program means it
   Vec3 axis = Vec3::UnitZ();
   std::optional<Vec3> forward;  ///< last non-axial displacement or INDIRV/INDIRP
   /// Last displacement that was not along the axis: where the forward direction is axial.

@@ -13,12 +13,6 @@
 /// contact, so g is the signed distance field of the surface on which the tool end runs.
 namespace arelem::tool {
 
-struct Contact {
-  double gap = 0.0;
-  Vec3 normal = Vec3::UnitZ();  ///< unit, from the surface to the cutter; the gradient of the gap
-  Vec3 point = Vec3::Zero();    ///< on the cutter
-};
-
 /// Where the last contact was: starts the next search.
 template <class Hint>
 struct LastContact {

@@ -279,7 +279,9 @@ class ContactSearch {
     }
     search_.toward = toward;
     search_.hint = hint;
-    const double others = std::min(skipped, leastBeside(grid, all, directions, toward));
+    const bool atPoint = cutter_.alpha > 0.0 &&
+                         (best.point - te_).cross(axis_).norm() < 0.25 * cutter_.bottomEnd.rho;
+    const double others = std::min(skipped, leastBeside(grid, all, directions, toward, atPoint));
     search_.lead = trustedShare * (others - best.gap);
     search_.leadGap = best.gap + search_.lead;
     search_.leadAt = te_;
@@ -287,19 +289,24 @@ class ContactSearch {
     return best;
   }
 
-  /// The least distance of the grid but for the bottom and the corner next to the contact.
-  static double leastBeside(const Grid& grid,
-                            const Rows& all,
-                            const std::array<Vec3, angles>& directions,
-                            const Vec3& toward) {
+  /// The least distance of the grid but for the bottom and the corner next to the contact. The
+  /// point of a drill and its rim are apart: where one of them touches (`atPoint`) the other
+  /// counts.
+  double leastBeside(const Grid& grid,
+                     const Rows& all,
+                     const std::array<Vec3, angles>& directions,
+                     const Vec3& toward,
+                     bool atPoint) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < all.count; ++r) {
       const Row& row = all.list[r];
       if (row.piece != side && row.q.rho == 0.0) {
+        least = cutter_.alpha > 0.0 && !atPoint ? std::min(least, grid[r][0]) : least;
         continue;
       }
+      const bool apart = row.piece == side || (atPoint && row.piece == corner);
       for (std::size_t k = 0; k < angles; ++k) {
-        if (row.piece == side || directions[k].dot(toward) < besideContact) {
+        if (apart || directions[k].dot(toward) < besideContact) {
           least = std::min(least, grid[r][k]);
         }
       }
