@@ -11,7 +11,9 @@ namespace arelem::film {
 
 namespace {
 constexpr double surfaceCells = 200.0;
+constexpr double usualSurfaceCells = 60'000.0;
 constexpr double mostSurfaceCells = 250'000.0;
+constexpr double cellsOfLine = 12.0;  // in the half width of the footprint
 constexpr std::size_t mostSampledTriangles = 50'000;
 constexpr double roughCells = 60.0;  // in the longer way
 constexpr double fewestCells = 12.0;
@@ -23,32 +25,50 @@ double shareOf(std::size_t i, std::size_t count) {
   return (static_cast<double>(i) + 0.5) / static_cast<double>(count);
 }
 
-void divide(Map& map, double lengthU, double lengthV, double cell) {
-  map.cell = cell > 0.0 ? cell : std::max(lengthU, lengthV) / surfaceCells;
-  map.cell = std::max(map.cell, std::sqrt(lengthU * lengthV / mostSurfaceCells));
+/// `cell` 0: fine enough for the picture and for the lines, as far as that is not too slow.
+void divide(Map& map, double lengthU, double lengthV, double cell, double halfWidth) {
+  const double fine = std::min(std::max(lengthU, lengthV) / surfaceCells, halfWidth / cellsOfLine);
+  const double most = cell > 0.0 ? mostSurfaceCells : usualSurfaceCells;
+  map.cell = std::max(cell > 0.0 ? cell : fine, std::sqrt(lengthU * lengthV / most));
   map.columns = static_cast<std::size_t>(std::max(1.0, std::round(lengthU / map.cell)));
   map.rows = static_cast<std::size_t>(std::max(1.0, std::round(lengthV / map.cell)));
+}
+
+/// The films of the cells on the work, whose places are in order.
+void setFilms(Map& map, const Bursts& spray, const std::vector<Bursts::Place>& places) {
+  const std::vector<double> films = spray.filmsAt(places);
+  map.film.assign(map.onWork.size(), 0.0);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < map.onWork.size(); ++i) {
+    if (map.onWork[i]) {
+      map.film[i] = films[next++];
+    }
+  }
 }
 
 Map patchMap(const spray::Sprayed& s, const Bursts& spray, double cell) {
   const spray::Patch& patch = *s.patch;
   Map map;
-  divide(map, longestWay(patch, true), longestWay(patch, false), cell);
+  divide(map, longestWay(patch, true), longestWay(patch, false), cell, s.gun.footprint.across);
   map.onWork.assign(map.columns * map.rows, false);
   const double du = (patch.u1 - patch.u0) / static_cast<double>(map.columns);
   const double dv = (patch.v1 - patch.v0) / static_cast<double>(map.rows);
+  std::vector<Bursts::Place> places;
   for (std::size_t r = 0; r < map.rows; ++r) {
     for (std::size_t c = 0; c < map.columns; ++c) {
       const double u = patch.u0 + (patch.u1 - patch.u0) * shareOf(c, map.columns);
       const double v = patch.v0 + (patch.v1 - patch.v0) * shareOf(r, map.rows);
       const bool kept = patch.keeps(u, v);
       map.onWork[r * map.columns + c] = kept;
-      map.film.push_back(kept ? spray.filmAt(patch.at(u, v), patch.normal(u, v)) : 0.0);
+      if (kept) {
+        places.push_back({patch.at(u, v), patch.normal(u, v)});
+      }
       const Vec3 across = patch.at(u + du / 2.0, v) - patch.at(u - du / 2.0, v);
       const Vec3 up = patch.at(u, v + dv / 2.0) - patch.at(u, v - dv / 2.0);
       map.areas.push_back(across.cross(up).norm());
     }
   }
+  setFilms(map, spray, places);
   return map;
 }
 
@@ -64,7 +84,7 @@ class MeshPicture {
   MeshPicture(const spray::Sprayed& s, double cell) : mesh_(*s.mesh), frame_(eyeOf(*s.mesh)) {
     const auto [left, right] = mesh_.range(frame_.x);
     const auto [bottom, top] = mesh_.range(frame_.y);
-    divide(map_, right - left, top - bottom, cell);
+    divide(map_, right - left, top - bottom, cell, s.gun.footprint.across);
     map_.low = {left, bottom};
     const std::size_t count = map_.columns * map_.rows;
     heights_.assign(count, -HUGE_VAL);
@@ -78,11 +98,13 @@ class MeshPicture {
     for (std::size_t t = 0; t < mesh_.mesh().triangles.size(); ++t) {
       look(t);
     }
+    std::vector<Bursts::Place> places;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       if (map_.onWork[i]) {
-        map_.film[i] = spray.filmAt(seen_[i].place, seen_[i].normal);
+        places.push_back({seen_[i].place, seen_[i].normal});
       }
     }
+    setFilms(map_, spray, places);
     return std::move(map_);
   }
 
@@ -152,6 +174,7 @@ Statistics statisticsOf(const spray::Sprayed& s,
   const std::size_t count = surface.mesh().triangles.size();
   const std::size_t stride = count / mostTriangles + 1;
   Map all;
+  std::vector<Bursts::Place> places;
   for (std::size_t t = 0; t < count; t += stride) {
     const double area = surface.spanned(t).norm() / 2.0;
     const auto n =
@@ -162,11 +185,12 @@ Statistics statisticsOf(const spray::Sprayed& s,
         const double up = (i + (k % 2 == 0 ? 1.0 : 2.0) / 3.0) / n;
         const double over = (k / 2 + (k % 2 == 0 ? 1.0 : 2.0) / 3.0) / n;
         const spray::LinePoint point = surface.at(t, {1.0 - up - over, over, up});
-        all.film.push_back(spray.filmAt(point.place, point.normal));
+        places.push_back({point.place, point.normal});
         all.areas.push_back(area / (n * n) * static_cast<double>(stride));
       }
     }
   }
+  all.film = spray.filmsAt(places);
   all.onWork.assign(all.film.size(), true);
   measure(all, s.film);
   return all.statistics;
