@@ -151,6 +151,9 @@ Deepest deepestOf(const PlacedBody& body, const Facet& t, const Vec3& normal) {
   const auto at = [&](double s) { return body.distance(start + s * along); };
   double high = body.cutter().h + body.cutter().maxRadius();
   double low = -high;
+  // Above its top the cutter is no more: sides that widen are deepest right below it.
+  const double room = body.cutter().h - body.axis().dot(start - body.te()) - touching;
+  high = std::max(low, std::min(high, room / steep));
   double x1 = high - golden * (high - low);
   double x2 = low + golden * (high - low);
   double f1 = at(x1);

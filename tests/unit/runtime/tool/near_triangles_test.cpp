@@ -1,9 +1,10 @@
-#include "runtime/tool/mesh_contact.h"
 #include "runtime/tool/near_triangles.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "runtime/tool/mesh_contact.h"
 
 // The least gap to a mesh, found with what is remembered of earlier positions, against all
 // triangles one by one.
@@ -135,6 +136,22 @@ TEST(NearTriangles, TheGapLiesAboveItsTangent) {
         EXPECT_GE(gap, rough.low + rough.slope.dot(step) - 1e-11) << i;
       }
     }
+  }
+}
+
+TEST(NearTriangles, ASideThatWidensIsDeepestInAWallRightBelowItsTop) {
+  // By hand: there the wall is as far inside as the radius exceeds its distance from the axis; the
+  // side leans by 8 degrees. The wall is taller than the cutter.
+  const double lean = std::atan(1.0) / 5.625;  // 8 degrees
+  const double center = 0.4 - 0.1 * (1.0 - std::sin(lean)) / std::cos(lean);
+  const Profile cutter = *makeProfile(std::vector<double>{0.8, 0.1, center, 0.1, 0, 8, 4});
+  const Body body(cutter);
+  const std::array<Vec3, 3> corners = {Vec3(1, -50, -20), Vec3(1, 50, -20), Vec3(1, 0, 60)};
+  const Facet wall = Facet::of(corners[0], corners[1], corners[2]);
+  for (const double away : {0.7, 0.5, -0.5, -0.7}) {
+    const double inside = cutter.sideEnd.rho - std::abs(away);
+    const TriangleGap gap = gapOf(PlacedBody(body, {1 - away, 0, 0}, Vec3::UnitZ()), wall);
+    EXPECT_NEAR(gap.gap, -inside * cutter.cosBeta, 1e-9) << away;
   }
 }
 
