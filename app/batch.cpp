@@ -8,7 +8,7 @@
 #include "app/output_file.h"
 #include "app/sha256.h"
 #include "app/source_file.h"
-#include "app/spray_progress.h"
+#include "app/progress_bar.h"
 #include "app/worker.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

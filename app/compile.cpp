@@ -17,7 +17,7 @@
 #include "app/pipeline.h"
 #include "app/report.h"
 #include "app/source_file.h"
-#include "app/spray_progress.h"
+#include "app/progress_bar.h"
 #include "app/stopwatch.h"
 #include "app/trace.h"
 #include "app/worker.h"

@@ -8,7 +8,7 @@
 #include "app/numbered_file.h"
 #include "app/options.h"
 #include "app/picture_file.h"
-#include "app/spray_progress.h"
+#include "app/progress_bar.h"
 #include "app/spray_report.h"
 #include <unistd.h>
 
@@ -71,7 +71,7 @@ int runSpray(const Invocation& invocation) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--cell", options.cell,
-                 "cells of the film, mm; default: 400 in the longer way, or 8 in half a pass")
+                 "cells of the film, mm; default: 400 in the longer way (200 of a surface), or as many as show the passes")
       ->check(aboveZero())
       ->type_name("MM");
   addSourceOptions(app, options.settings);

@@ -197,8 +197,7 @@ class Sheet {
     }
     canvas_.text({plot_.left + plot_.width, bottom + 36.0}, picture_.xName,
                  "text-anchor=\"end\" class=\"soft\"");
-    canvas_.text({plot_.left - 8.0, plot_.top - 6.0}, picture_.yName,
-                 "text-anchor=\"middle\" class=\"soft\"");
+    canvas_.text({plot_.left, plot_.top - 8.0}, picture_.yName, "class=\"soft\"");
   }
 
   /// Shares of the work in the bands.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int likeCost = 2;
 constexpr int otherCost = 3;
+constexpr int surplusWordCost = 4;  // a word is written by intention, a number is forgotten
 constexpr int unreached = std::numeric_limits<int>::max();
 
 /// Costs of the states (number of parameters used, node) and how each was reached.
@@ -96,9 +97,10 @@ class Grid {
   /// Steps that use up parameter `used`.
   void consume(std::size_t used) {
     const Symbol& symbol = parameters_[used];
+    const int surplusCost = symbol.sort == Symbol::Sort::word ? surplusWordCost : otherCost;
     for (int i = 0; i < static_cast<int>(nodes_); ++i) {
       const Edit surplus{Edit::Kind::surplus, used, {}};
-      relax(used, i, used + 1, i, otherCost, &surplus);
+      relax(used, i, used + 1, i, surplusCost, &surplus);
       if (node(i).kind != Pattern::Node::Kind::take) {
         continue;
       }

@@ -16,7 +16,7 @@ struct Edit {
 };
 
 struct EditPath {
-  int cost = 0;             ///< replacing like by like 2, other changes 3
+  int cost = 0;             ///< replacing like by like 2, a surplus word 4, other changes 3
   std::vector<Edit> edits;  ///< from left to right; empty: the parameters fit
 };
 

@@ -46,17 +46,48 @@ std::vector<std::string> fitting(Word noun, std::span<const Symbol> parameters, 
   return texts;
 }
 
+/// Whether the pattern may begin with the symbol.
+bool begins(const Pattern& pattern, const Symbol& symbol) {
+  NodeSet first(pattern);
+  first.add(pattern.start);
+  return std::any_of(first.members().begin(), first.members().end(), [&](int member) {
+    const Pattern::Node& node = pattern.nodes[static_cast<std::size_t>(member)];
+    return node.kind == Pattern::Node::Kind::take && node.wanted.accepts(symbol);
+  });
+}
+
+struct Near {
+  FormId form;
+  EditPath path;
+};
+
+/// A word in front that begins a form says which one is meant: forms in which it would be another
+/// word come behind those that lack one parameter.
+void trustTheFirstWord(std::vector<Near>& all, std::span<const Symbol> parameters) {
+  constexpr int anotherForm = 2;
+  if (parameters.empty() || parameters.front().sort != Symbol::Sort::word ||
+      std::none_of(all.begin(), all.end(), [&](const Near& near) {
+        return begins(compiledForm(near.form), parameters.front());
+      })) {
+    return;
+  }
+  for (Near& near : all) {
+    const std::vector<Edit>& edits = near.path.edits;
+    if (!edits.empty() && edits.front().position == 0 &&
+        edits.front().kind == Edit::Kind::replace) {
+      near.path.cost += anotherForm;
+    }
+  }
+}
+
 Mismatch explain(Word noun, std::span<const Symbol> parameters) {
-  struct Near {
-    FormId form;
-    EditPath path;
-  };
   std::vector<Near> all;
   for (const FormRow& form : formTable()) {
     if (isOf(form, noun)) {
       all.push_back({form.id, editPath(compiledForm(form.id), parameters)});
     }
   }
+  trustTheFirstWord(all, parameters);
   std::stable_sort(all.begin(), all.end(),
                    [](const Near& a, const Near& b) { return a.path.cost < b.path.cost; });
   Mismatch mismatch;

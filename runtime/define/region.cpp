@@ -17,6 +17,10 @@ using geometry::Vec2;
 using region::Boundary;
 
 namespace {
+Failure tooMany(std::uint64_t mostCorners) {
+  return fail(diag::RegionSize, mostCorners).withHelp("a larger CHORD makes fewer");
+}
+
 /// `chord`: what CHORD says; none where nothing is said.
 Result<Resolved> resolved(std::vector<Boundary> boundaries,
                           std::optional<double> chord,
@@ -30,7 +34,7 @@ Result<Resolved> resolved(std::vector<Boundary> boundaries,
     }
   }
   if (corners > mostCorners) {
-    return fail(diag::RegionSize, mostCorners);
+    return tooMany(mostCorners);
   }
   const double coarsest = box.isEmpty() ? HUGE_VAL : box.diagonal().norm() / 4.0;
   if (chord && *chord > coarsest) {
@@ -139,14 +143,18 @@ std::vector<Vec2> meetings(const Element& a, const Element& b, double& apart) {
 /// One boundary of lines and circles, chorded.
 class CurveBoundary {
  public:
-  CurveBoundary(std::vector<Element> elements, std::size_t firstNumber, double chord)
-      : elements_(std::move(elements)), firstNumber_(firstNumber), chord_(chord) {}
+  /// A boundary of more corners than `most` ends early: it is refused by their number.
+  CurveBoundary(std::vector<Element> elements,
+                std::size_t firstNumber,
+                double chord,
+                std::uint64_t most)
+      : elements_(std::move(elements)), firstNumber_(firstNumber), chord_(chord), most_(most) {}
 
   Result<region::Corners> corners() {
     const std::size_t n = elements_.size();
     if (n == 1 && elements_[0].isCircle) {
       const geometry::Circle& c = elements_[0].circle;
-      add(region::arcPoints(c.middle(), c.radius, 0.0, 2.0 * std::numbers::pi, chord_));
+      add(region::arcPoints(c.middle(), c.radius, 0.0, 2.0 * std::numbers::pi, chord_, most_));
       return std::move(corners_);
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -156,7 +164,7 @@ class CurveBoundary {
       }
       joints_.push_back(*place);
     }
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n && corners_.size() <= most_; ++i) {
       elements_[i].isCircle ? addArc(i) : add({joints_[i]});
     }
     return std::move(corners_);
@@ -195,7 +203,7 @@ class CurveBoundary {
     } else {
       sweep += sweep <= 0.0 ? 2.0 * std::numbers::pi : 0.0;
     }
-    add(region::arcPoints(c.middle(), c.radius, start, sweep, chord_));
+    add(region::arcPoints(c.middle(), c.radius, start, sweep, chord_, most_));
   }
 
   [[nodiscard]] bool goesOnClockwise(std::size_t i, const Vec2& from) const {
@@ -219,6 +227,7 @@ class CurveBoundary {
   std::vector<Element> elements_;
   std::size_t firstNumber_;
   double chord_;
+  std::uint64_t most_;
   std::vector<Vec2> joints_;
   region::Corners corners_;
 };
@@ -272,6 +281,7 @@ Result<Resolved> regionOfBoundaries(const Arguments& given) {
   }
   std::vector<Boundary> boundaries;
   std::size_t number = 1;  // of the element, in messages
+  std::size_t all = 0;     // corners
   std::size_t i = 0;
   while (i < end) {
     Boundary& boundary = boundaries.emplace_back(Boundary{roleAt(given, i), {}});
@@ -289,12 +299,18 @@ Result<Resolved> regionOfBoundaries(const Arguments& given) {
     }
     const std::size_t count = elements.size();
     Result<region::Corners> corners =
-        CurveBoundary(std::move(elements), number, chord.value_or(defaultChord(given))).corners();
+        CurveBoundary(std::move(elements), number, chord.value_or(defaultChord(given)),
+                      given.mostCorners())
+            .corners();
     if (!corners) {
       return corners.takeFailure();
     }
     number += count;
     boundary.corners = *std::move(corners);
+    all += boundary.corners.size();
+    if (all > given.mostCorners()) {
+      return tooMany(given.mostCorners());
+    }
   }
   return resolved(std::move(boundaries), chord, given.mostCorners());
 }

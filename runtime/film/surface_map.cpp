@@ -11,7 +11,9 @@ namespace arelem::film {
 
 namespace {
 constexpr double surfaceCells = 200.0;
+constexpr double usualSurfaceCells = 60'000.0;
 constexpr double mostSurfaceCells = 250'000.0;
+constexpr double cellsOfLine = 12.0;  // in the half width of the footprint
 constexpr std::size_t mostSampledTriangles = 50'000;
 constexpr double roughCells = 60.0;  // in the longer way
 constexpr double fewestCells = 12.0;
@@ -23,9 +25,11 @@ double shareOf(std::size_t i, std::size_t count) {
   return (static_cast<double>(i) + 0.5) / static_cast<double>(count);
 }
 
-void divide(Map& map, double lengthU, double lengthV, double cell) {
-  map.cell = cell > 0.0 ? cell : std::max(lengthU, lengthV) / surfaceCells;
-  map.cell = std::max(map.cell, std::sqrt(lengthU * lengthV / mostSurfaceCells));
+/// `cell` 0: fine enough for the picture and for the lines, as far as that is not too slow.
+void divide(Map& map, double lengthU, double lengthV, double cell, double halfWidth) {
+  const double fine = std::min(std::max(lengthU, lengthV) / surfaceCells, halfWidth / cellsOfLine);
+  const double most = cell > 0.0 ? mostSurfaceCells : usualSurfaceCells;
+  map.cell = std::max(cell > 0.0 ? cell : fine, std::sqrt(lengthU * lengthV / most));
   map.columns = static_cast<std::size_t>(std::max(1.0, std::round(lengthU / map.cell)));
   map.rows = static_cast<std::size_t>(std::max(1.0, std::round(lengthV / map.cell)));
 }
@@ -45,7 +49,7 @@ void setFilms(Map& map, const Bursts& spray, const std::vector<Bursts::Place>& p
 Map patchMap(const spray::Sprayed& s, const Bursts& spray, double cell) {
   const spray::Patch& patch = *s.patch;
   Map map;
-  divide(map, longestWay(patch, true), longestWay(patch, false), cell);
+  divide(map, longestWay(patch, true), longestWay(patch, false), cell, s.gun.footprint.across);
   map.onWork.assign(map.columns * map.rows, false);
   const double du = (patch.u1 - patch.u0) / static_cast<double>(map.columns);
   const double dv = (patch.v1 - patch.v0) / static_cast<double>(map.rows);
@@ -80,7 +84,7 @@ class MeshPicture {
   MeshPicture(const spray::Sprayed& s, double cell) : mesh_(*s.mesh), frame_(eyeOf(*s.mesh)) {
     const auto [left, right] = mesh_.range(frame_.x);
     const auto [bottom, top] = mesh_.range(frame_.y);
-    divide(map_, right - left, top - bottom, cell);
+    divide(map_, right - left, top - bottom, cell, s.gun.footprint.across);
     map_.low = {left, bottom};
     const std::size_t count = map_.columns * map_.rows;
     heights_.assign(count, -HUGE_VAL);

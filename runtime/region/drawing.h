@@ -47,8 +47,13 @@ struct Drawing {
                                                        double joint);
 
 /// Points of a circular arc from its start angle, counterclockwise for a positive sweep (radians),
-/// both ends included.
-[[nodiscard]] std::vector<Vec2> arcPoints(
-    const Vec2& center, double radius, double start, double sweep, double chord);
+/// both ends included. An arc that needs more than `most` chords has some more than that: it is
+/// refused by their number.
+[[nodiscard]] std::vector<Vec2> arcPoints(const Vec2& center,
+                                          double radius,
+                                          double start,
+                                          double sweep,
+                                          double chord,
+                                          std::size_t most);
 
 }  // namespace arelem::region

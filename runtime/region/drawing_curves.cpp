@@ -16,14 +16,13 @@ namespace arelem::region {
 namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double wholeTurn = 2.0 * std::numbers::pi;
-constexpr double mostChords = 100'000.0;
 
-/// Chords of an arc whose middle is at most `chord` off.
-int chordsOf(double radius, double sweep, double chord) {
+/// Chords of an arc whose middle is at most `chord` off; of more than `most` one more.
+int chordsOf(double radius, double sweep, double chord, std::size_t most) {
   const double half = std::acos(std::clamp(1.0 - chord / radius, -1.0, 1.0));
   return static_cast<int>(
       std::clamp(std::ceil(std::abs(sweep) / std::max(2.0 * half, tolerance::arcStep)),
-                 std::abs(sweep) > 3.0 ? 4.0 : 1.0, mostChords));
+                 std::abs(sweep) > 3.0 ? 4.0 : 1.0, static_cast<double>(most) + 1.0));
 }
 
 /// Appends f over (from, to] so finely that chords stay near the curve.
@@ -54,12 +53,12 @@ void refine(const std::function<Vec2(double)>& f,
   refine(f, from, middle, chord, depth - 1, mostPoints, points);
   refine(f, middle, to, chord, depth - 1, mostPoints, points);
 }
-constexpr int deepest = 16;
+constexpr int deepest = 22;  // finer than any tolerance of a curve that has not too many points
 }  // namespace
 
 std::vector<Vec2> arcPoints(
-    const Vec2& center, double radius, double start, double sweep, double chord) {
-  const int n = chordsOf(radius, sweep, chord);
+    const Vec2& center, double radius, double start, double sweep, double chord, std::size_t most) {
+  const int n = chordsOf(radius, sweep, chord, most);
   std::vector<Vec2> points;
   for (int i = 0; i <= n; ++i) {
     const double angle = start + sweep * i / n;
@@ -200,7 +199,7 @@ Result<Curve> CurveReader::arc(const DrawingObject& entity) const {
   }
   double sweep = std::fmod((v[4] - v[3]) * degree, wholeTurn);
   sweep = whole || sweep <= 0.0 ? sweep + wholeTurn : sweep;
-  Curve curve{arcPoints({v[0], v[1]}, v[2], v[3] * degree, sweep, chord_), whole};
+  Curve curve{arcPoints({v[0], v[1]}, v[2], v[3] * degree, sweep, chord_, mostPoints_), whole};
   if (whole) {
     curve.points.pop_back();
   }
@@ -265,7 +264,7 @@ Curve CurveReader::bulged(const std::vector<Vertex>& vertices, bool closed) cons
     const Vec2 center = from.place + chord / 2.0 + height * Vec2(-chord.y(), chord.x());
     const Vec2 arm = from.place - center;
     const std::vector<Vec2> arc =
-        arcPoints(center, radius, std::atan2(arm.y(), arm.x()), sweep, chord_);
+        arcPoints(center, radius, std::atan2(arm.y(), arm.x()), sweep, chord_, mostPoints_);
     curve.points.insert(curve.points.end(), arc.begin() + 1, arc.end() - 1);
   }
   return curve;

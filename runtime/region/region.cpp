@@ -168,10 +168,13 @@ Failure crossing(const Region& region, const Frame& frame, const geometry::Meeti
     return fail(diag::RegionTwice, m.polygon + 1, m.otherPolygon + 1,
                 textOf(region.loops[m.polygon].front()));
   }
-  return fail(diag::RegionCrosses, m.edge + 1, m.polygon + 1, m.otherEdge + 1, m.otherPolygon + 1,
-              textOf(frame.inSpace(m.place)))
-      .note(fmt::format("the region has {} boundaries, counted in the order of the text",
-                        region.loops.size()));
+  Failure failure = fail(diag::RegionCrosses, m.edge + 1, m.polygon + 1, m.otherEdge + 1,
+                         m.otherPolygon + 1, textOf(frame.inSpace(m.place)));
+  if (region.loops.size() == 1) {
+    return failure;
+  }
+  return std::move(failure).note(fmt::format(
+      "the region has {} boundaries, counted in the order of the text", region.loops.size()));
 }
 }  // namespace
 

@@ -25,12 +25,14 @@ std::pair<std::size_t, double> between(const std::vector<double>& places, double
 
 std::optional<Failure> outside(const Grid& grid,
                                std::string_view what,
+                               std::string_view unit,
                                double value,
                                const std::vector<double>& places) {
   if (value >= places.front() && value <= places.back()) {
     return std::nullopt;
   }
-  return fail(diag::OutsideCalibration, what, value, grid.name, places.front(), places.back());
+  return fail(diag::OutsideCalibration, what, value, unit, grid.name, places.front(),
+              places.back());
 }
 }  // namespace
 
@@ -62,10 +64,10 @@ std::optional<Failure> objectionTo(const Grid& grid) {
 }
 
 Result<double> interpolated(const Grid& grid, double pressure, double valve) {
-  if (auto failure = outside(grid, "pressure", pressure, grid.pressures)) {
+  if (auto failure = outside(grid, "pressure", "kPa", pressure, grid.pressures)) {
     return *std::move(failure);
   }
-  if (auto failure = outside(grid, "valve position", valve, grid.valves)) {
+  if (auto failure = outside(grid, "valve position", "degrees", valve, grid.valves)) {
     return *std::move(failure);
   }
   const auto [column, x] = between(grid.pressures, pressure);

@@ -1,6 +1,11 @@
 #include "runtime/spray/cost.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ir/diag/spray.h"
 
 namespace arelem::spray {
 
@@ -10,6 +15,14 @@ Operation operationFor(double film, double interval, const GunLimits& limits) {
     return {limits.flow * limits.efficiency / (film * interval), limits.flow, true};
   }
   return {limits.speed, wanted, false};
+}
+
+Failure tooMuchFlow(double speed, double wanted, double largest, double fitting) {
+  constexpr double digits = 6.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(fitting)) + 1.0 - digits);
+  const double offered = (std::ceil(fitting / unit) - 1.0) * unit;
+  return fail(diag::SprayFlow, speed, wanted / literPerMinute, largest / literPerMinute)
+      .withHelp(fmt::format("SPEED, {:.6g} would give the film", offered));
 }
 
 Cost costOf(const PathLengths& path,

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "ir/diag/diagnostic.h"
 #include "runtime/spray/units.h"
 
 namespace arelem::spray {
@@ -30,6 +31,11 @@ struct GunLimits {
 /// Largest speed that the flow allows for a mean film (mm) and passes `interval` (mm) apart:
 /// q' = h v s / eta. Source: Bartlett 4.2.3.
 [[nodiscard]] Operation operationFor(double film, double interval, const GunLimits& limits);
+
+/// Error E0376: at `speed` (mm/s) the film takes the flow `wanted`, the gun has `largest` (mm3/s).
+/// The speed that is offered is `fitting`, rounded down to six digits: one digit more and the flow
+/// would be too large again.
+[[nodiscard]] Failure tooMuchFlow(double speed, double wanted, double largest, double fitting);
 
 struct PathLengths {
   double painted = 0.0;    ///< X_i, mm

@@ -244,16 +244,15 @@ class Planner {
       return std::nullopt;
     }
     const double interval = 2.0 * result_.sprayed.chosen.across * (1.0 - result_.sprayed.overlap);
-    const double wanted =
-        job_.film * task_.limits.speed * interval / task_.limits.efficiency / literPerMinute;
-    const double largest = task_.limits.flow / literPerMinute;
+    const double wanted = job_.film * task_.limits.speed * interval / task_.limits.efficiency;
+    const double largest = task_.limits.flow;
     if (job_.speed) {
-      return fail(diag::SprayFlow, task_.limits.speed, wanted, largest)
-          .withHelp(fmt::format("SPEED, {:.6g} would give the film", operation.speed));
+      return tooMuchFlow(task_.limits.speed, wanted, largest, operation.speed);
     }
     if (job_.gun.kind != Gun::Kind::calibrated && job_.gun.speed > 0.0) {
-      result_.warnings.push_back(
-          fail(diag::SpraySlowed, task_.limits.speed, wanted, largest, operation.speed));
+      result_.warnings.push_back(fail(diag::SpraySlowed, task_.limits.speed,
+                                      wanted / literPerMinute, largest / literPerMinute,
+                                      operation.speed));
     }
     return std::nullopt;
   }

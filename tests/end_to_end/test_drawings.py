@@ -2,11 +2,14 @@
 """REGION/DXF reads drawings that another program (ezdxf) writes, in all versions, with curves of all kinds."""
 import json
 import math
+import pathlib
 import subprocess
 import sys
 import unittest
 
 from arelem_run import ArelemCase
+
+RANDOM = str(pathlib.Path(__file__).with_name("random_drawings.py"))
 
 
 def drawings():
@@ -128,6 +131,19 @@ class Drawings(ArelemCase):
                     self.assertEqual({float(p[2]) for p in places}, {57.0})
                 else:
                     self.assertIn("LINE is not parallel to the xy plane: its z goes from 0 to 30", self.err)
+
+    def test_random_loops(self):
+        count = 12
+        made = subprocess.run([drawings(), RANDOM, str(self.folder), str(count), "1"], capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        rows = [line.split() for line in made.stdout.splitlines()]
+        self.assertEqual(len(rows), count)
+        for name, area, unit in rows:
+            with self.subTest(name):
+                self.write("part.apt", f"UNITS/MM\nG1=GUN/CONE,10,STNDOF,{500 * float(unit)},SPEED,100\n"
+                                       f"R1=REGION/DXF,'{name}',LAYER,'paint',CHORD,{.0005 * float(unit)}\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+                self.assertExit(0, "spray", "part.apt", "--json")
+                self.assertAlmostEqual(json.loads(self.out)[0]["area"] / float(area), 1, delta=2e-5)
 
     def test_spline(self):
         self.assertAlmostEqual(self.spray("R2010", "spline")["area"], math.pi * 100, delta=.1)

@@ -129,7 +129,18 @@ void drawing(const std::string& bytes) {
   region::DrawingRules rules;
   rules.mostPoints = 100'000;
   if (auto read = region::readDrawing(bytes, "fuzz.dxf", rules); read) {
-    static_cast<void>(region::chained(std::move(read->curves), "fuzz.dxf", 1e-3));
+    const auto loops = region::chained(std::move(read->curves), "fuzz.dxf", 1e-3);
+    std::vector<region::Boundary> boundaries;
+    for (std::size_t i = 0; loops && i < loops->size(); ++i) {
+      region::Boundary& boundary = boundaries.emplace_back();
+      boundary.role = region::Boundary::Role::byPlace;
+      for (const auto& place : (*loops)[i]) {
+        boundary.corners.emplace_back(place.x(), place.y(), read->height);
+      }
+    }
+    if (!boundaries.empty()) {
+      static_cast<void>(region::regionOf(std::move(boundaries)));
+    }
   }
 }
 

@@ -195,9 +195,8 @@ class Planner {
       }
       o.flow = job_.film * s_.step * o.speed / gun.efficiency;
       if (gun.flow > 0.0 && o.flow > gun.flow) {
-        return fail(diag::SprayFlow, o.speed, o.flow / literPerMinute, gun.flow / literPerMinute)
-            .withHelp(fmt::format("SPEED, {:.6g} would give the film",
-                                  speedFor(gun.flow, gun.efficiency, job_.film, s_.step)));
+        return tooMuchFlow(o.speed, o.flow, gun.flow,
+                           speedFor(gun.flow, gun.efficiency, job_.film, s_.step));
       }
     } else {
       o.flow = gun.flow;

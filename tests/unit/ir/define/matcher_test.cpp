@@ -224,6 +224,14 @@ TEST(Mismatch, NamesAMissingParameter) {
   EXPECT_THAT(m.expected, ElementsAre("r"));
 }
 
+TEST(Mismatch, TrustsAWordThatBeginsAForm) {
+  // Another word would cost less than the second half axis; ELLIPS says that an ellipse is meant.
+  const Mismatch m = mismatchOf(W::GUN, {w(W::ELLIPS), s(), w(W::SPEED), s()});
+  EXPECT_EQ(m.kind, Mismatch::Kind::missing);
+  EXPECT_EQ(m.position, 2U);
+  EXPECT_THAT(m.expected, Contains("b"));
+}
+
 TEST(Mismatch, NamesASurplusParameter) {
   const Mismatch m = mismatchOf(W::POINT, {s(), s(), s(), s()});
   EXPECT_EQ(m.kind, Mismatch::Kind::surplus);
