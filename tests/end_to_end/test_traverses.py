@@ -88,6 +88,28 @@ class Traverses(ArelemCase):
         least, _ = self.nearest_rapid(work + ",CLEARP,0\n", box)
         self.assertLess(least, 0.0)
 
+    def test_sections_lie_as_close_as_the_surface_leans(self):
+        # Films near the 20 um asked for: 11.6 on this cone where planes, not lines, are a footprint apart.
+        cone = "S1=CONE/(POINT/0,0,0),(VECTOR/0,0,1),55\nSPRAY/S1,GUN,G1,FILM,.02,SECTN,(PLANE/0,0,1,0),LIMITS,0,360,300,700\n"
+        skew = "S1=SPHERE/0,0,0,300\nSPRAY/S1,GUN,G1,FILM,.02,SECTN,(PLANE/1,1,1,0)\n"
+        ring = "S1=TORUS/0,0,0,0,0,1,500,150\nSPRAY/S1,GUN,G1,FILM,.02,SECTN,(PLANE/0,1,0,0)\n"
+        for text, within in ((cone, .85), (skew, .85), (ring, .75)):
+            self.write("part.apt", GUN + text + "FINI\n")
+            self.assertExit(0, "spray", "part.apt", "--json")
+            one, = json.loads(self.out)
+            self.assertAlmostEqual(one["simulated"]["mean"], .02, delta=.0006, msg=text)
+            self.assertGreater(one["simulated"]["within10percent"], within, text)
+            self.assertNotIn("W035", self.err)
+
+    def test_no_stroke_is_a_spot(self):
+        text = "S1=SPHERE/0,0,0,300\nSPRAY/S1,GUN,G1,FILM,.02,RADIAL,(POINT/100,0,0),(VECTOR/0,0,1)\n"
+        self.write("part.apt", GUN + text + "FINI\n")
+        self.assertExit(0, "compile", "part.apt")
+        self.assertIn("W0354", self.err)
+        places = moves(self.out)
+        shortest = min(math.dist(a[1], b[1]) for a, b in zip(places, places[1:]) if not b[0])
+        self.assertGreater(shortest, .1)
+
     def test_the_report_counts_the_ways(self):
         self.write("part.apt", GUN + "S1=SPHERE/0,0,0,300\n"
                    "SPRAY/S1,GUN,G1,FILM,.02,RADIAL,(POINT/100,0,0),(VECTOR/0,0,1)\nFINI\n")
