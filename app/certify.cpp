@@ -61,6 +61,7 @@ ExitCode certify(const CertifyRequest& request,
     options.slack = request.slack;
     options.limits = settings.limits;
     options.interrupted = &interrupted;
+    options.own = request.path.empty();
     options.file = displayName(request.path.empty() ? request.program : request.path);
     std::optional<ClFile> file;
     if (!request.path.empty()) {

@@ -38,7 +38,8 @@ void show(Compilation& job, const SprayOptions& options) {
       job.log.accept(
           diagnose(all[i]->origin, diag::FilmCells, options.cell, all[i]->label(), map.cell));
     }
-    const backend::FilmPicture picture = pictureOf(*all[i], map);
+    const backend::FilmPicture picture =
+        options.films.empty() ? backend::FilmPicture() : pictureOf(*all[i], map);
     for (const std::string& path : options.films) {
       putPicture(job, numbered(path, i, all.size()),
                  [&](std::ostream& out) { return writeFilm(out, path, picture); });

@@ -38,8 +38,8 @@ CUTTERS = {
 }
 # On a plane the passes run along leaning cylinders: along planes each would be one cut vector.
 DRIVES = {"plane": "(CYLNDR/0,-400,0,0,.1,1,(400+Y))"}
-PASSES = (100, 1000)  # growth: ten times the passes, ten times the cut vectors
-FEW = {"mesh of 200 000 triangles": (10, 100), "ruled surface": (10, 100), "polyconic": (10, 100)}
+PASSES = (300, 3000)  # growth: ten times the passes, ten times the cut vectors; 200 000 to 450 000 of them, so that start-up is little
+FEW = {"mesh of 200 000 triangles": (2, 20), "ruled surface": (10, 100), "polyconic": (3, 30), "tabulated cylinder": (100, 1000)}
 MESH_SIDE = 316  # 316 * 316 * 2 triangles
 
 

@@ -159,7 +159,9 @@ bool Association::numberAhead(int isn) const {
 
 /// A motion for which the file has nothing.
 void Association::miss(const Action& action) {
-  report(action, fail(diag::MotionMissing, options_.file));
+  if (!options_.own) {
+    report(action, fail(diag::MotionMissing, options_.file));
+  }
   ++summary_.faults;
   unseen(action);
   ++index_;

@@ -18,6 +18,7 @@ namespace arelem::certify {
 struct Options {
   std::string file;      ///< as messages call the CL file
   bool numbered = true;  ///< its records carry the statement numbers of the program
+  bool own = false;      ///< the locations are our own: what is missing has been told already
   double slack = 1e-6;   ///< allowed beyond each tolerance: rounding in the file. Part unit
   Limits limits;
   const InterruptFlag* interrupted = nullptr;

@@ -26,6 +26,11 @@ double slope(const Piece& p, double x) {
 Vec2 local(const Piece& p, const Vec2& v) {
   return {v.x() * p.dirU + v.y() * p.dirV, v.y() * p.dirU - v.x() * p.dirV};
 }
+/// The unit left normal.
+Vec2 normalOf(const Piece& p, double x) {
+  const double s = slope(p, x);
+  return Vec2(-s * p.dirU - p.dirV, p.dirU - s * p.dirV) / std::sqrt(1.0 + s * s);
+}
 Vec2 placeOf(const Piece& p, double x) {
   const double y = height(p, x);
   return {p.u + x * p.dirU - y * p.dirV, p.v + x * p.dirV + y * p.dirU};
@@ -210,13 +215,15 @@ BodyResult CurveSearch::run(const Chord& chord, double from, double to, double a
     const double s = 0.5 * (part.s0 + part.s1);
     const double x = 0.5 * (part.x0 + part.x1);
     const Piece& p = surface_.curve().pieces[part.piece];
-    const Vec2 direction = towards(placeOf(p, x) - toolEnd(s));
-    if (clearance(part, direction) >= 0.0) {
+    // Square to the cutter, which parts it from a sharper curve, or square to the curve.
+    const std::array directions{towards(placeOf(p, x) - toolEnd(s)), Vec2(-side_ * normalOf(p, x))};
+    if (clearance(part, directions[0]) >= 0.0 || clearance(part, directions[1]) >= 0.0) {
       continue;
     }
     const double size = std::max(part.x1 - part.x0, step_.norm() * (part.s1 - part.s0));
     const Part middle{part.piece, x, x, s, s, part.corner};
-    if (clearance(middle, direction) < 0.0 && !measure(direction, s)) {
+    if (clearance(middle, directions[0]) < 0.0 && clearance(middle, directions[1]) < 0.0 &&
+        !measure(directions[0], s)) {
       return result;
     }
     if (size <= shortest) {

@@ -88,6 +88,12 @@ class CutterProbe final : public Probe {
     n.axis = chord_.axis(s);
     touch(n);
     n.low = convex_ ? supported(n, n) : -unbounded;
+    n.support = n.normal;
+    if constexpr (std::is_same_v<S, surface::Cone>) {
+      if (convex_) {
+        supportAtTip(n);
+      }
+    }
     return n;
   }
 
@@ -122,6 +128,8 @@ class CutterProbe final : public Probe {
   /// Places measured in vain for all cut vectors of a motion: what stays undecided must not take
   /// hours.
   static constexpr int patience = 1000000;
+  /// Golden sections for the plane at the tip of a cone.
+  static constexpr int tipSections = 60;
   /// A contact this near to the cutter is on it. Part unit.
   static constexpr double onCutter = 1e-9;
 
@@ -160,12 +168,71 @@ class CutterProbe final : public Probe {
     return plane - tool::reach(cutter_, of.normal.dot(there.axis)) - relation_.thick;
   }
 
+  /// Of a cutter that covers the tip of a cone the nearest point lies on the cone's axis, where the
+  /// planes that support the cone all around meet: none of them alone says how near. Their weighted
+  /// means do: any normal leaning from the axis by up to 90 degrees less the half angle, so long
+  /// that its share of the axis is sin(half). Golden sections find the one that says most.
+  void supportAtTip(Node& n) const requires std::is_same_v<S, surface::Cone> {
+    if (n.high - n.low <= tolerance::rounding) {
+      return;
+    }
+    const Vec3 up = -surface_.axis;
+    const Vec3 way = n.toolEnd + cutter_.f * n.axis - surface_.vertex;
+    const Vec3 across = way - way.dot(up) * up;
+    const Vec3 out = across.norm() > 0.0 ? Vec3(across.normalized()) : up.unitOrthogonal();
+    const auto mean = [&](double tangent) -> Vec3 {
+      return surface_.sinHalf * (up + tangent * out);
+    };
+    const auto below = [&](double tangent) {
+      const Vec3 m = mean(tangent);
+      const double length = m.norm();
+      return m.dot(n.toolEnd - surface_.vertex) -
+             length * tool::reach(cutter_, m.dot(n.axis) / length) - relation_.thick;
+    };
+    constexpr double golden = 0.6180339887498949;
+    double low = 0.0;
+    double high = surface_.cosHalf / surface_.sinHalf;
+    for (int i = 0; i < tipSections; ++i) {
+      const double left = high - golden * (high - low);
+      const double right = low + golden * (high - low);
+      (below(left) >= below(right) ? high : low) = below(left) >= below(right) ? right : left;
+    }
+    const double best = 0.5 * (low + high);
+    if (below(best) > n.low) {
+      n.low = below(best);
+      n.support = mean(best);
+      // The place of the cutter that such a plane touches is the one on the cone's axis.
+      const Vec3 normal = n.support.normalized();
+      const double nz = normal.dot(n.axis);
+      const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
+      const Vec3 beside = nz * n.axis - normal;
+      const double aside = beside.norm();
+      const Vec3 place = n.toolEnd + q.z * n.axis +
+                         (aside > 0.0 ? Vec3(q.rho / aside * beside) : Vec3(Vec3::Zero()));
+      measure(n, place);
+    }
+  }
+
+  /// Takes the gap at a place of the cutter, if that is the lowest so far.
+  void measure(Node& n, const Vec3& place) const {
+    typename S::Hint hint{};
+    const surface::Foot foot = surface_.foot(place, hint);
+    const double gap = relation_.side * foot.distance - relation_.thick;
+    if (gap < n.high) {
+      n.point = place;
+      n.foot = foot;
+      n.normal = relation_.side * foot.normal;
+      n.high = gap;
+      n.slope = n.normal.dot(chord_.velocity(place - n.toolEnd));
+    }
+  }
+
   [[nodiscard]] Range overConvex(const Node& a, const Node& b) const {
     const double h = b.s - a.s;
     const double rate = chord_.length() + chord_.turn() * reach_;
     if (chord_.turn() == 0.0) {
-      const Known left{a.low, a.high, a.normal.dot(chord_.step())};
-      const Known right{b.low, b.high, b.normal.dot(chord_.step())};
+      const Known left{a.low, a.high, a.support.dot(chord_.step())};
+      const Known right{b.low, b.high, b.support.dot(chord_.step())};
       return between(left, right, h, {0.0, unbounded}, rate);
     }
     // The reach towards a fixed plane is the greatest of circular motions: over a chord it bulges

@@ -4,6 +4,7 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/title.h"
+#include "runtime/tool/profile_check.h"
 
 namespace arelem::certify {
 
@@ -91,7 +92,7 @@ void Modal::set(const runtime::Parameter& p) {
       break;
     case Word::CUTTER:
       if (auto profile = tool::makeProfile(p.values)) {
-        cutter = *profile;
+        cutter = tool::joined(*profile);
         option = {};
       }
       break;

@@ -11,9 +11,9 @@
 namespace arelem::certify {
 
 namespace {
-/// Components of a contact normal along the path below this do not tell whether the tool approaches
-/// the surface or leaves it.
-constexpr double glancing = 1e-3;
+/// Components of a contact normal along the last cut vector below this do not tell whether the tool
+/// approaches the surface or leaves it: a path may turn by more between a chord and its end.
+constexpr double glancing = 0.1;
 /// Cosine of the angle within which contact normals agree at a tangency.
 constexpr double agreeing = 0.5;
 
@@ -102,7 +102,7 @@ void MotionCheck::judge(StatementResult& result,
     const Vec3& p = r.leastPlace;
     report(result, action,
            fail(diag::Undercut, -v.least.measured, figures.surface, p.x(), p.y(), p.z(),
-                std::uint64_t{r.leastVector + 1}, a.inner));
+                std::uint64_t{r.leastVector + 1}, a.inner, -v.least.measured - a.inner));
   } else if (v.inner == State::undecided) {
     const Vec3& p = r.leastPlace;
     report(result, action,
@@ -113,7 +113,7 @@ void MotionCheck::judge(StatementResult& result,
     const Vec3& p = r.greatestPlace;
     report(result, action,
            fail(diag::LeftOff, v.greatest.measured, figures.surface, p.x(), p.y(), p.z(),
-                std::uint64_t{r.greatestVector + 1}, a.outer));
+                std::uint64_t{r.greatestVector + 1}, a.outer, v.greatest.measured - a.outer));
   } else if (v.outer == State::undecided) {
     const Vec3& p = r.greatestPlace;
     report(

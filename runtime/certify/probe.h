@@ -12,10 +12,12 @@ namespace arelem::certify {
 struct Node : Known {
   double s = 0.0;
   Vec3 toolEnd = Vec3::Zero(), axis = Vec3::UnitZ();
-  Vec3 point = Vec3::Zero();    ///< of the cutter, where `high` was measured; the core's place
-  surface::Foot foot;           ///< of `point`, by the surface's own side
-  Vec3 normal = Vec3::UnitZ();  ///< unit, towards the tool
-  std::size_t triangle = 0;     ///< of a mesh, in contact
+  Vec3 point = Vec3::Zero();     ///< of the cutter, where `high` was measured; the core's place
+  surface::Foot foot;            ///< of `point`, by the surface's own side
+  Vec3 normal = Vec3::UnitZ();   ///< unit, towards the tool
+  Vec3 support = Vec3::UnitZ();  ///< gradient of a linear function of the tool end below the gap,
+                                 ///< `low` here; of convex solids
+  std::size_t triangle = 0;      ///< of a mesh, in contact
 };
 
 /// What is known about the gap over a part of a cut vector.

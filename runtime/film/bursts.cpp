@@ -1,7 +1,9 @@
 #include "runtime/film/bursts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 namespace arelem::film {
 
@@ -9,7 +11,9 @@ namespace {
 constexpr double piecesOfRadius = 8.0;  // of the footprint, in one piece of a stroke
 constexpr double followed = 3.0;        // footprints that paint flies past its place
 constexpr double straight = 0.9;        // of their way, strokes that are one
-constexpr double plainStandOff = 1e6;   // of a gun without one: parallel rays, mm
+constexpr std::size_t portion = 256;    // places that a thread takes at once
+constexpr unsigned mostThreads = 16;
+constexpr double plainStandOff = 1e6;  // of a gun without one: parallel rays, mm
 
 /// Strokes that follow each other and are short together are one: fine chords make no more bursts.
 std::vector<spray::Stroke> joined(const std::vector<spray::Stroke>& strokes, double piece) {
@@ -57,38 +61,114 @@ Bursts::Bursts(const spray::Sprayed& s)
       divide(stroke, piece);
     }
   }
+  for (auto& [cell, group] : cells_) {
+    bound(group);
+  }
 }
 
 std::size_t Bursts::mostNear() const {
+  constexpr std::size_t cellsAbout = 9;  // a surface goes through that many
   std::size_t most = 0;
-  for (const auto& [cell, bursts] : cells_) {
-    most = std::max(most, bursts.size());
+  for (const auto& [cell, group] : cells_) {
+    most = std::max(most, group.bursts.size());
   }
-  return most;
+  return cellsAbout * most;
 }
 
 double Bursts::filmAt(const Vec3& place, const Vec3& normal) const {
+  Near near;
+  return filmAt(place, normal, near);
+}
+
+double Bursts::filmAt(const Vec3& place, const Vec3& normal, Near& near) const {
+  const Cell cell = cellOf(place);
+  if (!near.known || near.cell != cell) {
+    near = {cell, true, {}};
+    const auto [i, j, k] = cell;
+    constexpr auto about = static_cast<long>(followed);
+    for (long x = i - about; x <= i + about; ++x) {
+      for (long y = j - about; y <= j + about; ++y) {
+        // Cells of one column lie side by side.
+        for (auto found = cells_.lower_bound({x, y, k - about});
+             found != cells_.end() && found->first <= Cell{x, y, k + about}; ++found) {
+          near.groups.push_back(&found->second);
+        }
+      }
+    }
+  }
   double film = 0.0;
-  const auto [i, j, k] = cellOf(place);
-  for (long x = i - 1; x <= i + 1; ++x) {
-    for (long y = j - 1; y <= j + 1; ++y) {
-      for (long z = k - 1; z <= k + 1; ++z) {
-        const auto found = cells_.find({x, y, z});
-        if (found == cells_.end()) {
-          continue;
-        }
-        for (const Burst& burst : found->second) {
-          film += one(burst, place, normal);
-        }
+  for (const Group* group : near.groups) {
+    if (mayReach(*group, place)) {
+      for (const Burst& burst : group->bursts) {
+        film += one(burst, place, normal);
       }
     }
   }
   return film;
 }
 
+std::vector<double> Bursts::filmsAt(const std::vector<Place>& places) const {
+  std::vector<double> films(places.size(), 0.0);
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    Near near;
+    for (std::size_t first = next.fetch_add(portion); first < places.size();
+         first = next.fetch_add(portion)) {
+      for (std::size_t i = first; i < std::min(first + portion, places.size()); ++i) {
+        films[i] = filmAt(places[i].at, places[i].normal, near);
+      }
+    }
+  };
+  const auto threads = static_cast<unsigned>(
+      std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, mostThreads),
+                            places.size() / portion + 1));
+  std::vector<std::thread> crew;
+  for (unsigned i = 1; i < threads; ++i) {
+    crew.emplace_back(work);
+  }
+  work();
+  for (std::thread& one : crew) {
+    one.join();
+  }
+  return films;
+}
+
 Bursts::Cell Bursts::cellOf(const Vec3& place) const {
-  return {std::lround(std::floor(place.x() / reach_)), std::lround(std::floor(place.y() / reach_)),
-          std::lround(std::floor(place.z() / reach_))};
+  const Vec3 cell = place / (reach_ / followed);
+  return {std::lround(std::floor(cell.x())), std::lround(std::floor(cell.y())),
+          std::lround(std::floor(cell.z()))};
+}
+
+void Bursts::bound(Group& group) const {
+  Vec3 low = Vec3::Constant(HUGE_VAL);
+  Vec3 high = -low;
+  Vec3 sum = Vec3::Zero();
+  for (const Burst& burst : group.bursts) {
+    const Vec3 target = burst.nozzle - d_ * burst.axis;
+    low = low.cwiseMin(target);
+    high = high.cwiseMax(target);
+    sum += burst.axis;
+  }
+  group.center = (low + high) / 2.0;
+  group.axis = sum.norm() > 0.0 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+  for (const Burst& burst : group.bursts) {
+    const Vec3 target = burst.nozzle - d_ * burst.axis;
+    const bool beside = burst.axis.dot(group.axis) <= 0.0;
+    group.radius = std::max(group.radius, (target - group.center).norm());
+    group.sine = beside ? 1.0 : std::max(group.sine, burst.axis.cross(group.axis).norm());
+    group.halfWay = std::max(group.halfWay, burst.halfWay);
+  }
+}
+
+/// Whether a burst of the group may reach a place: its distance from the group's axis is no more
+/// than what the bursts lie about the axis, what they lean, and what their cones are wide there.
+bool Bursts::mayReach(const Group& group, const Vec3& place) const {
+  const Vec3 arm = place - group.center;
+  const double height = arm.dot(group.axis);
+  const double lean = group.radius + (arm.norm() + group.radius) * group.sine;
+  const double depth = d_ + std::max(0.0, -height) + lean;
+  const double cone = std::hypot(b_, std::max(a_, b_ / piecesOfRadius / piecesOfRadius));
+  return (arm - height * group.axis).norm() <= lean + group.halfWay + cone * depth / d_;
 }
 
 void Bursts::divide(const spray::Stroke& s, double piece) {
@@ -99,7 +179,7 @@ void Bursts::divide(const spray::Stroke& s, double piece) {
     const double share = (i + 0.5) / count;
     const Vec3 axis = (s.normalFrom + share * (s.normalTo - s.normalFrom)).normalized();
     const Vec3 target = s.from + share * step;
-    cells_[cellOf(target)].push_back(
+    cells_[cellOf(target)].bursts.push_back(
         {target + d_ * axis, axis, step / length, length / count / 2.0, length / count / s.speed});
   }
 }

@@ -34,6 +34,18 @@ void divide(Map& map, double lengthU, double lengthV, double cell, double halfWi
   map.rows = static_cast<std::size_t>(std::max(1.0, std::round(lengthV / map.cell)));
 }
 
+/// The films of the cells on the work, whose places are in order.
+void setFilms(Map& map, const Bursts& spray, const std::vector<Bursts::Place>& places) {
+  const std::vector<double> films = spray.filmsAt(places);
+  map.film.assign(map.onWork.size(), 0.0);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < map.onWork.size(); ++i) {
+    if (map.onWork[i]) {
+      map.film[i] = films[next++];
+    }
+  }
+}
+
 Map patchMap(const spray::Sprayed& s, const Bursts& spray, double cell) {
   const spray::Patch& patch = *s.patch;
   Map map;
@@ -41,18 +53,22 @@ Map patchMap(const spray::Sprayed& s, const Bursts& spray, double cell) {
   map.onWork.assign(map.columns * map.rows, false);
   const double du = (patch.u1 - patch.u0) / static_cast<double>(map.columns);
   const double dv = (patch.v1 - patch.v0) / static_cast<double>(map.rows);
+  std::vector<Bursts::Place> places;
   for (std::size_t r = 0; r < map.rows; ++r) {
     for (std::size_t c = 0; c < map.columns; ++c) {
       const double u = patch.u0 + (patch.u1 - patch.u0) * shareOf(c, map.columns);
       const double v = patch.v0 + (patch.v1 - patch.v0) * shareOf(r, map.rows);
       const bool kept = patch.keeps(u, v);
       map.onWork[r * map.columns + c] = kept;
-      map.film.push_back(kept ? spray.filmAt(patch.at(u, v), patch.normal(u, v)) : 0.0);
+      if (kept) {
+        places.push_back({patch.at(u, v), patch.normal(u, v)});
+      }
       const Vec3 across = patch.at(u + du / 2.0, v) - patch.at(u - du / 2.0, v);
       const Vec3 up = patch.at(u, v + dv / 2.0) - patch.at(u, v - dv / 2.0);
       map.areas.push_back(across.cross(up).norm());
     }
   }
+  setFilms(map, spray, places);
   return map;
 }
 
@@ -82,11 +98,13 @@ class MeshPicture {
     for (std::size_t t = 0; t < mesh_.mesh().triangles.size(); ++t) {
       look(t);
     }
+    std::vector<Bursts::Place> places;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       if (map_.onWork[i]) {
-        map_.film[i] = spray.filmAt(seen_[i].place, seen_[i].normal);
+        places.push_back({seen_[i].place, seen_[i].normal});
       }
     }
+    setFilms(map_, spray, places);
     return std::move(map_);
   }
 
@@ -156,6 +174,7 @@ Statistics statisticsOf(const spray::Sprayed& s,
   const std::size_t count = surface.mesh().triangles.size();
   const std::size_t stride = count / mostTriangles + 1;
   Map all;
+  std::vector<Bursts::Place> places;
   for (std::size_t t = 0; t < count; t += stride) {
     const double area = surface.spanned(t).norm() / 2.0;
     const auto n =
@@ -166,11 +185,12 @@ Statistics statisticsOf(const spray::Sprayed& s,
         const double up = (i + (k % 2 == 0 ? 1.0 : 2.0) / 3.0) / n;
         const double over = (k / 2 + (k % 2 == 0 ? 1.0 : 2.0) / 3.0) / n;
         const spray::LinePoint point = surface.at(t, {1.0 - up - over, over, up});
-        all.film.push_back(spray.filmAt(point.place, point.normal));
+        places.push_back({point.place, point.normal});
         all.areas.push_back(area / (n * n) * static_cast<double>(stride));
       }
     }
   }
+  all.film = spray.filmsAt(places);
   all.onWork.assign(all.film.size(), true);
   measure(all, s.film);
   return all.statistics;

@@ -45,6 +45,14 @@ concept Surface = requires(const S& s,
   { s.bends(p, foot, radius) } -> std::same_as<Bends>;
 };
 
+/// Kinds with a closed form of the whole Hessian: `turn` is H t, the change of the normal along t.
+/// Contacts are found with fewer looks at the surface then.
+template <class S>
+concept Turning = Surface<S> &&
+    requires(const S& s, typename S::Hint& hint, const Vec3& p, const Vec3& t, const Foot& foot) {
+  { s.turn(p, foot, t, hint) } -> std::same_as<Vec3>;
+};
+
 /// The same where the hint of the foot is at hand: kinds that would search for it need not.
 template <Surface S>
 [[nodiscard]] Bends bendsOf(

@@ -73,7 +73,7 @@ class AngleAxis final : public AxisSource {
     constexpr double degrees = 180.0 / std::numbers::pi;
     switch (state_) {
       case State::impossible:
-        return fail(diag::AxisImpossible, tilt_.alpha * degrees, control_.name, other_.name);
+        return fail(diag::AxisImpossible, tilt_.alpha * degrees, control_.name, reason_);
       case State::restless:
         return fail(diag::AxisDiverges, tilt_.alpha * degrees, control_.name, repeatLimit);
       default:
@@ -86,24 +86,29 @@ class AngleAxis final : public AxisSource {
   static constexpr int repeatLimit = 100;
   static constexpr double slowShare = 0.9;
 
-  std::optional<Vec3> step(const Vec3& toolEnd, const Vec3& axis) {
-    Vec3 normal = control_.field->at(toolEnd, axis).normal;
-    if (control_.on && normal.dot(axis) < 0.0) {
+  std::optional<Vec3> step(const Vec3& toolEnd, const Vec3& from) {
+    Vec3 normal = control_.field->at(toolEnd, from).normal;
+    if (control_.on && normal.dot(from) < 0.0) {
       normal = -normal;
     }
-    const Vec3 other = other_.field->at(toolEnd, axis).normal;
+    const Vec3 other = other_.field->at(toolEnd, from).normal;
     const Vec3 common = normal.cross(other);
     const Vec3 forward = common.dot(forward_) < 0.0 ? Vec3(-common) : common;
     if (forward.norm() > tolerance::symmetric) {
       forward_ = forward.normalized();
     }
-    return tilted(tilt_, normal, other, forward_);
+    auto axis = tilted(tilt_, normal, other, forward_);
+    if (!axis) {
+      reason_ = whyNotTilted(tilt_, normal, other);
+    }
+    return axis;
   }
 
   Tilt tilt_;
   AngleSide control_, other_;
   Vec3 last_, forward_;
   State state_ = State::found;
+  std::string reason_;  ///< why there is no axis
 };
 }  // namespace
 

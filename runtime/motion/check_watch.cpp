@@ -136,8 +136,7 @@ void CheckWatch::findNearest(const Segment& s, Field& guide) {
 /// Number of the zero that is asked for. Order of the positions: TO, PAST, TO, PAST from a remote
 /// start, PAST, TO, ... from a violation.
 int CheckWatch::wanted() const {
-  const bool past = condition_ == ir::Condition::past;
-  return pointTool_ ? nth_ : 2 * nth_ - (past == now_.startedRemote ? 0 : 1);
+  return pointTool_ ? nth_ : 2 * nth_ - before();
 }
 
 /// Takes the measure over; true where its sign has changed. A measure of zero has no sign.
@@ -199,6 +198,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       if (++now_.seen == wanted()) {
         return Hit{before, u, vanishing(m, outsideBefore)};
       }
+      now_.last = s.at(u);
       now_.bandField = nullptr;
     } else if (slipsThrough(m, outsideBefore)) {
       now_.seen += 2;
@@ -212,7 +212,10 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
         now_.free = 0.0;
         return Hit{before, u, m.field, true};
       }
-      now_.seen += size <= band_ ? passed : 0;
+      if (size <= band_) {
+        now_.seen += passed;
+        now_.last = s.at(u);
+      }
     }
     const double margin = now_.armed ? size : band_ - size + finest;
     double step = m.rate > 0.0 ? std::max(margin / m.rate, finest) : tolerance::farAway;

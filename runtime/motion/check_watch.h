@@ -62,6 +62,13 @@ class CheckWatch {
   [[nodiscard]] double band() const { return band_; }
   [[nodiscard]] double nearest() const { return nearest_; }
   [[nodiscard]] const Vec3& nearestPlace() const { return nearestPlace_; }
+  /// Of the positions asked for, how many were asked for and how many met; where the last contact
+  /// of any kind was. False where the tool never was clear of the surface.
+  [[nodiscard]] int nth() const { return nth_; }
+  [[nodiscard]] int met() const { return pointTool_ ? now_.seen : (now_.seen + before()) / 2; }
+  [[nodiscard]] bool touchedAny() const { return now_.seen > 0; }
+  [[nodiscard]] const Vec3& lastContact() const { return now_.last; }
+  [[nodiscard]] bool wasClear() const { return now_.armed; }
 
   /// What changes from segment to segment; can be put back to try a segment again.
   struct Progress {
@@ -70,6 +77,7 @@ class CheckWatch {
     bool startedRemote = true;
     Field* outside = nullptr;    ///< the gap that was open (positive) last
     int seen = 0;                ///< positions met so far
+    Vec3 last = Vec3::Zero();    ///< the last of them
     double free = 0.0;           ///< change of the measure that meets nothing for sure
     double lastTurn = 0.0;       ///< within the band: last component of the normal along the path
     Field* bandField = nullptr;  ///< the gap that is within its band, or null
@@ -103,6 +111,10 @@ class CheckWatch {
   [[nodiscard]] bool slipsThrough(const Measure& measure, const Field* outsideBefore) const;
   [[nodiscard]] Field* vanishing(const Measure& measure, Field* outsideBefore);
   [[nodiscard]] int wanted() const;
+  /// 1 where the positions asked for come before the others, TO and PAST in turn.
+  [[nodiscard]] int before() const {
+    return (condition_ == ir::Condition::past) == now_.startedRemote ? 0 : 1;
+  }
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   void note(double distance, const Vec3& place);
   void findNearest(const Segment& segment, Field& guide);

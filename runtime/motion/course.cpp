@@ -151,11 +151,29 @@ class Planner {
       const double slack = tolerance::startShare * (g.inner + g.outer) + tolerance::startLength;
       if (gap > g.outer + slack || gap < -g.inner - slack) {
         const std::string& name = surfaceOf(role).name;
+        if (auto bad = role == driveRole && gap < 0.0 ? doesNotFit() : std::nullopt) {
+          return bad;
+        }
         return role == partRole ? fail(diag::OffPartSurface, gap, name, 0.0 - g.inner, g.outer)
                                 : fail(diag::OffDriveSurface, gap, name, 0.0 - g.inner, g.outer);
       }
     }
     return std::nullopt;
+  }
+
+  /// A tool that gouges because it stands in a hollow of the drive surface that is narrower than
+  /// it.
+  [[nodiscard]] std::optional<Failure> doesNotFit() const {
+    const NamedSurface& s = course_.drive;
+    const Vec3& p = state_.toolEnd;
+    const double side = footOn(s.surface, p).distance < 0.0 ? -1.0 : 1.0;
+    const double radius = course_.onDrive ? 0.0 : cutterFor(state_, driveRole)->maxRadius();
+    const double hollow = hollowRadius(s.surface, side, p);
+    if (!(radius > hollow)) {
+      return std::nullopt;
+    }
+    return fail(diag::CutterDoesNotFit, radius, s.name, hollow, radius - hollow, p.x(), p.y(),
+                p.z());
   }
 
   std::optional<Failure> setDirection() {

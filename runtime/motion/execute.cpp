@@ -17,7 +17,6 @@
 #include "runtime/motion/route.h"
 #include "runtime/motion/spline_path.h"
 #include "runtime/motion/startup.h"
-#include "runtime/motion/written_unit.h"
 #include "runtime/run.h"
 
 namespace arelem::runtime {
@@ -145,13 +144,12 @@ class Motions {
 
   void perform(const Locate& l) {
     const auto since = facts_.begin();
-    if (l.axis) {
-      if (l.axis->norm() <= tolerance::nullDirection) {
-        report(fail(diag::NullIndirection, spell(l.word), l.axis->norm()));
+    if (auto told = motion::setAxis(state_, l, options_.axesFollow)) {
+      const bool refused = told->row->severity == Severity::error;
+      report(*std::move(told));
+      if (refused) {
         return;
       }
-      state_.axis = motion::writtenUnit(*l.axis);
-      state_.axisRule = {};  // fixed from here on
     }
     putFeed(l.feed);
     if (l.word == Word::FROM) {
@@ -227,7 +225,7 @@ class Motions {
     putFeed(s.feed);
     auto found = motion::startupPosition(state_, s);
     if (!found) {
-      report(found.takeFailure());
+      reportIf(motion::ofMotion(state_, found.takeFailure()));
     } else {
       const Vec3 before = state_.toolEnd;
       if (s.surfaces.size() > 1) {
@@ -260,7 +258,7 @@ class Motions {
     } else {
       request.drive = *std::move(drive);
       request.checks = *std::move(checks);
-      reportIf(runFollow(f, request, since));
+      reportIf(motion::ofMotion(state_, runFollow(f, request, since)));
     }
     motion::forgetOneShots(state_);
   }

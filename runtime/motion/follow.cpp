@@ -7,10 +7,10 @@
 #include "ir/diag/limits.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
-#include "runtime/certify/motion_check.h"
 #include "runtime/geometry/ends.h"
 #include "runtime/motion/arc_route.h"
 #include "runtime/motion/axis_turn.h"
+#include "runtime/motion/missed.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/stop.h"
 #include "runtime/motion/stride.h"
@@ -89,17 +89,6 @@ class Follower {
                   p.z());
     }
     return fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z());
-  }
-
-  [[nodiscard]] Failure notReached() const {
-    const CheckWatch& w = course_.watches.front();
-    const Vec3& p = w.nearestPlace();
-    if (w.isTangent()) {
-      const std::string& partner = w.usesPart() ? course_.part.name : course_.drive.name;
-      return fail(diag::NoTangency, partner, w.surface().name, w.band(), w.nearest());
-    }
-    return fail(diag::CheckNotReached, w.surface().name, certify::spell(w.condition()), w.nearest(),
-                p.x(), p.y(), p.z());
   }
 
   /// Behind the end of a TABCYL there is no surface to run along.
@@ -182,7 +171,7 @@ class Follower {
         continue;
       }
       if (course_.path.flat() || isRoundAgain(a, *b)) {
-        return notReached();
+        return missed(course_);
       }
       stride_.learn(a, *b);
       putTurn(*b);
@@ -288,7 +277,7 @@ class Follower {
     ArcRoute route(course_);
     const auto found = route.findStop(stops_, turnsAllowed() + 1.5);
     if (!found) {
-      return notReached();
+      return missed(course_);
     }
     if (!found->end) {
       return lost();

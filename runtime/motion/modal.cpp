@@ -1,10 +1,12 @@
 #include "runtime/motion/modal.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/route.h"
+#include "runtime/motion/written_unit.h"
 #include "runtime/tool/profile_check.h"
 
 namespace arelem::motion {
@@ -71,6 +73,23 @@ std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis) 
   return std::nullopt;
 }
 
+std::optional<Failure> setAxis(State& state, const runtime::Locate& locate, bool written) {
+  if (!locate.axis) {
+    return std::nullopt;
+  }
+  if (locate.axis->norm() <= tolerance::nullDirection) {
+    return fail(diag::NullIndirection, spell(locate.word), locate.axis->norm());
+  }
+  const Vec3& axis = state.axis = writtenUnit(*locate.axis);
+  state.axisRule = {};  // fixed from here on
+  const bool upright = axis.z() > 0.0 && std::hypot(axis.x(), axis.y()) <= tolerance::nullDirection;
+  if (written || state.multax || !state.output || locate.side || upright || state.toldOfAxis) {
+    return std::nullopt;
+  }
+  state.toldOfAxis = true;
+  return fail(diag::AxisNotWritten, axis.x(), axis.y(), axis.z(), spell(locate.word));
+}
+
 std::optional<Failure> setPartSurface(State& state, const runtime::PartSurface& p) {
   auto surface = named(p.surface);
   if (!surface) {
@@ -91,7 +110,7 @@ std::optional<Failure> setCutter(State& state, const runtime::Parameter& p, bool
   if (!profile) {
     return profile.takeFailure();
   }
-  state.cutter = *profile;
+  state.cutter = tool::joined(*profile);
   state.option = {};
   return used ? tool::shapeFault(*profile) : std::nullopt;
 }
@@ -169,6 +188,7 @@ void moveTo(State& state, const Vec3& toolEnd) {
   }
   state.toolEnd = toolEnd;
   state.positioned = true;
+  state.adrift = false;
 }
 
 void forgetOneShots(State& state) {

@@ -10,6 +10,11 @@ namespace arelem::motion {
 [[nodiscard]] std::optional<Failure> setDirections(State& state, const runtime::Direction& d);
 /// TLAXIS.
 [[nodiscard]] std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis);
+/// The axis of FROM or GOTO, fixed from there on. `written`: by whatever is put out, MULTAX or not;
+/// else the first axis that is not z is told where MULTAX is off.
+[[nodiscard]] std::optional<Failure> setAxis(State& state,
+                                             const runtime::Locate& locate,
+                                             bool written);
 /// PSIS.
 [[nodiscard]] std::optional<Failure> setPartSurface(State& state, const runtime::PartSurface& p);
 /// TLLFT, TLRGT, TLON, TLNDON, TLONPS, TLOFPS.

@@ -171,7 +171,9 @@ class ChordFit {
  private:
   /// Nodes that a cubic foretells but for this share of the band are smooth.
   static constexpr double smoothShare = 2.5e-4;
-  static constexpr int deepest = 8;
+  /// Of kinks that no cubic foretells what is left of the band may be this share of it.
+  static constexpr double kinkShare = 1e-4;
+  static constexpr int deepest = 12;
 
   [[nodiscard]] GapNode node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
     return {along, c.gap, slopeAlong(c, toolEnd, direction_, turn_)};
@@ -183,7 +185,7 @@ class ChordFit {
   }
   void consider(const GapNode& a, const GapNode& b, int depth) {
     const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
-    if (depth == 0 || kink <= smooth_) {
+    if (depth == 0 || kink <= kinkShare * (inner_ + outer_)) {
       factor_ = std::min(factor_, fittingFactor(first_, last_, a, b, inner_, outer_));
       return;
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 
 #include "runtime/motion/chord.h"
@@ -27,9 +28,15 @@ struct Guide {
   /// Gap at which the next cut vector should end: the edge that leaves the chord most room, but for
   /// what positions may be off.
   [[nodiscard]] double vertexGap() const {
-    const bool straight = flat() || (field->flat() && bend == 0.0);
     const double off = aimShare * (inner + outer);
-    return straight ? rest : bend >= 0.0 ? outer - off : off - inner;
+    if (flat()) {
+      return rest;
+    }
+    // A plane that an axis turns on: places are found as nearly as elsewhere.
+    const bool straight = field->flat() && bend == 0.0;
+    return straight      ? std::clamp(rest, off - inner, outer - off)
+           : bend >= 0.0 ? outer - off
+                         : off - inner;
   }
   /// Cut vectors end within this share of the band of the gap aimed at.
   static constexpr double aimShare = 2e-4;

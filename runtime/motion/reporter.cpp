@@ -1,6 +1,7 @@
 #include "runtime/motion/reporter.h"
 
 #include "ir/diag/limits.h"
+#include "ir/diag/motion.h"
 
 namespace arelem::motion {
 
@@ -35,6 +36,19 @@ void putRecord(RecordWriter& writer, const DiagRow& row) {
   writer.put(cl::Listing{false});
 }
 }  // namespace
+
+std::optional<Failure> ofMotion(State& state, std::optional<Failure> failure) {
+  const bool wasAdrift = state.adrift;
+  state.adrift = failure.has_value();
+  if (!failure || !wasAdrift) {
+    return failure;
+  }
+  const DiagRow* row = failure->row;
+  const bool ofPlace = row == diag::OffPartSurface.row || row == diag::OffDriveSurface.row ||
+                       row == diag::NoForwardDirection.row ||
+                       row == diag::PerpendicularDirection.row;
+  return ofPlace ? fail(diag::AfterFailure) : std::move(failure);
+}
 
 void Reporter::report(const runtime::Action& action, Failure failure) {
   const DiagRow& row = *failure.row;

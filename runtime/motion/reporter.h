@@ -2,8 +2,13 @@
 #include "ir/diag/diagnostic.h"
 #include "ir/diag/result.h"
 #include "runtime/motion/records.h"
+#include "runtime/motion/state.h"
 
 namespace arelem::motion {
+
+/// How a motion ended, as it is to be told: after one that failed the tool is not where the program
+/// means it, and a motion that does not begin there is no fault of its own. The state remembers.
+[[nodiscard]] std::optional<Failure> ofMotion(State& state, std::optional<Failure> failure);
 
 /// Failures of Section 2: to the diagnostics, and as a record into the CL file, as in the old
 /// system.

@@ -13,6 +13,10 @@ constexpr int iterationLimit = 60;
 /// Residuals below this share of the coordinates' size are rounding.
 constexpr double relativeRest = 4e-16;
 constexpr double absoluteRest = 2e-15;
+/// Looking for the nearest place: trials, the damping that is given up, and steps that are none.
+constexpr int trialLimit = 400;
+constexpr double mostDamping = 1e12;
+constexpr double noStep = 1e-9;
 
 /// Shortest solution of rows * step = rhs for one, two or three rows; falls back to least squares
 /// where the rows are nearly dependent.
@@ -92,6 +96,77 @@ Settled settle(const Vec3& start,
   }
   out.ok = out.worst <= 1e-9 * (1.0 + out.toolEnd.cwiseAbs().maxCoeff());
   return out;
+}
+
+namespace {
+/// The conditions at a place, measured.
+Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted) {
+  Settled out;
+  out.toolEnd = place;
+  out.axis = axis.at(place);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    out.contacts[i] = wanted[i].field->at(place, out.axis);
+    const double rest = std::abs(wanted[i].target - out.contacts[i].gap);
+    if (rest >= out.worst) {
+      out.worst = rest;
+      out.worstAt = i;
+    }
+  }
+  return out;
+}
+
+double squares(const Settled& at, std::span<const Wanted> wanted) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const double rest = wanted[i].target - at.contacts[i].gap;
+    sum += rest * rest;
+  }
+  return sum;
+}
+
+/// Directions in which the constraints let the tool move, as the columns of a projection.
+Eigen::Matrix3d freedom(std::span<const Constraint> constraints) {
+  Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
+  for (const Constraint& c : constraints) {
+    const Vec3 n = free * c.normal;
+    if (n.norm() > relativeRest) {
+      free -= n * n.transpose() / n.squaredNorm();
+    }
+  }
+  return free;
+}
+}  // namespace
+
+/// Levenberg and Marquardt: a step that misses more is damped until one misses less.
+Settled closest(const Vec3& start,
+                AxisRule& axis,
+                std::span<const Wanted> wanted,
+                std::span<const Constraint> constraints) {
+  const Eigen::Matrix3d free = freedom(constraints);
+  Settled here = measured(start, axis, wanted);
+  double damping = 1e-3;
+  for (here.iterations = 1; here.iterations < trialLimit && damping < mostDamping;
+       ++here.iterations) {
+    Eigen::Matrix3d normal = damping * Eigen::Matrix3d::Identity();
+    Vec3 right = Vec3::Zero();
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const Vec3 row = free * here.contacts[i].normal;
+      normal += row * row.transpose();
+      right += (wanted[i].target - here.contacts[i].gap) * row;
+    }
+    const Vec3 step = free * normal.ldlt().solve(right);
+    if (!step.allFinite() || step.norm() <= noStep) {
+      break;
+    }
+    Settled next = measured(here.toolEnd + step, axis, wanted);
+    const bool better = squares(next, wanted) < squares(here, wanted);
+    damping = better ? damping / 3.0 : damping * 4.0;
+    if (better) {
+      next.iterations = here.iterations;
+      here = next;
+    }
+  }
+  return here;
 }
 
 }  // namespace arelem::motion

@@ -39,4 +39,11 @@ struct Settled {
                              std::span<const Constraint> constraints,
                              double accept = 0.0);
 
+/// The place near `start` at which the conditions are missed least, in the sense of least squares,
+/// with the constraints met: where no position is to be found, and a better start for `settle`.
+[[nodiscard]] Settled closest(const Vec3& start,
+                              AxisRule& axis,
+                              std::span<const Wanted> wanted,
+                              std::span<const Constraint> constraints);
+
 }  // namespace arelem::motion

@@ -120,14 +120,14 @@ class Starter {
     return std::nullopt;
   }
 
-  /// The sense of the motion, for axes that lead: before any motion the way to the surfaces.
+  /// The sense of the motion, for axes that lead: before any motion the way to the third surface.
   [[nodiscard]] Vec3 forward() const {
-    Vec3 way = Vec3::Zero();
-    for (const Goal& goal : goals_) {
-      const surface::Foot foot = footOn(goal.surface.surface, state_.toolEnd);
-      way -= foot.distance * foot.normal;
+    constexpr std::size_t third = 2;
+    if (state_.forward || goals_.size() <= third) {
+      return state_.forward.value_or(Vec3::Zero());
     }
-    return state_.forward.value_or(way);
+    const surface::Foot foot = footOn(goals_[third].surface.surface, state_.toolEnd);
+    return -foot.distance * foot.normal;
   }
 
   [[nodiscard]] AxisParty party(const Goal& goal) const {
@@ -226,6 +226,12 @@ class Starter {
     const Vec3 from = approach();
     const auto extra = constraints(from);
     Settled found = settle(from, rule_, wanted(false, from), extra);
+    if (!found.ok) {
+      // From far away or across a kink Newton may miss what there is.
+      const Settled near = closest(from, rule_, wanted(false, from), extra);
+      found = settle(near.toolEnd, rule_, wanted(false, near.toolEnd), extra);
+      found = found.ok ? found : near;
+    }
     if (found.ok && !exact_) {
       found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
     }
@@ -249,10 +255,15 @@ class Starter {
     // no hollow is near.
     const bool lost = !(found.worst <= atFirst);
     const Vec3& p = lost ? from : found.toolEnd;
+    const auto parallel = [](const Vec3& a, const Vec3& b) {
+      return a.cross(b).norm() <= tolerance::nullDirection;
+    };
+    // Where two surfaces are missed least they are parallel, so look at the beginning too.
     for (std::size_t i = 0; i < goals_.size() && !lost; ++i) {
+      const Vec3 first = goals_[i].field->at(from, found.axis).normal;
       for (std::size_t k = i + 1; k < goals_.size(); ++k) {
-        const Vec3& n = found.contacts[i].normal;
-        if (n.cross(found.contacts[k].normal).norm() <= tolerance::nullDirection) {
+        if (parallel(found.contacts[i].normal, found.contacts[k].normal) &&
+            parallel(first, goals_[k].field->at(from, found.axis).normal)) {
           return fail(diag::SurfacesParallel, goals_[i].surface.name, goals_[k].surface.name, p.x(),
                       p.y(), p.z());
         }
@@ -269,8 +280,13 @@ class Starter {
                     over, p.x(), p.y(), p.z());
       }
     }
-    return fail(diag::StartupDiverges, found.worst, goals_[found.worstAt].surface.name,
-                found.iterations);
+    return diverges(found);
+  }
+
+  [[nodiscard]] Failure diverges(const Settled& found) const {
+    const Vec3& p = found.toolEnd;
+    return fail(diag::StartupDiverges, p.x(), p.y(), p.z(), found.worst,
+                goals_[found.worstAt].surface.name);
   }
 
   /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to
@@ -279,14 +295,12 @@ class Starter {
     if (!state_.direction[0] || state_.direction[1] || state_.direction[2]) {
       return fail(diag::OffsetNeedsDirection);
     }
-    const auto hit = pierce(goals_[0], sidePoint(state_, state_.toolEnd, state_.axis),
-                            state_.direction[0]->normalized());
+    const Vec3 along = state_.direction[0]->normalized();
+    const auto hit = pierce(goals_[0], sidePoint(state_, state_.toolEnd, state_.axis), along);
     if (!hit) {
-      return fail(diag::StartupDiverges,
-                  std::abs(footOn(goals_[0].surface.surface, state_.toolEnd).distance),
-                  goals_[0].surface.name, pierceLimit);
+      return offsetMisses(along);
     }
-    const Vec3 onDrive = state_.toolEnd + *hit * state_.direction[0]->normalized();
+    const Vec3 onDrive = state_.toolEnd + *hit * along;
     const std::array first{Wanted{goals_[0].field.get(), 0.0}};
     const Vec3 normal = footOn(goals_[0].surface.surface, onDrive).normal;
     const Vec3 across = normal.unitOrthogonal();
@@ -299,14 +313,36 @@ class Starter {
                                  Constraint{state_.axis.cross(e1), found.toolEnd}};
       const std::array second{Wanted{goals_[1].field.get(), 0.0}};
       found = settle(found.toolEnd, rule_, second, alongAxis);
+      found.worstAt = 1;
     }
-    const double drift =
-        found.ok ? goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap : 0.0;
-    if (!found.ok || drift > state_.outer[driveRole] || drift < -state_.inner[driveRole]) {
-      return fail(diag::StartupDiverges, found.ok ? drift : found.worst, goals_[0].surface.name,
-                  found.iterations);
+    if (!found.ok) {
+      return diverges(found);
+    }
+    const double inner = state_.inner[driveRole];
+    const double outer = state_.outer[driveRole];
+    const double drift = goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap;
+    if (drift > outer + tolerance::sameSide || drift < -inner - tolerance::sameSide) {
+      return fail(diag::OffsetLeavesDrive, goals_.back().surface.name, goals_[0].surface.name,
+                  drift, 0.0 - inner, outer);
     }
     return Standing{found.toolEnd, found.axis};
+  }
+
+  /// The direction passes beside the drive surface, or leads away from it.
+  [[nodiscard]] Failure offsetMisses(const Vec3& along) const {
+    const auto field = makeField(goals_[0].surface.surface, 1.0, {});
+    AxisRule fixed(state_.axis);
+    const Vec3 from = sidePoint(state_, state_.toolEnd, state_.axis);
+    const Vec3 across = along.unitOrthogonal();
+    const std::array onRay{Constraint{across, from}, Constraint{along.cross(across), from}};
+    const std::array wanted{Wanted{field.get(), 0.0}};
+    Settled near = closest(from, fixed, wanted, onRay);
+    if ((near.toolEnd - from).dot(along) < 0.0) {
+      near.toolEnd = from;
+    }
+    const Vec3& p = near.toolEnd;
+    return fail(diag::OffsetMisses, goals_[0].surface.name, std::abs(field->at(p, state_.axis).gap),
+                p.x(), p.y(), p.z());
   }
 
   const State& state_;

@@ -27,6 +27,7 @@ enum Role : std::size_t { partRole = 0, driveRole = 1, checkRole = 2, secondChec
 struct State {
   Vec3 toolEnd = Vec3::Zero();
   bool positioned = false;  ///< FROM or a motion was met
+  bool adrift = false;      ///< the last motion failed: the tool is not where the program means it
   Vec3 axis = Vec3::UnitZ();
   std::optional<Vec3> forward;  ///< last non-axial displacement or INDIRV/INDIRP
   /// Last displacement that was not along the axis: where the forward direction is axial.
@@ -45,6 +46,7 @@ struct State {
   std::optional<Word> driveRelation;  ///< TLLFT, TLRGT, TLON; none before the first of them
   bool alwaysIterate = false;         ///< 3DCALC
   bool multax = false;
+  bool toldOfAxis = false;  ///< that one is not written
   bool gougeCheck = false;
   bool output = true;  ///< CUT, not DNTCUT
   runtime::ToolAxis axisRule;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
 
 #include "ir/space/tolerance.h"
 
@@ -59,6 +62,21 @@ std::optional<Vec3> tilted(const Tilt& tilt,
   const Vec3 along = forward - forward.dot(normal) * normal - forward.dot(side) * side;
   const Vec3 ahead = along.norm() > 0.0 ? Vec3(along.normalized()) : Vec3(normal.cross(side));
   return tilt.across ? inPlane(tilt, normal, side, ahead) : inSpace(tilt, normal, side, ahead);
+}
+
+std::string whyNotTilted(const Tilt& tilt, const Vec3& normal, const Vec3& other) {
+  constexpr double degrees = 180.0 / std::numbers::pi;
+  if (normal.cross(other).norm() <= tolerance::symmetric) {
+    return "the normals of the part and the drive surface are parallel there";
+  }
+  if (tilt.across) {
+    const double out = std::asin(std::clamp(normal.dot(*tilt.across), -1.0, 1.0));
+    return fmt::format("the normal leans {:.6g} degrees out of the plane square to the vector",
+                       std::abs(out) * degrees);
+  }
+  const double lead = tilt.lead.value_or(0.0);
+  return fmt::format("the {} of {:.6g} degrees is more than that", lead < 0.0 ? "lag" : "lead",
+                     std::abs(lead) * degrees);
 }
 
 }  // namespace arelem::motion

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "ir/space/vector.h"
 
@@ -21,5 +22,8 @@ struct Tilt {
                                          const Vec3& normal,
                                          const Vec3& other,
                                          const Vec3& forward);
+
+/// What is in the way where `tilted` finds none, with the angles.
+[[nodiscard]] std::string whyNotTilted(const Tilt& tilt, const Vec3& normal, const Vec3& other);
 
 }  // namespace arelem::motion

@@ -51,6 +51,26 @@ Contact contactOf(const S& s,
   return ContactSearch<S>(s, side, cutter, te, axis, search).run();
 }
 
+/// A level bottom that covers the tip of a cone is nearest to it on the cone's axis, where normals
+/// of all sides meet. The gap changes with the height of the bottom only, by sin(half): so does
+/// their mean, which is shorter than 1.
+Contact contactOf(const surface::Cone& s,
+                  double side,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis,
+                  Search<surface::Cone>& search) {
+  Contact c = contactOf<surface::Cone>(s, side, cutter, te, axis, search);
+  const Vec3 fromTip = c.point - s.vertex;
+  const double share = -s.axis.dot(axis);
+  if (side > 0.0 && c.gap < 0.0 && cutter.alpha == 0.0 && share > s.sinHalf &&
+      (c.point - te).dot(axis) <= tolerance::sameSide &&
+      fromTip.cross(s.axis).norm() <= tolerance::sameSide) {
+    c.normal = (s.sinHalf / share) * axis;
+  }
+  return c;
+}
+
 /// Square to the generatrix the section tells all.
 Contact contactOf(const surface::TabulatedCylinder& s,
                   double side,
@@ -61,7 +81,9 @@ Contact contactOf(const surface::TabulatedCylinder& s,
   if (const auto section = search.section.contact(s, side, cutter, te, axis)) {
     return *section;
   }
-  return contactOf<surface::TabulatedCylinder>(s, side, cutter, te, axis, search);
+  const auto low = search.section.low();
+  const Contact found = contactOf<surface::TabulatedCylinder>(s, side, cutter, te, axis, search);
+  return low && low->gap < found.gap ? *low : found;
 }
 
 Contact contactOf(const surface::Plane& s,

@@ -13,19 +13,17 @@
 /// contact, so g is the signed distance field of the surface on which the tool end runs.
 namespace arelem::tool {
 
-struct Contact {
-  double gap = 0.0;
-  Vec3 normal = Vec3::UnitZ();  ///< unit, from the surface to the cutter; the gradient of the gap
-  Vec3 point = Vec3::Zero();    ///< on the cutter
-};
-
 /// Where the last contact was: starts the next search.
 template <class Hint>
 struct LastContact {
   Hint hint{};
   bool valid = false;
-  bool convex = false;                     ///< side * distance is a convex function of the place
-  Vec3 toward = Vec3::UnitX();             ///< direction of the contact about the axis
+  bool convex = false;              ///< side * distance is a convex function of the place
+  Vec3 toward = Vec3::UnitX();      ///< direction of the contact about the axis, when the
+  Vec3 towardAt = Vec3::Zero();     ///< tool was there, and
+  Vec3 towardTurns = Vec3::Zero();  ///< its turn about the axis by the way of the tool
+  bool onDisc = false;              ///< it was inside a level bottom, with the foot there:
+  Vec3 discFoot = Vec3::Zero();
   double bound = 0.0, boundRadius = -1.0;  ///< of the bend towards the cutter, around:
   Vec3 boundAt = Vec3::Zero();
   double clearance = -1.0;  ///< of the upper shank beyond the gap, when the tool was there:

@@ -27,6 +27,12 @@ class ContactDescent {
       search_.toward = -sample(te_ + cutter_.f * axis_).gradient;
     }
     turnTo(search_.toward);
+    if constexpr (surface::Turning<S>) {
+      const double angle = search_.towardTurns.dot(te_ - search_.towardAt);
+      if (angle != 0.0 && std::abs(angle) <= largestForetold) {
+        turnTo(search_.toward + angle * axis_.cross(search_.toward));
+      }
+    }
     search_.valid = true;
   }
 
@@ -48,7 +54,8 @@ class ContactDescent {
     if (cutter_.e == 0.0 && std::abs(nz) < axial) {
       turnTo(-corner.normal);
     }
-    const bool inwards = nz > 0.0 && corner.normal.dot(search_.toward) > 0.0;
+    // Over a crest the rim is as near as what is between: the bottom's contact stays where it is.
+    const bool inwards = nz > 0.0 && corner.normal.dot(search_.toward) > -levelSlope;
     onCorner_ = !inwards && nz <= cutter_.cosAlpha && nz >= cutter_.sinBeta;
     if (cutter_.alpha == 0.0 && cutter_.e > 0.0 && inwards) {
       return onDisc(corner);
@@ -58,13 +65,30 @@ class ContactDescent {
     }
     return nz < cutter_.sinBeta ? onSide(0.0) : corner;
   }
+  /// The contact inside a level bottom whose foot stays where the last one was; only good where it
+  /// proves to be one.
+  Contact onDiscAgain() {
+    turnTo(search_.toward);
+    const Vec3 way = search_.discFoot - te_;
+    const Vec3 offset = way - way.dot(axis_) * axis_;
+    last_ = sample(te_ + offset + cutter_.f * axis_);
+    search_.onDisc = offset.norm() <= cutter_.e;
+    if (!search_.onDisc) {
+      turnTo(offset);  // it leaves the bottom there
+      return result(cutter_.r);
+    }
+    search_.onDisc = inDisc(offset);
+    const Contact c = result(cutter_.r);
+    search_.discFoot = c.point - c.gap * c.normal;
+    return c;
+  }
   /// True where nearestPiece ended on the corner arc.
   [[nodiscard]] bool onCorner() const { return onCorner_; }
 
-  /// The bottom, from its rim.
-  Contact onBottom() {
-    return cutter_.alpha == 0.0 ? onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, 1.0)
-                                : onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, 1.0);
+  /// The bottom, from a share of its length; 1 is its rim.
+  Contact onBottom(double along = 1.0) {
+    return cutter_.alpha == 0.0 ? onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, along)
+                                : onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, along);
   }
   /// The side, from a share of its length.
   Contact onSide(double along) { return onLine(cutter_.sideStart, cutter_.sideEnd, 0.0, along); }
@@ -87,11 +111,19 @@ class ContactDescent {
   static constexpr int limit = 60;
   /// Iterations after which a bracket is halved whatever Newton says.
   static constexpr int patience = 12;
+  /// Largest turn about the axis that the last contact foretells for this one. Radians.
+  static constexpr double largestForetold = 0.3;
+  /// What the gap may be off where the last step of Newton is not looked at. Part unit.
+  static constexpr double unseenStep = 1e-11;
   /// Newton's error after a turn this small is its square, and that of the distance the square of
   /// that. Radians.
   static constexpr double smallTurn = 1e-6;
   static constexpr double smallestTurn = 1e-15;
   static constexpr double largestTurn = 1.0;
+  /// How often Newton may be held on the rim of the disc.
+  static constexpr int mostClipped = 3;
+  /// Steps across the disc that are not looked at are not longer than this share of its radius.
+  static constexpr double unseenShare = 1e-3;
   /// A normal at the center of a ball with a larger cosine to the axis points nowhere about it.
   static constexpr double axial = 1.0 - 1e-9;
   /// A turn that leaves a maximum. Radians.
@@ -137,9 +169,19 @@ class ContactDescent {
     return {side_ * last_.foot.distance - ball, last_.gradient, last_.at - ball * last_.gradient};
   }
 
+  /// The change of the normal along t: all of it, or only its parts along t and the normal.
+  Vec3 turnOf(const Sample& s, const Vec3& t) {
+    if constexpr (surface::Turning<S>) {
+      return side_ * surface_.turn(s.at, s.foot, t, search_.hint);
+    } else {
+      return bend(s, t) * t;
+    }
+  }
+
   /// Least distance over the circle of a profile point, by Newton on the angle.
   Contact alongCircle(ProfilePoint q, double ball) {
     last_ = sample(place(q));
+    search_.towardTurns = Vec3::Zero();
     if (q.rho == 0.0) {
       return result(ball);
     }
@@ -149,10 +191,19 @@ class ContactDescent {
       const Vec3 tangent = axis_.cross(search_.toward);
       const double slope = last_.gradient.dot(tangent);
       const double pull = -last_.gradient.dot(search_.toward);
-      const double curvature = q.rho * bend(last_, tangent) + pull;
+      const Vec3 turning = turnOf(last_, tangent);
+      const double bent = q.rho * turning.dot(tangent);
+      const double curvature = bent + pull;
       const bool newton = curvature > 0.1 * std::abs(pull) && curvature > 0.0;
       double angle = newton ? -slope / curvature
                             : -slope / std::max(std::abs(pull) + std::abs(curvature), 1e-3);
+      if constexpr (surface::Turning<S>) {
+        const double steps = std::abs(angle) * (1.0 + bent);
+        if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep) {
+          finishCircle(q.rho, angle, slope, curvature, turning, tangent);
+          break;
+        }
+      }
       if (std::abs(slope) <= levelSlope && curvature < -smallTurn) {
         angle = kick;
       }
@@ -169,39 +220,108 @@ class ContactDescent {
     return result(ball);
   }
 
-  /// The flat bottom: Newton in its plane; on its rim the circle search has the answer already.
-  Contact onDisc(const Contact& rim) {
+  /// The last step of Newton, by what is known of the surface where it begins: the distance to the
+  /// second order, its gradient to the first. And how the contact will turn as the tool goes on.
+  void finishCircle(double rho,
+                    double angle,
+                    double slope,
+                    double curvature,
+                    const Vec3& turning,
+                    const Vec3& tangent) {
+    const Vec3 turned = (search_.toward + angle * tangent) / std::sqrt(1.0 + angle * angle);
+    last_.at += rho * (turned - search_.toward);
+    search_.toward = turned;
+    search_.towardAt = te_;
+    search_.towardTurns = -turning / curvature;
+    last_.foot.distance += side_ * 0.5 * rho * angle * slope;
+    last_.gradient += rho * angle * turning;
+    last_.gradient /= last_.gradient.norm();
+    last_.foot.normal = side_ * last_.gradient;
+  }
+
+  /// The curvature of side * distance over the plane of a level bottom.
+  struct Across {
+    Vec3 turn1 = Vec3::Zero(), turn2 = Vec3::Zero();  ///< changes of the normal, if known
+    Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();
+  };
+  Across acrossDisc(const Vec3& e1, const Vec3& e2) {
+    Across a;
+    if constexpr (surface::Turning<S>) {
+      a.turn1 = turnOf(last_, e1);
+      a.turn2 = turnOf(last_, e2);
+      const double mixed = a.turn1.dot(e2);
+      a.curvature << a.turn1.dot(e1), mixed, mixed, a.turn2.dot(e2);
+    } else {
+      const double mixed = bend(last_, e1, e2);
+      a.curvature << bend(last_, e1), mixed, mixed, bend(last_, e2);
+    }
+    return a;
+  }
+
+  /// Newton in the plane of the level bottom, from the place at `offset` from its center, which was
+  /// sampled. False where there is no minimum.
+  bool inDisc(Vec3 offset) {
     const Vec3 e1 = search_.toward;
     const Vec3 e2 = axis_.cross(e1);
-    Vec3 offset = cutter_.e * e1;
+    int clipped = 0;
     for (int i = 0; i < limit; ++i) {
+      const Across across = acrossDisc(e1, e2);
       const Eigen::Vector2d slope(last_.gradient.dot(e1), last_.gradient.dot(e2));
-      Eigen::Matrix2d curvature;
-      const double mixed = bend(last_, e1, e2);
-      curvature << bend(last_, e1), mixed, mixed, bend(last_, e2);
       // A flat direction has no single minimum: stay on the axis along it.
       const double ridge = 1e-9 / std::max(cutter_.e, 1e-9);
-      curvature += ridge * Eigen::Matrix2d::Identity();
-      const Eigen::Vector2d pulled =
-          slope + ridge * Eigen::Vector2d(offset.dot(e1), offset.dot(e2));
-      if (curvature.determinant() <= 0.0 || curvature(0, 0) <= 0.0) {
-        turnTo(e1);
-        return onBottom();
+      const Eigen::Matrix2d ridged = across.curvature + ridge * Eigen::Matrix2d::Identity();
+      const double det = ridged.determinant();
+      // Newton that leaves the disc again and again looks for what no curvature foretells: the tip
+      // of a cone, an edge.
+      if (det <= 0.0 || ridged(0, 0) <= 0.0 || clipped > mostClipped) {
+        return false;
       }
-      const Eigen::Vector2d step = curvature.inverse() * pulled;
-      Vec3 next = offset - step.x() * e1 - step.y() * e2;
-      if (next.norm() > cutter_.e) {
-        next *= cutter_.e / next.norm();
+      const double p1 = slope.x() + ridge * offset.dot(e1);
+      const double p2 = slope.y() + ridge * offset.dot(e2);
+      const Eigen::Vector2d step(-(ridged(1, 1) * p1 - ridged(0, 1) * p2) / det,
+                                 -(ridged(0, 0) * p2 - ridged(0, 1) * p1) / det);
+      Vec3 next = offset + step.x() * e1 + step.y() * e2;
+      const double away = next.norm();
+      if (away > cutter_.e) {
+        next *= cutter_.e / away;
+        ++clipped;
       }
       const double moved = (next - offset).norm();
+      if constexpr (surface::Turning<S>) {
+        const Vec3 turned = step.x() * across.turn1 + step.y() * across.turn2;
+        if (away <= cutter_.e && moved <= unseenShare * cutter_.e &&
+            turned.squaredNorm() * moved <= unseenStep) {
+          last_.at += next - offset;
+          last_.foot.distance +=
+              side_ * (slope.dot(step) + 0.5 * step.dot(across.curvature * step));
+          last_.gradient = (last_.gradient + turned).normalized();
+          last_.foot.normal = side_ * last_.gradient;
+          return true;
+        }
+      }
       offset = next;
       last_ = sample(te_ + offset + cutter_.f * axis_);
       if (moved <= smallMove * (1.0 + cutter_.e)) {
         break;
       }
     }
+    return true;
+  }
+
+  /// The flat bottom; on its rim the circle search has the answer already.
+  Contact onDisc(const Contact& rim) {
+    const Vec3 e1 = search_.toward;
+    if (!inDisc(cutter_.e * e1)) {
+      turnTo(e1);
+      return onBottom();
+    }
     const Contact inner = result(cutter_.r);
-    return inner.gap < rim.gap ? inner : rim;
+    if (inner.gap > rim.gap + levelSlope) {
+      return rim;
+    }
+    search_.onDisc = true;
+    search_.discFoot = inner.point - inner.gap * inner.normal;
+    return inner;
   }
 
   /// A straight piece of the profile turned about the axis: the zero of the slope along it, with

@@ -38,6 +38,13 @@ class ContactSearch {
         return ball;
       }
     }
+    if (search_.onDisc && search_.convex) {
+      const Contact level = descent_.onDiscAgain();
+      if (search_.onDisc && supports(level)) {
+        return level;
+      }
+      search_.onDisc = false;
+    }
     descent_.begin();
     const Contact local = descent_.nearestPiece();
     const bool proven = search_.convex
@@ -87,17 +94,23 @@ class ContactSearch {
       return false;
     }
     const double high = lowHeight();
-    const Vec3 q = te_ + cutter_.e * search_.toward + cutter_.f * axis_;
-    const double off = (c.point + cutter_.r * c.normal - q).norm();
-    if (cutter_.e == 0.0 ? !onCorner : off > supportSlack * (1.0 + cutter_.e)) {
+    const Vec3 core = c.point + cutter_.r * c.normal;
+    const Vec3 rim = te_ + cutter_.e * search_.toward + cutter_.f * axis_;
+    const double slack = supportSlack * (1.0 + cutter_.e);
+    const bool inside = (core - rim).norm() > slack;
+    if (cutter_.e == 0.0 ? !onCorner : inside && !isLevel(c, slack)) {
       return false;
     }
+    const Vec3& q = inside ? core : rim;
     const double radius = 2.0 * cutter_.e + high;
     const auto proves = [&](double towards) {
       const double slope = -c.normal.dot(search_.toward);
       const double widening = cutter_.sinBeta / cutter_.cosBeta;
+      if (inside && towards > 0.0) {
+        return false;
+      }
       const double bent = towards * (2.0 * cutter_.e + 0.5 * high * (1.0 + widening * widening));
-      return towards * cutter_.e <= slope &&
+      return (inside || towards * cutter_.e <= slope) &&
              (high <= 0.0 || bent + widening <= c.normal.dot(axis_));
     };
     if (radius <= 0.0) {
@@ -107,6 +120,13 @@ class ContactSearch {
       return true;
     }
     return proves(boundAround(q, c, reserve * radius)) || proves(boundAround(q, c, radius));
+  }
+
+  /// True where the contact is inside a level bottom: the distance has no slope there. Where it
+  /// bends away from the cutter everywhere it is the least.
+  [[nodiscard]] bool isLevel(const Contact& c, double slack) const {
+    const double nz = c.normal.dot(axis_);
+    return nz > 0.0 && 2.0 * cutter_.e * (c.normal - nz * axis_).norm() <= slack;
   }
 
   /// How much the distance bends towards the cutter within `radius` of q; kept in the search.
@@ -159,7 +179,7 @@ class ContactSearch {
   Contact descend(Piece piece, double along) {
     switch (piece) {
       case bottom:
-        return descent_.onBottom();
+        return descent_.onBottom(along);
       case side:
         return descent_.onSide(along);
       default:
@@ -171,7 +191,7 @@ class ContactSearch {
     ProfilePoint q;
     double ball = 0.0;
     Piece piece = corner;
-    double along = 0.0;       ///< share of the side's length
+    double along = 0.0;       ///< share of the length of the bottom or the side
     double halfHeight = 0.0;  ///< half the distance to the next row
   };
   static constexpr std::size_t mostRows = 8;
@@ -187,8 +207,8 @@ class ContactSearch {
     const ProfilePoint& from = cutter_.sideStart;
     const ProfilePoint& to = cutter_.sideEnd;
     if (!cutter_.ring && cutter_.bottomEnd.rho > 0.0) {
-      rows.add({{0.0, 0.0}, 0.0, bottom});
-      rows.add({{0.5 * cutter_.bottomEnd.rho, 0.5 * cutter_.bottomEnd.z}, 0.0, bottom});
+      rows.add({{0.0, 0.0}, 0.0, bottom, 0.0});
+      rows.add({{0.5 * cutter_.bottomEnd.rho, 0.5 * cutter_.bottomEnd.z}, 0.0, bottom, 0.5});
     }
     rows.add({{cutter_.e, cutter_.f}, cutter_.r, corner});
     if (to.z > from.z) {
@@ -259,7 +279,9 @@ class ContactSearch {
     }
     search_.toward = toward;
     search_.hint = hint;
-    const double others = std::min(skipped, leastBeside(grid, all, directions, toward));
+    const bool atPoint = cutter_.alpha > 0.0 &&
+                         (best.point - te_).cross(axis_).norm() < 0.25 * cutter_.bottomEnd.rho;
+    const double others = std::min(skipped, leastBeside(grid, all, directions, toward, atPoint));
     search_.lead = trustedShare * (others - best.gap);
     search_.leadGap = best.gap + search_.lead;
     search_.leadAt = te_;
@@ -267,19 +289,24 @@ class ContactSearch {
     return best;
   }
 
-  /// The least distance of the grid but for the bottom and the corner next to the contact.
-  static double leastBeside(const Grid& grid,
-                            const Rows& all,
-                            const std::array<Vec3, angles>& directions,
-                            const Vec3& toward) {
+  /// The least distance of the grid but for the bottom and the corner next to the contact. The
+  /// point of a drill and its rim are apart: where one of them touches (`atPoint`) the other
+  /// counts.
+  double leastBeside(const Grid& grid,
+                     const Rows& all,
+                     const std::array<Vec3, angles>& directions,
+                     const Vec3& toward,
+                     bool atPoint) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < all.count; ++r) {
       const Row& row = all.list[r];
       if (row.piece != side && row.q.rho == 0.0) {
+        least = cutter_.alpha > 0.0 && !atPoint ? std::min(least, grid[r][0]) : least;
         continue;
       }
+      const bool apart = row.piece == side || (atPoint && row.piece == corner);
       for (std::size_t k = 0; k < angles; ++k) {
-        if (row.piece == side || directions[k].dot(toward) < besideContact) {
+        if (apart || directions[k].dot(toward) < besideContact) {
           least = std::min(least, grid[r][k]);
         }
       }

@@ -14,16 +14,6 @@ constexpr double degree = std::numbers::pi / 180.0;
 /// The old system's least height of a cutter given by one or two values. Part unit.
 constexpr double defaultHeight = 5.0;
 
-void complete(Profile& p) {
-  p.sinAlpha = std::sin(p.alpha);
-  p.cosAlpha = std::cos(p.alpha);
-  p.sinBeta = std::sin(p.beta);
-  p.cosBeta = std::cos(p.beta);
-  p.bottomEnd = {p.e + p.r * p.sinAlpha, p.f - p.r * p.cosAlpha};
-  p.sideStart = {p.e + p.r * p.cosBeta, p.f - p.r * p.sinBeta};
-  p.sideEnd = {p.d / 2 + std::tan(p.beta) * (p.h - p.d / 2 * std::tan(p.alpha)), p.h};
-}
-
 /// Lengths of the size of a tool need no std::hypot, which takes longer than all else here.
 double lengthOf(double x, double z) {
   return std::sqrt(x * x + z * z);
@@ -67,6 +57,16 @@ struct Nearest {
 };
 }  // namespace
 
+void completeProfile(Profile& p) {
+  p.sinAlpha = std::sin(p.alpha);
+  p.cosAlpha = std::cos(p.alpha);
+  p.sinBeta = std::sin(p.beta);
+  p.cosBeta = std::cos(p.beta);
+  p.bottomEnd = {p.e + p.r * p.sinAlpha, p.f - p.r * p.cosAlpha};
+  p.sideStart = {p.e + p.r * p.cosBeta, p.f - p.r * p.sinBeta};
+  p.sideEnd = {p.d / 2 + std::tan(p.beta) * (p.h - p.d / 2 * std::tan(p.alpha)), p.h};
+}
+
 Result<Profile> makeProfile(std::span<const double> values) {
   Profile p;
   p.d = values[0];
@@ -93,7 +93,7 @@ Result<Profile> makeProfile(std::span<const double> values) {
   if (p.h == 0.0) {
     p.h = std::max(defaultHeight, p.r);
   }
-  complete(p);
+  completeProfile(p);
   return p;
 }
 
@@ -104,7 +104,7 @@ Profile makeRing(double radius, double height) {
   p.f = height;
   p.h = height;
   p.ring = true;
-  complete(p);
+  completeProfile(p);
   p.sideEnd = p.sideStart;
   return p;
 }

@@ -38,6 +38,8 @@ struct Profile {
 /// or 7 of them, and completes them. Where corner radius and center are zero the lines meet in a
 /// sharp corner. Whether the parts join is for shapeFault to say.
 [[nodiscard]] Result<Profile> makeProfile(std::span<const double> values);
+/// Works out the sines and the ends of the lines from the seven values.
+void completeProfile(Profile& profile);
 /// The ring of CUTTER/OPTION,n,radius,height.
 [[nodiscard]] Profile makeRing(double radius, double height);
 

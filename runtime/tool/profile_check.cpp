@@ -27,6 +27,17 @@ std::optional<Failure> jointFault(const Profile& p,
   }
   return off < 0.0 ? fail(crosses, -off) : fail(misses, off);
 }
+
+/// Distances of the corner's center from the bottom line and from the side line, inside positive.
+struct CornerPlace {
+  double aboveBottom, withinSide;
+};
+
+CornerPlace cornerPlace(const Profile& p) {
+  const double rim = p.d / 2 * std::tan(p.alpha);
+  return {p.f * p.cosAlpha - p.e * p.sinAlpha,
+          (p.d / 2 - p.e) * p.cosBeta + (p.f - rim) * p.sinBeta};
+}
 }  // namespace
 
 std::optional<Failure> rangeFault(const Profile& p) {
@@ -56,10 +67,8 @@ std::optional<Failure> rangeFault(const Profile& p) {
 
 std::optional<Failure> shapeFault(const Profile& p) {
   const double size = tolerance::cutterRounding * std::max(1.0, p.d);
-  // Distances of the corner's center from the bottom line and from the side line, inside positive.
   const double rim = p.d / 2 * std::tan(p.alpha);
-  const double aboveBottom = p.f * p.cosAlpha - p.e * p.sinAlpha;
-  const double withinSide = (p.d / 2 - p.e) * p.cosBeta + (p.f - rim) * p.sinBeta;
+  const auto [aboveBottom, withinSide] = cornerPlace(p);
   if (rim > p.h + size) {
     return fail(diag::CutterBottomTooSteep, p.alpha * degrees, rim, p.h);
   }
@@ -78,6 +87,26 @@ std::optional<Failure> shapeFault(const Profile& p) {
     return fail(diag::CutterNoSide, p.h, p.sideStart.z);
   }
   return std::nullopt;
+}
+
+Profile joined(const Profile& p) {
+  const double allowed = tolerance::cutterJoint * std::max(1.0, p.d);
+  const auto [aboveBottom, withinSide] = cornerPlace(p);
+  if (p.ring || std::abs(aboveBottom - p.r) > allowed || std::abs(withinSide - p.r) > allowed) {
+    return p;
+  }
+  // From where the lines meet, inwards and up to a center at the distance r from both.
+  const double turn = p.cosAlpha * p.cosBeta - p.sinAlpha * p.sinBeta;
+  const double inwards = p.r * (p.cosAlpha - p.sinBeta) / turn;
+  const double upwards = p.r * (p.cosBeta - p.sinAlpha) / turn;
+  Profile out = p;
+  if (p.e == 0.0) {
+    out.d = 2.0 * inwards;
+  }
+  out.e = std::max(out.d / 2 - inwards, 0.0);
+  out.f = out.d / 2 * std::tan(p.alpha) + upwards;
+  completeProfile(out);
+  return out;
 }
 
 }  // namespace arelem::tool

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "runtime/geometry/roots.h"
-#include "runtime/tool/contact.h"
 #include "runtime/tool/rounded.h"
 
 namespace arelem::tool {
@@ -152,6 +151,7 @@ void SectionSearch::prepare(const TabulatedCylinder& s,
   addEdges(cutter.sideStart, cutter.sideEnd);
   addBall(cutter.sideEnd.rho, cutter.sideEnd.z, 0.0, false);
   addBall(-cutter.sideEnd.rho, cutter.sideEnd.z, 0.0, false);
+  addEdge({cutter.sideEnd.rho, cutter.sideEnd.z}, -Vec2::UnitX(), 2.0 * cutter.sideEnd.rho, 0.0);
   for (std::size_t i = 0; i < edgeCount_; ++i) {
     Edge& e = edges_[i];
     const Vec3 direction = inSpace(e.direction);
@@ -175,19 +175,11 @@ double SectionSearch::measure(const TabulatedCylinder& s,
   return ball.gap;
 }
 
-/// Balls are measured only where they may have come as near as the nearest by the way of the tool.
-std::optional<Contact> SectionSearch::contact(const TabulatedCylinder& s,
-                                              double side,
-                                              const Profile& cutter,
-                                              const Vec3& te,
-                                              const Vec3& axis) {
-  if (state_ == State::unknown || axis != axis_) {
-    prepare(s, side, cutter, axis);
-  }
-  if (state_ == State::useless) {
-    return std::nullopt;
-  }
-  const Vec2 at(te.dot(s.curve().u), te.dot(s.curve().v));
+/// The nearest ball. Balls are measured only where they may have come as near as the nearest by the
+/// way of the tool.
+const SectionSearch::Ball& SectionSearch::nearestBall(const TabulatedCylinder& s,
+                                                      const Vec3& te,
+                                                      const Vec2& at) {
   double least = measure(s, balls_[last_], te, at);
   for (std::size_t i = 0; i < ballCount_; ++i) {
     Ball& b = balls_[i];
@@ -199,9 +191,30 @@ std::optional<Contact> SectionSearch::contact(const TabulatedCylinder& s,
       last_ = i;
     }
   }
+  return balls_[last_];
+}
+
+std::optional<Contact> SectionSearch::contact(const TabulatedCylinder& s,
+                                              double side,
+                                              const Profile& cutter,
+                                              const Vec3& te,
+                                              const Vec3& axis) {
+  low_.reset();
+  if (state_ == State::unknown || axis != axis_) {
+    prepare(s, side, cutter, axis);
+  }
+  if (state_ == State::useless) {
+    return std::nullopt;
+  }
+  const Vec2 at(te.dot(s.curve().u), te.dot(s.curve().v));
+  const Ball& ball = nearestBall(s, te, at);
+  double least = ball.gap;
   const Edge* edge = nullptr;
   const Level* level = nullptr;
   for (std::size_t i = 0; i < edgeCount_; ++i) {
+    if (edges_[i].levels.empty()) {
+      continue;
+    }
     const double moved = at.dot(edges_[i].inPlane);
     const double raised = at.dot(edges_[i].outInPlane);
     for (const Level& l : edges_[i].levels) {
@@ -213,28 +226,46 @@ std::optional<Contact> SectionSearch::contact(const TabulatedCylinder& s,
       }
     }
   }
-  if (least < deepest_) {
-    return std::nullopt;
+  const Vec3 normal = side * ball.normal;
+  if (!ball.cut || normal.dot(axis) >= lowestNormal_) {
+    low_ = Contact{ball.gap, normal, te + inSpace(ball.center) - ball.radius * normal};
   }
-  if (edge == nullptr) {
-    const Ball& b = balls_[last_];
-    const Vec3 normal = side * b.normal;
-    if (b.cut && normal.dot(axis) < lowestNormal_) {
-      return std::nullopt;
-    }
-    return Contact{b.gap, normal, te + inSpace(b.center) - b.radius * normal};
+  if (edge != nullptr) {
+    return onEdge(s, te, *edge, *level, {level->along - at.dot(edge->inPlane), least});
   }
-  const Vec2 on = edge->start + (level->along - at.dot(edge->inPlane)) * edge->direction;
-  const Vec3 outward = inSpace(edge->outward);
-  if (least < 0.0) {
-    // Below the surface another of its places may be nearer.
-    Hint hint = level->hint;
-    const double distance = side * s.foot(te + inSpace(on), hint).distance - edge->ball;
-    if (std::abs(distance - least) > rounding * (1.0 + std::abs(least))) {
-      return std::nullopt;
-    }
+  return least >= deepest_ ? low_ : std::nullopt;
+}
+
+/// The contact with an edge; below the surface another of its places may be nearer than the one
+/// that runs along the edge.
+std::optional<Contact> SectionSearch::onEdge(const TabulatedCylinder& s,
+                                             const Vec3& te,
+                                             const Edge& edge,
+                                             const Level& level,
+                                             const Level& here) {
+  const Vec3 outward = inSpace(edge.outward);
+  const Vec2 place = edge.start + here.along * edge.direction;
+  Vec3 on = te + inSpace(place);
+  if (edge.outward.y() == 1.0) {
+    // The top: only its rim cuts, which is beside the section.
+    const double rim = edge.start.x();
+    on += std::sqrt(std::max(0.0, rim * rim - place.x() * place.x())) * s.generatrix();
   }
-  return Contact{least, -outward, te + inSpace(on) + edge->ball * outward};
+  const Contact contact{here.gap, -outward, on + edge.ball * outward};
+  if (here.gap >= 0.0) {
+    return contact;
+  }
+  Hint hint = level.hint;
+  const surface::Foot foot = s.foot(on, hint);
+  const double gap = side_ * foot.distance - edge.ball;
+  if (here.gap >= deepest_ && std::abs(gap - here.gap) <= rounding * (1.0 + std::abs(gap))) {
+    return contact;
+  }
+  if (!low_ || gap < low_->gap) {
+    const Vec3 normal = side_ * foot.normal;
+    low_ = Contact{gap, normal, on - edge.ball * normal};
+  }
+  return std::nullopt;
 }
 
 }  // namespace arelem::tool

@@ -13,11 +13,16 @@
 /// the centers of its corner, the bottom, the sides and their upper ends. The surface is a plane
 /// curve. Where the figure is nearest to the curve it is so with one of its balls, by the curve's
 /// place nearest to the ball's center, or with an edge, by a place where the curve runs along that
-/// edge. Those places do not move with the tool: they are solved for once per direction of the
-/// axis. So the least of all is found without search.
+/// edge. The upper rim is seen as an edge too. Those places do not move with the tool: they are
+/// solved for once per direction of the axis. So the least of all is found without search.
 namespace arelem::tool {
 
-struct Contact;
+/// What a contact says.
+struct Contact {
+  double gap = 0.0;
+  Vec3 normal = Vec3::UnitZ();  ///< unit, from the surface to the cutter; the gradient of the gap
+  Vec3 point = Vec3::Zero();    ///< on the cutter
+};
 
 /// What is kept from one contact to the next.
 class SectionSearch {
@@ -29,6 +34,8 @@ class SectionSearch {
                                                const Profile& cutter,
                                                const Vec3& te,
                                                const Vec3& axis);
+  /// Where it does not tell: a place of the cutter that was found to be low, if any.
+  [[nodiscard]] const std::optional<Contact>& low() const { return low_; }
 
  private:
   using Vec2 = Eigen::Vector2d;
@@ -48,7 +55,7 @@ class SectionSearch {
   /// A place of the curve that runs along an edge, by what it says with the tool end at zero.
   struct Level {
     double along, gap;
-    Hint hint;
+    Hint hint{};
   };
   struct Edge {
     Vec2 start = Vec2::Zero(), direction = Vec2::UnitX(), outward = -Vec2::UnitY();
@@ -57,7 +64,7 @@ class SectionSearch {
     std::vector<Level> levels;
   };
   static constexpr std::size_t mostBalls = 5;
-  static constexpr std::size_t mostEdges = 4;
+  static constexpr std::size_t mostEdges = 5;
 
   enum class State : std::uint8_t { unknown, useful, useless };
 
@@ -70,6 +77,14 @@ class SectionSearch {
   void addEdge(const Vec2& start, const Vec2& direction, double length, double ball);
   void findLevels(const surface::TabulatedCylinder::Curve& curve, double side, Edge& edge) const;
   double measure(const surface::TabulatedCylinder& s, Ball& ball, const Vec3& te, const Vec2& at);
+  [[nodiscard]] const Ball& nearestBall(const surface::TabulatedCylinder& s,
+                                        const Vec3& te,
+                                        const Vec2& at);
+  [[nodiscard]] std::optional<Contact> onEdge(const surface::TabulatedCylinder& s,
+                                              const Vec3& te,
+                                              const Edge& edge,
+                                              const Level& level,
+                                              const Level& here);
   [[nodiscard]] Vec3 inSpace(const Vec2& section) const {
     return section.x() * across_ + section.y() * axis_;
   }
@@ -81,6 +96,7 @@ class SectionSearch {
   double lowestNormal_ = 0.0;
   std::array<Ball, mostBalls> balls_;
   std::array<Edge, mostEdges> edges_;
+  std::optional<Contact> low_;
   std::size_t ballCount_ = 0, edgeCount_ = 0, last_ = 0;
 };
 

@@ -110,6 +110,68 @@ class BadMotion(ArelemCase):
                          "TLRGT,GOFWD/L1,TO,L2")
         self.assertFault(low, "E0504", "502", 3, 0.0005)
 
+    def test_check_surface_behind_the_start(self):
+        fault = self.fault(*self.LINES, "FROM/9,-.5,0", "INDIRV/1,0,0", "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(fault, "E0508", "724", 3.5, 9, -0.5)
+        self.assertEqual(fault["help"], "the tool moves away from it from the start on")
+
+    def test_fewer_positions_than_counted(self):
+        # The line through the center crosses the circle ON at 17 and 23.
+        circle = ("CUTTER/2", "L1=LINE/0,0,1,0", "C1=CIRCLE/20,0,3", "FROM/0,0,0", "INDIRV/1,0,0")
+        for mode in ((), ("3DCALC",)):
+            fault = self.fault(*mode, *circle, "TLON,GOFWD/L1,ON,3,INTOF,C1")
+            self.assertEqual((fault["code"], fault["legacy"]), ("E0546", "724"))
+            self.assertTrue(fault["message"].startswith("only 2 of 3 positions ON check surface `C1`"), fault["message"])
+            self.assertAlmostEqual(float(re.search(r"at \(([\d.]+),", fault["message"])[1]), 23, delta=0.01)
+
+    def test_check_surface_along_the_path(self):
+        fault = self.fault(*self.LINES, "FROM/0,-.5,0", "INDIRV/1,0,0", "TLRGT,GOFWD/L1,TO,L1")
+        self.assertFault(fault, "E0547", "724", 0.0005)
+
+    def test_start_in_a_hole_narrower_than_the_cutter(self):
+        # A motion that begins there, not a startup.
+        fault = self.fault("CUTTER/2", "OUTTOL/.001", "C1=CIRCLE/0,0,.9", "FROM/0,.1,0", "INDIRV/1,0,0",
+                           "TLLFT,GOFWD/C1,ON,(LINE/0,0,0,1)")
+        self.assertFault(fault, "E0521", "705", 1, 0.9, 0.1)
+
+    def test_faults_of_offset(self):
+        # A circle of radius 2 passed along y = 9: 7 away at x = 5. A plane that leans by 45 degrees left by 4 sin 45.
+        misses = self.fault("CUTTER/1", "C1=CIRCLE/5,0,2", "FROM/0,9,0", "INDIRV/1,0,0", "OFFSET/TO,C1")
+        self.assertFault(misses, "E0548", "34", 7, 5, 9)
+        away = self.fault("CUTTER/1", "C1=CIRCLE/5,0,2", "FROM/0,1,0", "INDIRV/-1,0,0", "OFFSET/TO,C1")
+        self.assertFault(away, "E0548", "34", math.hypot(5, 1) - 2, 0, 1)
+        leaves = self.fault("CUTTER/0", "DS=PLANE/1,0,1,8", "FROM/0,0,4", "INDIRV/1,0,0",
+                            "OFFSET/TO,DS,TO,(PLANE/0,0,1,0)")
+        self.assertEqual((leaves["code"], leaves["legacy"]), ("E0549", "37"))
+
+    def test_startup_tells_where_it_comes_nearest(self):
+        # TO the line y = 4 from above the tool is at y = 5, TO the circle of radius 3 it is 4 from the center: halfway
+        # between, at y = 4.5, both are missed by 0.5.
+        fault = self.fault("CUTTER/2", "C1=CIRCLE/10,0,3", "PS=PLANE/0,0,1,0", "L1=LINE/0,4,1,4", "FROM/11,9,5",
+                           "GO/TO,C1,TO,PS,TO,L1")
+        self.assertFault(fault, "E0510", "602", 10, 4.5, 0, 0.5)
+
+    def test_one_failed_startup_is_one_error(self):
+        lines = ["PARTNO BAD", "CUTTER/1", "C1=CIRCLE/5,0,2", "FROM/0,9,0", "INDIRV/1,0,0", "GO/TO,C1",
+                 "TLLFT,GOLFT/C1,ON,(LINE/5,0,5,1)", "FINI", ""]
+        self.write("bad.apt", "\n".join(lines))
+        for command in (("compile", "bad.apt", "--to", "json", "-o", "-"), ("verify", "bad.apt")):
+            self.assertExit(4, *command, "--diagnostics", "json")
+            found = [(d["code"], d["range"]["start"]["line"]) for d in map(json.loads, self.err.splitlines()) if "code" in d]
+            self.assertEqual(found, [("E0510", 6), ("W0506", 7)])
+
+    AXIS = ("MULTAX", "CUTTER/1,.5", "PS=CYLNDR/0,0,-10,0,1,0,10", "DS=PLANE/0,1,0,0", "X0=PLANE/1,0,0,-4", "FROM/-4,0,5")
+
+    def test_axes_that_there_are_not(self):
+        # At x = -4 under a ball of radius 0.5 on a cylinder of radius 10 the normal leans asin(4 / 10.5) towards -x.
+        for rule, reason, value in (("1,2,CUTANG,3", "the lead of", 3), ("1,2,CUTANG,-3", "the lag of", 3),
+                                    ("1,10,(VECTOR/1,0,0)", "out of the plane", math.degrees(math.asin(4 / 10.5)))):
+            fault = self.fault(*self.AXIS, f"TLAXIS/ATANGL,{rule}", "GO/ON,DS,TO,PS,ON,X0")
+            self.assertEqual((fault["code"], fault["legacy"]), ("E0540", "904"))
+            self.assertIn(reason, fault["message"])
+            self.assertAlmostEqual(float(re.search(r"([\d.]+) degrees (?:is more|out)", fault["message"])[1]), value,
+                                   delta=0.01)
+
     def test_lines_are_never_tangent(self):
         fault = self.fault(*self.LINES, "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TANTO,L2")
         self.assertFault(fault, "E0522", "720")

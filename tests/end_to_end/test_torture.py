@@ -163,6 +163,41 @@ class Concave(Torture):
                    "INDIRV/0,1,0\nTLLFT,GOFWD/DS1,2,INTOF,ON,Y0\n")
 
 
+class Tips(Torture):
+    """A cone that points at the tool, and a tool that points into a hollow."""
+    HEAD = "MULTAX\n3DCALC\nINTOL/.002\nOUTTOL/.002\nCUTTER/{cutter}\nPS1=CONE/(POINT/0,0,0),(VECTOR/0,0,-1),60\n" \
+           "DS1=PLANE/0,1,0,{y}\nX1=PLANE/1,0,0,-4\nX2=PLANE/1,0,0,4\n" \
+           "FROM/-4,{y},3\nGO/ON,DS1,TO,PS1,ON,X1\nINDIRV/1,0,0\nTLON,GOFWD/DS1,ON,X2\n"
+
+    def test_a_cutter_over_the_tip_of_a_cone(self):
+        # The cone falls by 1 / tan 60 a unit. A flat end of radius 0.5 at height 0 covers the tip while the tool is nearer
+        # to it; else its rim touches, 0.5 nearer to the cone's axis than the tool is.
+        for cutter, radius in (("1", .5), ("1,.2", .3)):
+            for y in (0.0, 0.3):
+                points = self.paths(self.HEAD.format(cutter=cutter, y=y))[-1]
+                for x, _, z in (p[:3] for p in points):
+                    away = max(0.0, math.hypot(x, y) - radius)
+                    if cutter == "1":
+                        self.assertAlmostEqual(z, -away / math.tan(math.radians(60)), delta=.002 / SIN30 + 1e-9)
+                self.assertGreater(max(p[2] for p in points), -0.003)
+                self.assertLess(len(points), 40)
+
+    def test_every_cutter_over_the_tip(self):
+        for cutter in ("1,.5", ".8,.1,.313071,.1,0,8,4", "1,0,0,0,30,0,4", "0"):
+            for y in (0.0, 0.3):
+                self.paths(self.HEAD.format(cutter=cutter, y=y))
+
+    def test_a_drill_in_a_hollow_as_steep_as_its_point(self):
+        # A hollow cylinder of radius 9: where it leans 30 degrees the point and the rim of the drill touch at once.
+        text = "MULTAX\n3DCALC\nINTOL/.002\nOUTTOL/.002\nCUTTER/1,0,0,0,30,0,4\nPS1=CYLNDR/0,0,9,0,1,0,9\n" \
+               "DS1=PLANE/0,1,0,.3\nX1=PLANE/1,0,0,-6\nX2=PLANE/1,0,0,6\nFROM/-4,2,3.2\n" \
+               "GO/ON,DS1,TO,PS1,ON,X1\nINDIRV/1,0,0\nTLON,GOFWD/DS1,ON,X2\n"
+        rise = 0.5 * math.tan(math.radians(30))
+        for x, _, z in (p[:3] for p in self.paths(text)[-1]):
+            gap = min(9 - math.hypot(x, 9 - z), 9 - math.hypot(abs(x) + .5, 9 - z - rise))
+            self.assertTrue(-.002 - 1e-9 <= gap <= .002 + 1e-9, (x, z, gap))
+
+
 class ManyTurns(Torture):
     def test_positions_on_a_closed_path_are_counted(self):
         text = "CUTTER/1\nOUTTOL/.001\n{mode}DS1=CYLNDR/0,0,0,0,0,1,3\nPS1=PLANE/0,0,1,0\nX0=PLANE/1,0,0,0\n" \

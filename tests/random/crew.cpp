@@ -14,7 +14,7 @@ namespace arelem::scenes {
 
 namespace {
 /// For one scene, processor seconds.
-constexpr double longest = 20.0;
+constexpr double longest = 10.0;
 
 /// What the watch knows of a thread.
 struct Place {

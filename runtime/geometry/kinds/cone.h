@@ -26,21 +26,23 @@ struct Cone {
     }
     return {rho * cosHalf - along * sinHalf, cosHalf * out - sinHalf * axis};
   }
-  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
+  [[nodiscard]] Vec3 turn(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
     const Vec3 w = p - vertex;
     const double along = w.dot(axis);
-    const double n = foot.normal.dot(t);
-    const double rho = (w - along * axis).norm();
+    const Vec3 around = axis.cross(w);
+    const double squared = around.squaredNorm();
+    const double rho = std::sqrt(squared);
     if (along * cosHalf + rho * sinHalf < 0.0) {
-      return (t.squaredNorm() - n * n) / foot.distance;
+      return (t - foot.normal.dot(t) * foot.normal) / foot.distance;
     }
     if (rho <= 0.0) {
-      return 0.0;
+      return Vec3::Zero();
     }
     // Only turning about the axis changes the normal: H = cos(half)/rho * (e_phi e_phi^T).
-    const Vec3 around = axis.cross(w) / rho;
-    const double c = around.dot(t);
-    return cosHalf / rho * c * c;
+    return cosHalf / (rho * squared) * around.dot(t) * around;
+  }
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const {
+    return t.dot(turn(p, foot, t, hint));
   }
   /// The solid is convex. Behind the vertex the bend is 1/|w| <= cos(half)/rho too.
   [[nodiscard]] Bends bends(const Vec3& p, const Foot&, double within) const {

@@ -16,6 +16,9 @@ struct Cylinder {
     const double length = radial.norm();
     return {length - radius, length > 0.0 ? Vec3(radial / length) : Vec3(axis.unitOrthogonal())};
   }
+  [[nodiscard]] Vec3 turn(const Vec3&, const Foot& foot, const Vec3& t, Hint&) const {
+    return (t - foot.normal.dot(t) * foot.normal - axis.dot(t) * axis) / (foot.distance + radius);
+  }
   [[nodiscard]] double bend(const Vec3&, const Foot& foot, const Vec3& t, Hint&) const {
     const double along = foot.normal.dot(t);
     const double axial = axis.dot(t);

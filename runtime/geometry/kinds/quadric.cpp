@@ -196,11 +196,11 @@ Eigen::Matrix2d acrossNormal(const Eigen::Matrix3d& matrix, const Vec3& e1, cons
 
 /// The foot moves with the place by (I + 2 m Q)^-1 (t - a grad F), with the a that keeps it on the
 /// surface; the normal turns by Q times that.
-double Quadric::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
+Vec3 Quadric::turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
   const Vec3 half = roots_.cwiseProduct(axes_.transpose() * hint.point) + alongAxes_;
   const double length = half.norm();
   if (!hint.valid || length <= 0.0) {
-    return 0.0;
+    return Vec3::Zero();
   }
   // The place is 2 m |half| from its foot.
   const Vec3 scale = Vec3::Ones() + foot.distance / length * roots_;
@@ -210,7 +210,8 @@ double Quadric::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) c
   const Vec3 moving = normal.cwiseQuotient(scale);
   const Vec3 direct = across.cwiseQuotient(scale);
   const Vec3 moved = direct - normal.dot(direct) / normal.dot(moving) * moving;
-  return across.dot(roots_.cwiseProduct(moved)) / length;
+  const Vec3 turned = roots_.cwiseProduct(moved);
+  return axes_ * (turned - normal.dot(turned) * normal) / length;
 }
 
 /// Normal curvatures of the surface within `reach` of one of its points; none where the gradient

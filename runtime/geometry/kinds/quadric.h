@@ -27,7 +27,10 @@ class Quadric {
   }
   [[nodiscard]] Vec3 gradient(const Vec3& p) const { return 2.0 * (matrix_ * p + linear_); }
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
-  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+  [[nodiscard]] Vec3 turn(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const {
+    return t.dot(turn(p, foot, t, hint));
+  }
   [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
   /// The direction along which the surface is a cylinder, or zero.
   [[nodiscard]] const Vec3& generatrix() const { return wall_; }

@@ -23,7 +23,7 @@ inline constexpr double steepest = 8.0;
 /// Coefficients of the polynomial that stands for a curve's height over a span of its fractions.
 inline constexpr int curveTerms = 8;
 /// Polynomials for each curve distance.
-inline constexpr int spansOfACurve = 16;
+inline constexpr int spansOfACurve = 64;
 /// A polynomial stands for the curve where it is this near to it, as a share of the coordinates.
 inline constexpr double onCurve = 4e-15;
 

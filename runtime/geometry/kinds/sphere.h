@@ -14,6 +14,9 @@ struct Sphere {
     const double length = w.norm();
     return {length - radius, length > 0.0 ? Vec3(w / length) : Vec3(Vec3::UnitZ())};
   }
+  [[nodiscard]] Vec3 turn(const Vec3&, const Foot& foot, const Vec3& t, Hint&) const {
+    return (t - foot.normal.dot(t) * foot.normal) / (foot.distance + radius);
+  }
   [[nodiscard]] double bend(const Vec3&, const Foot& foot, const Vec3& t, Hint&) const {
     const double along = foot.normal.dot(t);
     return (t.squaredNorm() - along * along) / (foot.distance + radius);

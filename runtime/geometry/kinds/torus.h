@@ -35,19 +35,21 @@ struct Torus {
     const double inward = std::min(1.0, std::max(0.0, major - nearest) / tube);
     return {-inward / nearest, 1.0 / tube};
   }
-  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
+  [[nodiscard]] Vec3 turn(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
     const Vec3 w = p - center;
     const double along = w.dot(axis);
     const Vec3 radial = w - along * axis;
-    const double rho = radial.norm();
-    if (rho <= 0.0) {
-      return 0.0;
+    const double squared = radial.squaredNorm();
+    if (squared <= 0.0) {
+      return Vec3::Zero();
     }
-    const Vec3 around = axis.cross(radial) / rho;
-    const double c = around.dot(t);
-    const double n = foot.normal.dot(t);
-    const double meridian = t.squaredNorm() - n * n - c * c;
-    return meridian / (foot.distance + minor) + foot.normal.dot(radial) / (rho * rho) * c * c;
+    const Vec3 around = axis.cross(radial);
+    const Vec3 aside = around.dot(t) / squared * around;
+    const Vec3 meridian = t - foot.normal.dot(t) * foot.normal - aside;
+    return meridian / (foot.distance + minor) + foot.normal.dot(radial) / squared * aside;
+  }
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const {
+    return t.dot(turn(p, foot, t, hint));
   }
 };
 

@@ -89,12 +89,10 @@ class SectionTriangles {
   [[nodiscard]] std::uint32_t triangle(std::uint32_t index) const { return facets_[index].number; }
   [[nodiscard]] const Tangents& tangents(std::uint32_t index) const { return tangents_[index]; }
 
-  /// The gap to one of them, told exactly up to `enough`.
+  /// The gap to one of them; of one above `enough` only something below it and still above.
   Measured measure(std::uint32_t index, const SectionPoint& p, double enough);
   /// The gap to a triangle of the mesh.
   [[nodiscard]] tool::TriangleGap gapTo(std::size_t triangle, const SectionPoint& p) const;
-  /// The least gap of all triangles of the mesh.
-  [[nodiscard]] tool::TriangleGap least(const SectionPoint& p);
   [[nodiscard]] const FacetTask& task() const { return task_; }
 
  private:
@@ -124,7 +122,6 @@ class SectionTriangles {
   std::vector<Own> facets_;
   std::vector<Tangents> tangents_;
   std::vector<std::uint32_t> all_, near_;
-  std::size_t nearest_ = 0;  ///< triangle, where the next search of all begins
 };
 
 }  // namespace arelem::motion

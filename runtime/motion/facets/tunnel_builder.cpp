@@ -8,8 +8,8 @@ namespace arelem::motion {
 namespace {
 /// Shares of the band: what the tunnel is narrower at each edge, the largest corner of a bottom,
 /// and the rest of heights.
-constexpr double spareShare = 0.008;
-constexpr double bentShare = 0.03;
+constexpr double spareShare = 0.012;
+constexpr double bentShare = 0.045;
 constexpr double restShare = 1e-5;
 /// Corners of this share of what is spared are none.
 constexpr double straightShare = 0.25;
@@ -38,8 +38,6 @@ constexpr double faster = 1.6;
 constexpr double slower = 0.8;
 /// A rest of a list shorter than this share of a step is no step.
 constexpr double remainder = 0.3;
-constexpr int dropLimit = 12;
-constexpr double leastRise = 0.25;
 
 /// The length of the next list, where one of this length had `count` triangles. Short ones do not
 /// get smaller for being shorter: what counts is what the cutter is near to in one place.
@@ -67,17 +65,12 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   tunnel_.clear();
   marks_.clear();
   ended_ = true;
-  const auto z = drop(at);
-  if (!z) {
-    return false;
-  }
-  // A short list to find the first node.
-  const SectionPoint here{at.s, *z};
-  const Way around{{at.s - least_, *z}, {at.s + least_, *z}, slabBands * band_ + 4.0 * least_};
+  // A short list to find the first node: it is below the place by the band, along the normal.
+  const Way around{{at.s - least_, at.z}, {at.s + least_, at.z}, slabBands * band_ + least_};
   if (!triangles_.gather(around, most)) {
     return false;
   }
-  const auto node = heights_.node(here, triangles_.all());
+  const auto node = heights_.node(at, triangles_.all());
   if (!node || around.beside(node->point()) > around.slab) {
     return false;
   }
@@ -85,24 +78,6 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   wide_.way.to.s = near_.way.to.s = at.s;
   ended_ = false;
   return extend();
-}
-
-/// The height at which the least gap of all triangles is about the task's low.
-std::optional<double> TunnelBuilder::drop(const SectionPoint& guess) {
-  SectionPoint p = guess;
-  for (int i = 0; i < dropLimit; ++i) {
-    const tool::TriangleGap gap = triangles_.least(p);
-    const double rise = gap.normal.dot(task().section.up);
-    if (rise < leastRise) {
-      return std::nullopt;
-    }
-    const double excess = gap.gap - task().low;
-    p.z -= excess / rise;
-    if (std::abs(excess) <= band_) {
-      return p.z;
-    }
-  }
-  return std::nullopt;
 }
 
 void TunnelBuilder::List::settleShare() {
@@ -115,13 +90,10 @@ bool TunnelBuilder::gather() {
   const SectionPoint here = last_.point();
   const double slope = last_.highest().slope();
   wide_.settleShare();
-  for (; wide_.length > least_ && wide_.share <= mostShare; wide_.length /= 2.0) {
-    const auto z = drop({here.s + wide_.length, here.z + slope * wide_.length});
-    if (!z) {
-      continue;
-    }
-    wide_.way = {
-        here, {here.s + wide_.length, *z}, wide_.share * wide_.length + 2.0 * slabBands * band_};
+  for (; wide_.length > least_; wide_.length /= 2.0) {
+    wide_.way = {here,
+                 {here.s + wide_.length, here.z + slope * wide_.length},
+                 wide_.share * wide_.length + 2.0 * slabBands * band_};
     if (!triangles_.gather(wide_.way, most)) {
       continue;
     }
@@ -145,21 +117,17 @@ bool TunnelBuilder::focus() {
       return false;
     }
     const SectionPoint here = last_.point();
-    double length = std::min(near_.length, wide_.way.to.s - here.s);
-    nearEnd_.reset();
-    for (; !nearEnd_ && length > least_; length /= 2.0) {
-      nearEnd_ = heights_.node({here.s + length, here.z + last_.highest().slope() * length},
-                               triangles_.all());
-    }
-    if (!nearEnd_) {
-      return false;
-    }
-    near_.way = {here, nearEnd_->point(), 0.0};
-    near_.way.slab = near_.share * (near_.way.to.s - here.s) + slabBands * band_;
+    const double length = std::min(near_.length, wide_.way.to.s - here.s);
+    near_.way = {here,
+                 {here.s + length, here.z + last_.highest().slope() * length},
+                 near_.share * length + slabBands * band_};
     const double beside = std::max(wide_.way.beside(here), wide_.way.beside(near_.way.to));
     wide_.see(beside + near_.way.slab - slabBands * band_);
     if (beside + near_.way.slab > wide_.way.slab) {
+      // Ways bend away from their beginning by the square of their length.
+      wide_.length /= 2.0;
       wide_.share *= 2.0;
+      wide_.use = wide_.share;
       wide_.way.to.s = here.s;
       if (wide_.share > mostShare) {
         return false;
@@ -190,12 +158,11 @@ bool TunnelBuilder::extend() {
     const bool toEnd = rest < (1.0 + remainder) * step_;
     const double s = toEnd ? near_.way.to.s : last_.s + step_;
     const SectionPoint here = last_.point();
-    std::optional<TouchNode> node = nearEnd_;
-    if (!toEnd) {
-      node = heights_.node({s, here.z + last_.highest().slope() * step_}, triangles_.near());
-    }
+    auto node =
+        heights_.node({s, here.z + last_.highest().slope() * (s - here.s)}, triangles_.near());
     const Outcome outcome = node ? settle(last_, *node, 0) : Outcome::ends;
     if (outcome == Outcome::outside) {
+      near_.length /= 2.0;
       near_.share *= 2.0;
       near_.use = near_.share;
       near_.way.to.s = last_.s;

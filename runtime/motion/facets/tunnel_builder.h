@@ -50,7 +50,6 @@ class TunnelBuilder {
 
   bool gather();
   bool focus();
-  [[nodiscard]] std::optional<double> drop(const SectionPoint& guess);
   Outcome settle(TouchNode& a, TouchNode& b, int depth);
   Outcome divide(TouchNode& a, TouchNode& b, double s, int depth);
   [[nodiscard]] std::optional<std::uint32_t> witness(TouchNode& a, TouchNode& b);
@@ -65,7 +64,6 @@ class TunnelBuilder {
   TouchHeights heights_;
   Tunnel tunnel_;
   TouchNode last_;
-  std::optional<TouchNode> nearEnd_;  ///< at the end of the short list's way
   std::vector<Mark> marks_;
   List wide_, near_;
   double step_, least_, shortest_;

@@ -185,6 +185,7 @@ MeshSurface::MeshSurface(geometry::TriangleMesh mesh, bool flipped) : mesh_(std:
       own[i] = sum.normalized();
     }
   }
+  mean_ = meanOfAll();
 }
 
 Vec3 MeshSurface::spanned(std::size_t t) const {
@@ -205,6 +206,7 @@ MeshSurface MeshSurface::cutBy(const std::vector<HalfSpace>& keep) const {
   MeshSurface result = *this;
   result.mesh_ = std::move(cut.mesh);
   result.normals_ = std::move(cut.normals);
+  result.mean_ = result.meanOfAll();
   return result;
 }
 
@@ -216,7 +218,7 @@ double MeshSurface::area() const {
   return twice / 2.0;
 }
 
-Vec3 MeshSurface::meanNormal() const {
+Vec3 MeshSurface::meanOfAll() const {
   Vec3 sum = Vec3::Zero();
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     sum += spanned(t);

@@ -35,7 +35,7 @@ class MeshSurface {
   /// Twice the area of a triangle along its normal.
   [[nodiscard]] Vec3 spanned(std::size_t triangle) const;
   /// Mean direction of the normals; zero of a closed body.
-  [[nodiscard]] Vec3 meanNormal() const;
+  [[nodiscard]] Vec3 meanNormal() const { return mean_; }
   /// Lowest and highest value of n . p.
   [[nodiscard]] std::pair<double, double> range(const Vec3& normal) const;
 
@@ -54,6 +54,7 @@ class MeshSurface {
   [[nodiscard]] LinePoint at(std::size_t triangle, const Vec3& shares) const;
 
  private:
+  [[nodiscard]] Vec3 meanOfAll() const;
   [[nodiscard]] double angleAt(std::size_t triangle, std::size_t corner) const;
   [[nodiscard]] std::vector<SurfaceLine> cut(const CuttingPlane& plane) const;
   [[nodiscard]] std::optional<double> bend(const std::vector<CuttingPlane>& planes,
@@ -62,6 +63,7 @@ class MeshSurface {
 
   geometry::TriangleMesh mesh_;
   std::vector<std::array<Vec3, 3>> normals_;  // at the corners of each triangle
+  Vec3 mean_ = Vec3::Zero();
 };
 
 }  // namespace arelem::spray

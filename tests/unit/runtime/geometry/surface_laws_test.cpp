@@ -207,6 +207,31 @@ TYPED_TEST(SurfaceLaws, BendIsTheSecondDerivativeOfTheDistance) {
   EXPECT_GT(tested, 300);
 }
 
+TYPED_TEST(SurfaceLaws, TurnIsTheChangeOfTheNormal) {
+  if constexpr (Turning<TypeParam>) {
+    Random r;
+    int tested = 0;
+    for (int i = 0; i < 500; ++i) {
+      const TypeParam s = arbitrary<TypeParam>(r);
+      const Vec3 p = r.point(6);
+      const Vec3 t = r.direction();
+      const double h = 1e-4;
+      typename TypeParam::Hint a{}, b{}, c{};
+      const Foot foot = s.foot(p, a);
+      const Vec3 ahead = s.foot(p + h * t, b).normal;
+      const Vec3 behind = s.foot(p - h * t, c).normal;
+      const Vec3 turn = s.turn(p, foot, t, a);
+      if ((ahead - foot.normal).norm() > 0.01 || (foot.normal - behind).norm() > 0.01) {
+        continue;  // near a center of curvature
+      }
+      EXPECT_LE((turn - (ahead - behind) / (2 * h)).norm(), 1e-3 * (1.0 + turn.norm())) << i;
+      EXPECT_NEAR(s.bend(p, foot, t, a), t.dot(turn), 1e-12 * (1.0 + turn.norm())) << i;
+      ++tested;
+    }
+    EXPECT_GT(tested, 300);
+  }
+}
+
 TYPED_TEST(SurfaceLaws, BendsBoundEveryBendAround) {
   Random r;
   int bounded = 0;

@@ -1,6 +1,7 @@
 #include "runtime/tool/contact.h"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -256,6 +257,33 @@ TEST(Contact, WallUsesTheLargestRadius) {
   Search<surface::Cylinder> search;
   EXPECT_NEAR(contact(c, 1.0, flat, Vec3(3, 0, 0), Vec3::UnitZ(), search).gap, 0.75, 1e-15);
   EXPECT_NEAR(contact(c, -1.0, flat, Vec3(1, 0, 0), Vec3::UnitZ(), search).gap, 0.75, 1e-15);
+}
+
+// A drill in a hollow that is about as steep as its point: the point is as near as the rim.
+TEST(Contact, PointOfADrillInAHollow) {
+  const Profile drill = *makeProfile(std::vector<double>{1, 0, 0, 0, 30, 0, 4});
+  const surface::Cylinder hollow{Vec3(0, 0, 9), Vec3::UnitY(), 9.0};
+  const double rise = 0.5 * std::tan(std::numbers::pi / 6);
+  for (double z = 0.8; z < 1.2; z += 0.02) {
+    Search<surface::Cylinder> search;
+    const Contact c = contact(hollow, -1.0, drill, Vec3(-4, 0.3, z), Vec3::UnitZ(), search);
+    const double point = 9.0 - std::hypot(4.0, 9.0 - z);
+    const double rim = 9.0 - std::hypot(4.5, 9.0 - z - rise);
+    EXPECT_NEAR(c.gap, std::min(point, rim), 1e-12) << z;
+  }
+}
+
+// The flat end over the tip of a cone: level where it covers the tip, and steep as the cone inside.
+TEST(Contact, FlatEndOverTheTipOfACone) {
+  const Profile flat = *makeProfile(std::vector<double>{1});
+  const surface::Cone cone{Vec3::Zero(), -Vec3::UnitZ(), 0.5, std::sqrt(0.75)};
+  for (double x = -0.39; x < 0.4; x += 0.03) {
+    Search<surface::Cone> search;
+    for (const double z : {0.01, -0.01}) {
+      const Contact c = contact(cone, 1.0, flat, Vec3(x, 0.3, z), Vec3::UnitZ(), search);
+      EXPECT_NEAR(c.gap, z > 0.0 ? z : z * cone.sinHalf, 1e-12) << x << " " << z;
+    }
+  }
 }
 
 }  // namespace

@@ -57,5 +57,26 @@ TEST(ProfileCheck, EachFaultHasItsCode) {
   }
 }
 
+// Rounded decimals are made exact: the corner's center is its radius from both lines.
+TEST(ProfileCheck, RoundedValuesAreJoined) {
+  for (const std::vector<double>& values :
+       std::vector<std::vector<double>>{{0.75, 0.125, 0.266342, 0.125, 0, 8, 3},
+                                        {0.8, 0.1, 0.3131, 0.1, 0, 8, 4},
+                                        {1.5, 0.125, 0.649869, 0.241517, 10, 15, 3.5},
+                                        {10, 0, 5, 3.0043, 31, 0, 130}}) {
+    const Profile cutter = joined(*makeProfile(values));
+    const double bottom = cutter.f * cutter.cosAlpha - cutter.e * cutter.sinAlpha;
+    const double rim = cutter.d / 2 * cutter.sinAlpha / cutter.cosAlpha;
+    const double side =
+        (cutter.d / 2 - cutter.e) * cutter.cosBeta + (cutter.f - rim) * cutter.sinBeta;
+    EXPECT_NEAR(bottom, cutter.r, 1e-15 * values[0] + 1e-15);
+    EXPECT_NEAR(side, cutter.r, 1e-15 * values[0] + 1e-15);
+    EXPECT_NEAR(cutter.e, values[2], 1e-3);
+    EXPECT_EQ(cutter.d, values[0]);
+  }
+  // What does not touch stays as it is written: shapeFault refuses it.
+  EXPECT_EQ(joined(*makeProfile(std::vector<double>{2, 0.25, 0.7, 0.25, 0, 0, 5})).e, 0.7);
+}
+
 }  // namespace
 }  // namespace arelem::tool

@@ -1,0 +1,85 @@
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <span>
+
+#include <gtest/gtest.h>
+
+#include "runtime/tool/contact.h"
+
+// A contact that is foretold by the last one is the contact that a search from nothing finds: along
+// ways over the crests of surfaces, with steps as long as cut vectors are.
+namespace arelem::tool {
+namespace {
+
+Profile cutter(std::initializer_list<double> values) {
+  return *makeProfile(std::span<const double>(values.begin(), values.size()));
+}
+
+/// Over the top of the surface from x = -30 to 30, the tool end near `height` and `aside` in y.
+template <surface::Surface S>
+void walk(const S& s, const Profile& c, double height, double aside) {
+  Search<S> warm;
+  for (int i = 0; i <= 120; ++i) {
+    const double x = -30.0 + 0.5 * i;
+    const Vec3 te(x, aside + 0.1 * std::sin(i), height - 0.004 * x * x);
+    const Contact foretold = contact(s, 1.0, c, te, Vec3::UnitZ(), warm);
+    Search<S> cold;
+    const Contact searched = contact(s, 1.0, c, te, Vec3::UnitZ(), cold);
+    ASSERT_NEAR(foretold.gap, searched.gap, 1e-9) << "x " << x;
+    ASSERT_NEAR(foretold.normal.norm(), 1.0, 1e-12) << "x " << x;
+    // The gap is the distance of the place that touches, whichever of several it is.
+    typename S::Hint hint{};
+    ASSERT_NEAR(s.foot(foretold.point, hint).distance, foretold.gap, 1e-9) << "x " << x;
+    ASSERT_NEAR((foretold.normal - searched.normal).norm(), 0.0, 1e-6) << "x " << x;
+  }
+}
+
+class WarmContact : public ::testing::TestWithParam<int> {
+ protected:
+  static Profile tool() {
+    const std::array all{cutter({12.0, 6.0}), cutter({12.0, 0.0}), cutter({12.0, 1.5})};
+    return all[static_cast<std::size_t>(GetParam())];
+  }
+};
+
+TEST_P(WarmContact, OnACylinder) {
+  walk(surface::Cylinder{{0.0, 0.0, -60.0}, Vec3::UnitY(), 80.0}, tool(), 20.5, 0.0);
+  walk(surface::Cylinder{{0.0, 0.0, -60.0}, Vec3(0.1, 1.0, 0.2).normalized(), 80.0}, tool(), 22.5,
+       3.0);
+}
+
+TEST_P(WarmContact, OnACone) {
+  const double half = std::numbers::pi / 12.0;
+  walk(surface::Cone{{0.0, -300.0, -60.0}, Vec3::UnitY(), std::cos(half), std::sin(half)}, tool(),
+       25.0, 2.0);
+}
+
+TEST_P(WarmContact, OnATorus) {
+  walk(surface::Torus{{0.0, 0.0, -100.0}, Vec3::UnitY(), 100.0, 30.0}, tool(), 31.0, 4.0);
+}
+
+TEST_P(WarmContact, OnAQuadric) {
+  const Eigen::Matrix3d matrix = Vec3(0.0002, 0.0003, 0.00025).asDiagonal();
+  walk(surface::Quadric(matrix, Vec3::Zero(), -1.0), tool(), 64.0, 7.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cutters, WarmContact, ::testing::Range(0, 3));
+
+/// The bottom over the crest of a cylinder touches along a line: the gap is the height over it, as
+/// long as any of the bottom is above the crest.
+TEST(WarmContact, BottomOverACrestIsAtItsHeight) {
+  const surface::Cylinder s{{0.0, 0.0, -60.0}, Vec3::UnitY(), 80.0};
+  const Profile flat = cutter({12.0, 0.0});
+  Search<surface::Cylinder> warm;
+  for (int i = -11; i <= 11; ++i) {
+    const Contact c = contact(s, 1.0, flat, {0.5 * i, 0.0, 21.0}, Vec3::UnitZ(), warm);
+    EXPECT_NEAR(c.gap, 1.0, 1e-12) << i;
+    EXPECT_NEAR((c.normal - Vec3::UnitZ()).norm(), 0.0, 1e-9) << i;
+    EXPECT_NEAR(c.point.x(), 0.0, 1e-6) << i;
+  }
+}
+
+}  // namespace
+}  // namespace arelem::tool
