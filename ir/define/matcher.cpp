@@ -37,7 +37,10 @@ std::vector<std::string> fitting(Word noun, std::span<const Symbol> parameters, 
       continue;
     }
     for (const Expectation& wanted : oneChange(compiledForm(form.id), parameters, edit)) {
-      const std::string text(wanted.text);
+      // Any number fits where one does: the name that it has there is told.
+      const bool number = wanted.sort == Symbol::Sort::scalar;
+      const std::string text(number && edit.expected.sort == wanted.sort ? edit.expected.text
+                                                                         : wanted.text);
       if (std::find(texts.begin(), texts.end(), text) == texts.end()) {
         texts.push_back(text);
       }
