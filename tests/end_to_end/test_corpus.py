@@ -44,6 +44,7 @@ WHY = {
     "W0474": "words without an effect here (CLPRNT, an axis 0, 0, 0, the tool behind an arc), counted",
     "W0490": "motion inside REFSYS is moved to the base system",
     "W0501": "TLLFT or TLRGT on the other side than the tool is: the old system warns and goes on, so do we",
+    "W0506": "what follows from a motion that failed: the tool stands where that motion began",
     "W0578": "a list of single lines, in which no GOTO follows the arc",
     "W0585": "a straight move between two places of one circle; the statement says nothing of an arc, so it stays straight, and is told",
     "W0579": "UNITS/INCHES and FEDRAT in MMPM in one file, a fault of the system that wrote it",
