@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
+
+#include "runtime/parallel/crew.h"
 
 namespace arelem::film {
 
@@ -12,8 +13,7 @@ constexpr double piecesOfRadius = 8.0;  // of the footprint, in one piece of a s
 constexpr double followed = 3.0;        // footprints that paint flies past its place
 constexpr double straight = 0.9;        // of their way, strokes that are one
 constexpr std::size_t portion = 256;    // places that a thread takes at once
-constexpr unsigned mostThreads = 16;
-constexpr double plainStandOff = 1e6;  // of a gun without one: parallel rays, mm
+constexpr double plainStandOff = 1e6;   // of a gun without one: parallel rays, mm
 
 /// Strokes that follow each other and are short together are one: fine chords make no more bursts.
 std::vector<spray::Stroke> joined(const std::vector<spray::Stroke>& strokes, double piece) {
@@ -119,17 +119,7 @@ std::vector<double> Bursts::filmsAt(const std::vector<Place>& places) const {
       }
     }
   };
-  const auto threads = static_cast<unsigned>(
-      std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, mostThreads),
-                            places.size() / portion + 1));
-  std::vector<std::thread> crew;
-  for (unsigned i = 1; i < threads; ++i) {
-    crew.emplace_back(work);
-  }
-  work();
-  for (std::thread& one : crew) {
-    one.join();
-  }
+  parallel::withCrew(places.size() / portion + 1, work);
   return films;
 }
 

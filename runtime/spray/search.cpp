@@ -4,14 +4,13 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
-#include <thread>
 
 #include "ir/space/tolerance.h"
+#include "runtime/parallel/crew.h"
 
 namespace arelem::spray {
 
 namespace {
-constexpr unsigned mostThreads = 16;
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
@@ -181,16 +180,7 @@ SearchResult search(const Task& task,
       }
     }
   };
-  const unsigned threads = static_cast<unsigned>(std::min<std::size_t>(
-      std::clamp(std::thread::hardware_concurrency(), 1U, mostThreads), degrees.size()));
-  std::vector<std::thread> crew;
-  for (unsigned i = 1; i < threads; ++i) {
-    crew.emplace_back(work);
-  }
-  work();
-  for (std::thread& one : crew) {
-    one.join();
-  }
+  parallel::withCrew(degrees.size(), work);
   SearchResult result;
   result.complete = !stopped();
   for (std::vector<Trial>& trials : byAngle) {
