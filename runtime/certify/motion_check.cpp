@@ -25,11 +25,16 @@ double excess(const Touch& t, const Allowed& a) {
 }  // namespace
 
 void PathEnd::moveTo(const Location& next) {
-  const Vec3 step = next.toolEnd - place.toolEnd;
-  if (step.norm() > tolerance::sameSide) {
-    towards = step.normalized();
+  const Vec3 stretch = next.toolEnd - from_;
+  const double length = stretch.norm();
+  if (length > band_) {
+    from_ = next.toolEnd;
+    known_ = true;
   }
-  place = next;
+  if (length > (known_ ? band_ : tolerance::sameSide)) {
+    towards_ = stretch / length;
+  }
+  place_ = next;
 }
 
 std::string_view spell(ir::Condition condition) {
@@ -162,7 +167,7 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     c.allowed.inner = c.tangent ? band : std::max(c.allowed.inner, c.allowed.outer);
     c.allowed.outer = c.allowed.inner;
   }
-  const Location& end = at.place;
+  const Location& end = at.place();
   if (on) {
     c.touch = touch(goal.surface.surface, {nullptr, 1.0, 0.0}, end, c.allowed);
     return c;
@@ -173,7 +178,7 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
       touch(goal.surface.surface, {cutter, -1.0, modal.thick[role]}, end, c.allowed)};
   // TO ends while the tool comes nearer, PAST while it leaves; at a tangency the tool is on the
   // side on which it is of its guide.
-  Vec3 towards = at.towards;
+  Vec3 towards = at.towards();
   double wanted = glancing;
   double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
   if (c.tangent) {

@@ -9,12 +9,23 @@ struct Goal {
   ir::Condition condition = ir::Condition::to;
 };
 
-/// Where a motion is, and the direction in which it came there; zero if it did not move.
-struct PathEnd {
-  Location place;
-  Vec3 towards = Vec3::Zero();
+/// Where a motion is, and the direction in which it came there; zero if it did not move. Cut vectors
+/// shorter than the band may go from one side of it to the other, whatever the path does: the
+/// direction is that of the last stretch that is longer.
+class PathEnd {
+ public:
+  PathEnd(const Location& first, double band) : place_(first), from_(first.toolEnd), band_(band) {}
 
   void moveTo(const Location& next);
+  [[nodiscard]] const Location& place() const { return place_; }
+  [[nodiscard]] const Vec3& towards() const { return towards_; }
+
+ private:
+  Location place_;
+  Vec3 from_;  ///< where the present stretch begins
+  Vec3 towards_ = Vec3::Zero();
+  double band_;
+  bool known_ = false;  ///< a stretch longer than the band is behind
 };
 
 [[nodiscard]] std::string_view spell(ir::Condition condition);  ///< "TO", "ON", ...
