@@ -173,11 +173,9 @@ Foot Ruled::foot(const Vec3& p, Hint& hint) const {
   return {(p - s.place).dot(normal), normal};
 }
 
-double Ruled::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
-  if (!hint.valid) {
-    return 0.0;
-  }
-  return sheetBend(sheet_->at(hint.f, hint.g), foot.normal, foot.distance, t);
+Vec3 Ruled::turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
+  return hint.valid ? sheetTurn(sheet_->at(hint.f, hint.g), foot.normal, foot.distance, t)
+                    : Vec3(Vec3::Zero());
 }
 
 Vec3 Ruled::ruling(const Vec3& p) const {

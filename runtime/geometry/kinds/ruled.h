@@ -22,7 +22,10 @@ class Ruled {
   /// Newton on f and g from the hint; without one from the best of many rulings, whose feet count
   /// up to one curve distance outside the strip.
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
-  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+  [[nodiscard]] Vec3 turn(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const {
+    return t.dot(turn(p, foot, t, hint));
+  }
 
   /// Along the ruling through the foot of p, not of unit length.
   [[nodiscard]] Vec3 ruling(const Vec3& p) const;
