@@ -21,7 +21,7 @@ constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
 /// Parts of the sheet with known curvatures: rows of rulings for each curve distance, and cells of
 /// each for each distance of the curves, from one of those before the first to one behind the last.
-constexpr int rowsOfASpan = 32;
+constexpr int rowsOfASpan = 128;
 constexpr int cellsOfARuling = 4;
 constexpr int rulingsBeside = 1;
 constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
@@ -110,6 +110,12 @@ class Ruled::Sheet {
                                                     double halfG,
                                                     const CurveRange& a,
                                                     const CurveRange& b) const;
+  /// How far the second derivatives of the curves may be from each other.
+  [[nodiscard]] double secondsApart(const CurveRange& a, const CurveRange& b) const {
+    const Vec3 between =
+        0.5 * ((b.low + b.high) * second_.heading() - (a.low + a.high) * first_.heading());
+    return between.norm() + 0.5 * (a.high - a.low + b.high - b.low);
+  }
   static bool widenBy(const Row& row, const Vec3& place, double reach, std::optional<Bends>& all);
 
   /// Bounds of one of the curves as the sheet follows it: beyond its ends the tangents are
@@ -221,7 +227,7 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
   const double longG = s.byG.norm();
   const double weightA = std::abs(1.0 - g) + halfG;
   const double weightB = std::abs(g) + halfG;
-  const double twistChange = (a.second() + b.second()) * halfF;
+  const double twistChange = secondsApart(a, b) * halfF;
   const double twist = s.byFG.norm() + twistChange;
   const double changeF = (weightA * a.second() + weightB * b.second()) * halfF + twist * halfG;
   const double changeG = twist * halfF;
@@ -231,26 +237,29 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
   }
   const Vec3 normal = across / area;
   const double turned = 2.0 * changeArea / (2.0 * area - changeArea);
-  const auto along = [&](const RuledCurve& curve, const CurveRange& range, double weight,
-                         Bends& sum) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const auto along = [&](const RuledCurve& curve, const CurveRange& range, double weight) {
     const double middle = normal.dot(curve.heading());
-    for (const double n : {middle - turned, middle + turned}) {
-      sum.low = std::min({sum.low, weight * n * range.low, weight * n * range.high});
-      sum.high = std::max({sum.high, weight * n * range.low, weight * n * range.high});
+    Bends part{none, -none};
+    for (const double n : {weight * (middle - turned), weight * (middle + turned)}) {
+      part.low = std::min({part.low, n * range.low, n * range.high});
+      part.high = std::max({part.high, n * range.low, n * range.high});
     }
+    return part;
   };
-  Bends ofA{0.0, 0.0};
-  Bends ofB{0.0, 0.0};
-  for (const double side : {-halfG, halfG}) {
-    along(first_, a, 1.0 - g + side, ofA);
-    along(second_, b, g + side, ofB);
+  // At each g the two curves count by their weights, which are linear. Along the ruling nothing
+  // bends.
+  Bends bent{0.0, 0.0};
+  for (const double at : {g - halfG, g + halfG}) {
+    const Bends ofA = along(first_, a, 1.0 - at);
+    const Bends ofB = along(second_, b, at);
+    bent = {std::min(bent.low, ofA.low + ofB.low), std::max(bent.high, ofA.high + ofB.high)};
   }
   const double twisted = std::abs(normal.dot(s.byFG)) + twistChange + turned * s.byFG.norm();
   const double byUnitF = (longG + changeG) / (area - changeArea);
   const double byUnitG = (longF + changeF) / (area - changeArea);
   const double mixed = 2.0 * twisted * byUnitF * byUnitG;
-  return Bounded{{-(ofA.high + ofB.high) * byUnitF * byUnitF - mixed,
-                  -(ofA.low + ofB.low) * byUnitF * byUnitF + mixed},
+  return Bounded{{-bent.high * byUnitF * byUnitF - mixed, -bent.low * byUnitF * byUnitF + mixed},
                  std::max(byUnitF / longG, byUnitG / longF) * area};
 }
 
