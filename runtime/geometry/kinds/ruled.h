@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "runtime/geometry/kinds/sheet.h"
 #include "runtime/geometry/ruled_surface.h"
 #include "runtime/geometry/surface.h"
 
@@ -13,7 +14,9 @@ class Ruled {
  public:
   struct Hint {
     bool valid = false;
-    double f = 0.0, g = 0.0;  ///< of the last foot
+    double f = 0.0, g = 0.0;          ///< of the last foot
+    double nearF = 0.0, nearG = 0.0;  ///< where the sheet was looked at last, next to it,
+    SheetPlace near{};                ///< and what it is like there
   };
   class Sheet;
 

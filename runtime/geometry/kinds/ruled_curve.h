@@ -89,6 +89,15 @@ class RuledCurve {
   [[nodiscard]] double low() const { return low_; }
   [[nodiscard]] double high() const { return high_; }
 
+  /// True where one polynomial holds at both fractions.
+  [[nodiscard]] bool isSmooth(double f1, double f2) const {
+    if (spans_.empty()) {
+      return section_.isPoint();
+    }
+    const std::size_t number = spanAt(inSpans(f1));
+    return number == spanAt(inSpans(f2)) && spans_[number].good;
+  }
+
   /// Within [low, high].
   [[nodiscard]] CurvePlace at(double f) const {
     if (section_.isPoint()) {
@@ -207,19 +216,26 @@ class RuledCurve {
     }
     return {value, slope, 2.0 * half};
   }
+  /// The polynomial that holds at f, by its number; `x` is f in numbers of polynomials.
+  [[nodiscard]] std::size_t spanAt(double x) const {
+    return static_cast<std::size_t>(
+        std::clamp(std::floor(x), 0.0, static_cast<double>(spans_.size() - 1)));
+  }
+  [[nodiscard]] double inSpans(double f) const {
+    return (f - low_) / (high_ - low_) * static_cast<double>(spans_.size());
+  }
   [[nodiscard]] std::optional<CurvePlace> fromTable(double f) const {
     if (spans_.empty()) {
       return std::nullopt;
     }
-    const auto count = static_cast<double>(spans_.size());
-    const double x = (f - low_) / (high_ - low_) * count;
-    const double floor = std::clamp(std::floor(x), 0.0, count - 1.0);
-    const Span& span = spans_[static_cast<std::size_t>(floor)];
+    const double x = inSpans(f);
+    const std::size_t number = spanAt(x);
+    const Span& span = spans_[number];
     if (!span.good) {
       return std::nullopt;
     }
-    const double byF = 2.0 * count / (high_ - low_);
-    const std::array<double, 3> v = valueOf(span, 2.0 * (x - floor) - 1.0);
+    const double byF = 2.0 * static_cast<double>(spans_.size()) / (high_ - low_);
+    const std::array<double, 3> v = valueOf(span, 2.0 * (x - static_cast<double>(number)) - 1.0);
     return CurvePlace{section_.base(f) + v[0] * section_.heading,
                       section_.finish - section_.start + byF * v[1] * section_.heading,
                       byF * byF * v[2] * section_.heading};
