@@ -281,11 +281,14 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
       }
     }
     if (inside != nullptr) {
+      // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
+      // sign: the stop is where the stretch begins.
+      const double level = std::copysign(tolerance::symmetric, now_.lastTurn);
       if (now_.armed && now_.bandField == inside && u > ignoredUntil_ &&
-          (turn > 0.0) != (now_.lastTurn > 0.0)) {
+          (turn > level) != (now_.lastTurn > level)) {
         now_.lastTurn = turn;
         now_.free = 0.0;
-        return Hit{before, u, inside, true};
+        return Hit{before, u, inside, true, level};
       }
       // A start at a tangency is not counted; it must be left first.
       now_.armed = now_.armed || std::abs(turn) > tolerance::nullDirection;

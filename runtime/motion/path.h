@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 
 #include "runtime/motion/chord.h"
@@ -27,9 +28,14 @@ struct Guide {
   /// Gap at which the next cut vector should end: the edge that leaves the chord most room, but for
   /// what positions may be off.
   [[nodiscard]] double vertexGap() const {
-    const bool straight = flat() || (field->flat() && bend == 0.0);
+    if (flat()) {
+      return rest;
+    }
     const double off = aimShare * (inner + outer);
-    return straight ? rest : bend >= 0.0 ? outer - off : off - inner;
+    if (field->flat() && bend == 0.0) {
+      return std::clamp(rest, off - inner, outer - off);
+    }
+    return bend >= 0.0 ? outer - off : off - inner;
   }
   /// Cut vectors end within this share of the band of the gap aimed at.
   static constexpr double aimShare = 2e-4;

@@ -19,7 +19,8 @@ struct Torus {
     const Vec3 radial = w - along * axis;
     const double rho = radial.norm();
     const Vec3 out = rho > 0.0 ? Vec3(radial / rho) : Vec3(axis.unitOrthogonal());
-    const double length = std::hypot(rho - major, along);
+    // Of the size of a part: std::hypot would take longer than all else here.
+    const double length = std::sqrt((rho - major) * (rho - major) + along * along);
     const Vec3 normal = length > 0.0 ? Vec3(((rho - major) * out + along * axis) / length) : out;
     return {length - minor, normal};
   }
