@@ -110,6 +110,9 @@ void CheckWatch::findNearest(const Segment& s, Field& guide) {
   constexpr double golden = 0.6180339887498949;
   looks_.push_back(s.length);
   const std::vector<double> looks = std::exchange(looks_, {});
+  if (tangent_) {
+    findParallel(s, looks, guide);
+  }
   const auto away = [&](double u) {
     return tangent_ ? missOfTangency(s, u, guide) : std::abs(measure(s, u).value);
   };
@@ -229,6 +232,36 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
     if (u > s.length || before == s.length) {
       now_.free = std::max(0.0, margin - m.rate * (s.length - before));
       return std::nullopt;
+    }
+  }
+}
+
+/// Where the gap along the path neither opens nor closes check surface and guide are parallel.
+void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks, Field& guide) {
+  for (Field* field : {plus_.get(), minus_.get()}) {
+    const auto opens = [&](double u) {
+      const tool::Contact c = field->at(s.at(u), s.axisAt(u));
+      return slopeAlong(c, s.at(u), s.tangentAt(u), s.spin()) > 0.0;
+    };
+    for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
+      double low = looks[i];
+      double high = looks[i + 1];
+      const bool first = opens(low);
+      if (first == opens(high)) {
+        continue;
+      }
+      while (high - low > tolerance::sameSide) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) {
+          break;
+        }
+        (opens(middle) == first ? low : high) = middle;
+      }
+      const tool::Contact c = field->at(s.at(low), s.axisAt(low));
+      const bool agrees = c.normal.dot(guide.at(s.at(low), s.axisAt(low)).normal) > agreeing;
+      if (agrees && (!parallel_ || std::abs(c.gap) < std::abs(parallel_->gap))) {
+        parallel_ = {c.gap, s.at(low)};
+      }
     }
   }
 }
