@@ -109,8 +109,4 @@ SectionTriangles::Measured SectionTriangles::measure(std::uint32_t index,
   return m;
 }
 
-tool::TriangleGap SectionTriangles::gapTo(std::size_t triangle, const SectionPoint& p) const {
-  return tool::gapOf(tool::PlacedBody(body_, task_.section.at(p), task_.axis), facetOf(triangle));
-}
-
 }  // namespace arelem::motion
