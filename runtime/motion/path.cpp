@@ -80,12 +80,13 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
   const Vec3& n1 = from.contacts[1].normal;
   const double c = n0.dot(n1);
   const double det = 1.0 - c * c;
+  const std::array corrections{guides[0].correction(along), guides[1].correction(along)};
   Vec3 guess = from.toolEnd + along * from.tangent;
   if (det > tolerance::nullDirection) {
     const auto drop = [&](std::size_t i) {
       const Guide& g = guides[i];
       return gaps[i] - from.contacts[i].gap -
-             0.5 * along * along * (g.bend + along / 3.0 * g.trend);
+             0.5 * along * along * (g.bend + along / 3.0 * g.trend) + corrections[i];
     };
     const double r0 = drop(0);
     const double r1 = drop(1);
@@ -97,6 +98,11 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
                           Wanted{guides[1].field.get(), gaps[1]}};
   const std::array across{Constraint{from.tangent, from.toolEnd + along * from.tangent}};
   const Settled settled = settle(guess, axis, wanted, across, accept);
+  if (accept > 0.0) {
+    for (std::size_t i = 0; i < guides.size(); ++i) {
+      guides[i].error = (corrections[i] + settled.missed[i]) / (along * along * along);
+    }
+  }
   const double reach = jumpShare * (guess - from.toolEnd).norm();
   if (!settled.ok || (settled.toolEnd - guess).norm() > reach) {
     return std::nullopt;
