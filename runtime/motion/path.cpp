@@ -158,6 +158,7 @@ class ChordFit {
     }
     first_ = node(0.0, a.contacts[guide], a.toolEnd);
     last_ = node(length, b.contacts[guide], b.toolEnd);
+    ends_ = GapLine(first_, last_);
   }
 
   double run(double inner, double outer) {
@@ -169,7 +170,7 @@ class ChordFit {
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
     consider(first_, middle, depth);
     consider(middle, last_, depth);
-    return factor_;
+    return std::sqrt(squared_);
   }
 
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
@@ -192,7 +193,7 @@ class ChordFit {
   void consider(const GapNode& a, const GapNode& b, int depth) {
     const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
     if (depth == 0 || kink <= kinkShare * (inner_ + outer_)) {
-      factor_ = std::min(factor_, fittingFactor(first_, last_, a, b, inner_, outer_));
+      squared_ = std::min(squared_, squaredFit(ends_, a, b, inner_, outer_));
       return;
     }
     const GapNode between = measure(crossing(a, b));
@@ -207,8 +208,9 @@ class ChordFit {
   double length_;
   Vec3 direction_, turn_ = Vec3::Zero();
   GapNode first_, last_;
+  GapLine ends_;
   double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
-  double factor_ = tolerance::farAway;
+  double squared_ = tolerance::farAway;  ///< square of the factor
 };
 }  // namespace
 
