@@ -9,6 +9,9 @@
 namespace arelem::motion {
 
 namespace {
+/// Slopes of a gap at most this are rounding: of a stretch that is touched all along.
+/// Dimensionless.
+constexpr double levelSlope = 1e-13;
 /// Finest step, as a share of the tolerance band: what is narrower is contact within the tolerance.
 constexpr double fineShare = 0.25;
 /// A tangency passes through its band in a length of the order of sqrt(band); this share of it is
@@ -316,7 +319,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
     if (inside != nullptr) {
       // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
       // sign: the stop is where the stretch begins.
-      const double level = std::copysign(tolerance::symmetric, now_.lastTurn);
+      const double level = std::copysign(levelSlope, now_.lastTurn);
       if (now_.armed && now_.bandField == inside && u > ignoredUntil_ &&
           (turn > level) != (now_.lastTurn > level)) {
         now_.lastTurn = turn;
