@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "runtime/motion/chord.h"
 #include "runtime/motion/segment.h"
@@ -16,11 +17,18 @@ struct Guide {
   double bend = 0.0;                ///< present estimate of the curvature along the path
   double trend = 0.0;               ///< its change per length of path
   double spread = 0.0;              ///< length of the cut vector over which that was seen
+  double error = 0.0;               ///< of the places foretold, per length to the third
 
   /// Nothing is known of what comes but, perhaps, the curvature.
   void startAnew(double curvature) {
     bend = curvature;
-    trend = spread = 0.0;
+    trend = spread = error = 0.0;
+  }
+  /// What the last places foretold were off, for the next one. 0 where that is too much of the band
+  /// to go on like this.
+  [[nodiscard]] double correction(double along) const {
+    const double off = along * along * along * error;
+    return std::abs(off) <= mostError * (inner + outer) ? off : 0.0;
   }
 
   /// True where the gap changes linearly along a cut vector.
@@ -39,6 +47,7 @@ struct Guide {
   }
   /// Cut vectors end within this share of the band of the gap aimed at.
   static constexpr double aimShare = 2e-4;
+  static constexpr double mostError = 0.1;
 };
 
 /// A place on the path: tool position, contacts with part (0) and drive (1) surface, and the

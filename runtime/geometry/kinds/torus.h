@@ -20,8 +20,9 @@ struct Torus {
     const double rho = radial.norm();
     const Vec3 out = rho > 0.0 ? Vec3(radial / rho) : Vec3(axis.unitOrthogonal());
     // Of the size of a part: std::hypot would take longer than all else here.
-    const double length = std::sqrt((rho - major) * (rho - major) + along * along);
-    const Vec3 normal = length > 0.0 ? Vec3(((rho - major) * out + along * axis) / length) : out;
+    const double across = rho - major;
+    const double length = std::sqrt(across * across + along * along);
+    const Vec3 normal = length > 0.0 ? Vec3((across * out + along * axis) / length) : out;
     return {length - minor, normal};
   }
   /// The meridian's bend is 1/L, L the distance to the axis circle; the one about the axis is
