@@ -163,7 +163,8 @@ class BodySearch {
       best = std::max(best, gap + tilt(box, turned, onCutter) + 0.5 * low * away * away);
     }
     const double high = side_ > 0.0 ? bends.high : -bends.low;
-    if (best < aim && std::isfinite(high) && !(low >= 0.0)) {
+    // Corners lose what the distance may bend up, the plane at the center what it may bend down.
+    if (best < aim && high < -low) {
       best = std::max(best, fromCorners(box, high));
     }
     return best;
