@@ -12,7 +12,7 @@ using Piece = TabulatedCylinder::Piece;
 constexpr int newtonLimit = 40;
 /// A step of Newton that is smaller than this share of the piece is the last: the next would be
 /// about its square.
-constexpr double lastStep = 1e-7;
+constexpr double lastStep = 1e-5;
 /// Parts of a piece that are looked at one by one.
 constexpr int parts = 4;
 /// A place between two feet on a graph that rises by at most 45 degrees is farther off than they
