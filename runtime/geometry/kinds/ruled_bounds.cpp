@@ -77,9 +77,8 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
     }
     return part;
   };
-  // At each g the two curves count by their weights, which are linear. Along the ruling nothing
-  // bends.
-  Bends bent{0.0, 0.0};
+  // At each g the two curves count by their weights, which are linear.
+  Bends bent{none, -none};
   for (const double at : {g - halfG, g + halfG}) {
     const Bends ofA = along(first_, a, 1.0 - at);
     const Bends ofB = along(second_, b, at);
@@ -88,8 +87,13 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
   const double twisted = std::abs(normal.dot(s.byFG)) + twistChange + turned * s.byFG.norm();
   const double byUnitF = (longG + changeG) / (area - changeArea);
   const double byUnitG = (longF + changeF) / (area - changeArea);
-  const double mixed = 2.0 * twisted * byUnitF * byUnitG;
-  return Bounded{{-bent.high * byUnitF * byUnitF - mixed, -bent.low * byUnitF * byUnitF + mixed},
+  // The most of 2 twisted x y - bending x^2 over the shares x of byF and y of byG in a unit vector:
+  // along the ruling nothing bends, and a sheet that bends one way bends little the other way.
+  const auto most = [&](double bending) {
+    const double x = bending > 0.0 ? std::min(byUnitF, twisted * byUnitG / bending) : byUnitF;
+    return std::max(0.0, x * (2.0 * twisted * byUnitG - bending * x));
+  };
+  return Bounded{{-most(-bent.high), most(bent.low)},
                  std::max(byUnitF / longG, byUnitG / longF) * area};
 }
 
