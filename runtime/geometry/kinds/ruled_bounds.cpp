@@ -101,7 +101,9 @@ void Ruled::Sheet::makeRows() {
           rowBetween(from + (to - from) * i / number, from + (to - from) * (i + 1) / number));
     }
   };
+  evenly(low_ - reachOfACurve, low_, rowsBeside);
   evenly(low_, high_, count);
+  evenly(high_, high_ + reachOfACurve, rowsBeside);
   int halved = 0;
   for (int depth = 0; depth < deepestRow; ++depth) {
     std::vector<Row> finer;
@@ -117,11 +119,6 @@ void Ruled::Sheet::makeRows() {
     }
     rows_.swap(finer);
   }
-  std::vector<Row> inside;
-  inside.swap(rows_);
-  evenly(low_ - reachOfACurve, low_, rowsBeside);
-  rows_.insert(rows_.end(), inside.begin(), inside.end());
-  evenly(high_, high_ + reachOfACurve, rowsBeside);
   for (std::size_t i = 0; i + rowsOfABlock <= rows_.size(); i += rowsOfABlock) {
     blocks_.push_back(blockFrom(i));
   }

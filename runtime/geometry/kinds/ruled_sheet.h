@@ -17,9 +17,9 @@ inline constexpr int rowsOfASpan = 128;
 inline constexpr int rowsOfABlock = 8;
 /// Rows of which not all cells between the curves are known are halved, so often and so many.
 inline constexpr int deepestRow = 6;
-inline constexpr int mostRowsHalved = 256;
+inline constexpr int mostRowsHalved = 512;
 /// Rows over the tangents of the curves on each side.
-inline constexpr int rowsBeside = 8;
+inline constexpr int rowsBeside = 16;
 inline constexpr int cellsOfARuling = 4;
 inline constexpr int rulingsBeside = 1;
 inline constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
