@@ -114,12 +114,23 @@ class Planner {
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
     auto plus = makeField(s.surface, 1.0, tool);
     auto minus = makeField(s.surface, -1.0, tool);
-    const double gapPlus = std::abs(plus->at(state_.toolEnd, state_.axis).gap);
-    const double gapMinus = std::abs(minus->at(state_.toolEnd, state_.axis).gap);
-    if (std::abs(gapPlus - gapMinus) <= tolerance::sameSide) {
-      return sideAlongAxis(s) < 0.0 ? std::move(minus) : std::move(plus);
+    const double gapPlus = plus->at(state_.toolEnd, state_.axis).gap;
+    const double gapMinus = minus->at(state_.toolEnd, state_.axis).gap;
+    if (std::abs(std::abs(gapPlus) - std::abs(gapMinus)) > tolerance::sameSide) {
+      return std::abs(gapPlus) < std::abs(gapMinus) ? std::move(plus) : std::move(minus);
     }
-    return gapPlus < gapMinus ? std::move(plus) : std::move(minus);
+    // A tool without size, which is on the side that keeps the tolerance.
+    const double offPlus = outside(role, gapPlus);
+    const double offMinus = outside(role, gapMinus);
+    if (std::abs(offPlus - offMinus) > tolerance::sameSide) {
+      return offPlus < offMinus ? std::move(plus) : std::move(minus);
+    }
+    return sideAlongAxis(s) < 0.0 ? std::move(minus) : std::move(plus);
+  }
+
+  /// How far a gap is outside the band.
+  [[nodiscard]] double outside(Role role, double gap) const {
+    return std::max({0.0, -state_.inner[role] - gap, gap - state_.outer[role]});
   }
 
   std::optional<Failure> setChecks() {
