@@ -90,7 +90,7 @@ class MeshPointProbe final : public Probe {
   surface::Mesh::Hint hint_;
 };
 
-class MeshPointProbe::Collect final : public geometry::TriangleSearch {
+class MeshPointProbe::Collect {
  public:
   Collect(const MeshPointProbe& probe, const Vec3& a, const Vec3& b, double reach)
       : probe_(probe),
@@ -101,7 +101,7 @@ class MeshPointProbe::Collect final : public geometry::TriangleSearch {
         length_(half_.norm()),
         reach_(reach + tolerance::sameSide) {}
 
-  bool enters(const Vec3& center, const Vec3& half) override {
+  bool enters(const Vec3& center, const Vec3& half) {
     const Vec3 w = center - middle_;
     if (((w.cwiseAbs() - half - half_.cwiseAbs()).array() > reach_).any()) {
       return false;
@@ -111,7 +111,7 @@ class MeshPointProbe::Collect final : public geometry::TriangleSearch {
     return w.squaredNorm() - along * along <= most * most;
   }
 
-  void visit(std::size_t triangle) override {
+  void visit(std::size_t triangle) {
     const double distance = lowest(triangle);
     if (distance > reach_) {
       return;
@@ -156,7 +156,7 @@ inline MeshPointProbe::Near MeshPointProbe::around(const Node& a,
                                                    const Node& b,
                                                    double reach) const {
   Collect search(*this, a.point, b.point, reach);
-  mesh_.shape().tree->search(search);
+  mesh_.shape().tree.search(search);
   return search.near;
 }
 

@@ -112,25 +112,40 @@ class Planner {
       return onField(s.surface, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
     }
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
-    auto plus = makeField(s.surface, 1.0, tool);
-    auto minus = makeField(s.surface, -1.0, tool);
-    const double gapPlus = plus->at(state_.toolEnd, state_.axis).gap;
-    const double gapMinus = minus->at(state_.toolEnd, state_.axis).gap;
-    if (std::abs(std::abs(gapPlus) - std::abs(gapMinus)) > tolerance::sameSide) {
-      return std::abs(gapPlus) < std::abs(gapMinus) ? std::move(plus) : std::move(minus);
+    if (std::holds_alternative<surface::Mesh>(s.surface) && !tool.cutter->isPoint()) {
+      return makeField(s.surface, sideAlongAxis(s), tool);  // its gap is the same on both sides
     }
-    // A tool without size, which is on the side that keeps the tolerance.
-    const double offPlus = outside(role, gapPlus);
-    const double offMinus = outside(role, gapMinus);
-    if (std::abs(offPlus - offMinus) > tolerance::sameSide) {
-      return offPlus < offMinus ? std::move(plus) : std::move(minus);
+    // The cutter reaches at least as far as its rim, where the gap on the other side begins.
+    const double rim = rimDistance(s, *tool.cutter);
+    const double likely = rim < 0.0 ? -1.0 : 1.0;
+    auto near = makeField(s.surface, likely, tool);
+    const double gapNear = near->at(state_.toolEnd, state_.axis).gap;
+    if (std::abs(gapNear) + tolerance::sameSide < std::abs(rim) + tool.thick) {
+      return near;
     }
-    return sideAlongAxis(s) < 0.0 ? std::move(minus) : std::move(plus);
+    auto far = makeField(s.surface, -likely, tool);
+    const double gapFar = far->at(state_.toolEnd, state_.axis).gap;
+    double apart = std::abs(gapFar) - std::abs(gapNear);
+    if (std::abs(apart) <= tolerance::sameSide) {
+      // A tool without size is on the side that keeps the tolerance.
+      apart = outside(role, gapFar) - outside(role, gapNear);
+    }
+    if (std::abs(apart) <= tolerance::sameSide) {
+      return sideAlongAxis(s) == likely ? std::move(near) : std::move(far);
+    }
+    return apart > 0.0 ? std::move(near) : std::move(far);
   }
 
   /// How far a gap is outside the band.
   [[nodiscard]] double outside(Role role, double gap) const {
     return std::max({0.0, -state_.inner[role] - gap, gap - state_.outer[role]});
+  }
+
+  /// Signed distance of one place of the upper rim of the cutter.
+  [[nodiscard]] double rimDistance(const NamedSurface& s, const tool::Profile& cutter) const {
+    const Vec3 out = state_.axis.unitOrthogonal();
+    const Vec3 place = state_.toolEnd + cutter.sideEnd.rho * out + cutter.sideEnd.z * state_.axis;
+    return footOn(s.surface, place).distance;
   }
 
   std::optional<Failure> setChecks() {
@@ -197,7 +212,7 @@ class Planner {
     if (!direction) {
       return direction.takeFailure();
     }
-    start.tangent = *direction;
+    start.face(*direction);
     warnWrongSide();
     for (CheckWatch& w : course_.watches) {
       w.begin(state_.toolEnd, state_.axis);
