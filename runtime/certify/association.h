@@ -21,8 +21,9 @@ class Association {
   /// without statement numbers: there a motion ends at its check surface, and runs need not begin.
   void begin(std::optional<int> isn, bool withAxis);
   /// The next location. Without axis the program's counts. Those of a motion along surfaces are
-  /// judged at once, and kept only for the copies of an INDEX.
-  void add(const Location& location, bool withAxis);
+  /// judged at once, and kept only for the copies of an INDEX. `onCurve`: a place on an arc or
+  /// spline of the file before its end, with which no statement ends.
+  void add(const Location& location, bool withAxis, bool onCurve);
   /// The run is complete.
   void end();
   /// After the last run: what is left of the program must put out nothing.

@@ -33,7 +33,7 @@ void Association::begin(std::optional<int> isn, bool withAxis) {
   }
 }
 
-void Association::add(const Location& location, bool withAxis) {
+void Association::add(const Location& location, bool withAxis, bool onCurve) {
   if (!taking_) {
     begin(std::nullopt, withAxis);
   }
@@ -50,7 +50,7 @@ void Association::add(const Location& location, bool withAxis) {
   if (t.follow != nullptr) {
     addFollow(order_.programmed(location));
   }
-  if (!t.numbered && complete()) {
+  if (!t.numbered && !onCurve && complete()) {
     end();
   }
 }

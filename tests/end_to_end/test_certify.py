@@ -126,6 +126,22 @@ class Certify(ArelemCase):
         self.assertAlmostEqual(part["measuredInner"], -0.0002, delta=1e-5)  # OUTTOL .002, INTOL 0
         self.assertLess(part["measuredOuter"], 0.0019)
 
+    def test_arcs_of_a_file_are_judged_themselves(self):
+        """A CIRCLE over a sphere of radius 9 with a ball of radius 1: its radius says where in the band of .001 either way it is.
+        In it chords of a whole band would leave the tolerance."""
+        self.write("s.apt", SPHERE)
+
+        def at(radius):
+            z = math.sqrt(radius ** 2 - 36) - 1
+            self.write("s.cls", f"FROM/-8,0,9\nGOTO/-6,0,{z:.9f}\nCIRCLE/0,0,-1,0,1,0,{radius:.9f}\nGOTO/6,0,{z:.9f}\nGOTO/8,0,9\nFINI\n")
+            return self.run_arelem("verify", "s.apt", "s.cls")
+
+        for radius in (10, 9.9991, 10.0009, 9.999, 10.001):
+            self.assertEqual(at(radius), 0, f"{radius} {self.out}{self.err}")
+        for radius, code in ((9.99899, "E0904"), (10.00101, "E0905")):
+            self.assertEqual(at(radius), 5)
+            self.assertIn(f"error[{code}]: the cutter is 0.00101 ", self.err)
+
     def test_first_cut_vector_of_the_old_e27_leaves_the_sphere(self):
         """It turns the axis in place by 0.45 radians, and with it the center of the ball, 0.25 above the tool end: measured here
         from the old system's locations alone. Two cut vectors turn it within the tolerance: the one that arelem has more."""
