@@ -207,6 +207,10 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
     }
     looked = true;
     const double reached = (b->toolEnd - a.toolEnd).norm();
+    if (reached > longest_ * (1.0 + tolerance::coincidence) && !path_.flat()) {
+      length *= longest_ / reached;  // the surfaces led aside
+      continue;
+    }
     const bool better = !best || reached > bestLength;
     if (better) {
       best = std::move(b);
@@ -269,7 +273,8 @@ void Stride::learn(const PathPoint& a, const PathPoint& b) {
     }
     if (const auto slope = slopes(i, a, b)) {
       const double bend = curvature(slope->front(), slope->back(), length);
-      g.startAnew(bend);
+      g.bend = bend;
+      g.trend = g.spread = 0.0;
       if (path_.middle.end == b.toolEnd && bend != 0.0) {
         // The curvatures of both halves are those of their middles.
         const double change =
