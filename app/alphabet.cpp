@@ -9,11 +9,10 @@
 #include "app/library_file.h"
 #include "app/messages.h"
 #include "app/options.h"
-#include "app/output_file.h"
+#include "app/picture_file.h"
 #include "app/view/raster.h"
 
 #include "backend/alphabet/chart.h"
-#include "ir/diag/output.h"
 #include "runtime/stencil/engrave.h"
 #include "runtime/stencil/film.h"
 #include "runtime/stencil/stencil.h"
@@ -95,24 +94,16 @@ backend::Chart penChartOf(const stencil::Alphabet& alphabet, bool plain) {
 
 /// SVG, or PNG where the path ends so.
 void writeTo(DiagnosticLog& log, const std::string& path, const backend::Chart& chart) {
-  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
-  if (!file) {
-    log.accept(file.takeFailure());
-    return;
-  }
-  std::ostringstream svg;
-  writeChart(svg, chart);
-  constexpr int width = 1600;  // pixels
-  if (!path.ends_with(".png")) {
-    (*file)->stream() << svg.str();
-  } else if (!writePng((*file)->stream(), svg.str(), width)) {
-    log.accept(fail(diag::OutputWrite, path, std::uint64_t{0}, "the picture cannot be made"));
-    return;
-  }
-  Result<std::string> name = (*file)->commit(false);
-  if (!name) {
-    log.accept(name.takeFailure());
-  }
+  putPicture(log, path, [&](std::ostream& out) {
+    if (!path.ends_with(".png")) {
+      writeChart(out, chart);
+      return true;
+    }
+    constexpr int width = 1600;  // pixels
+    std::ostringstream svg;
+    writeChart(svg, chart);
+    return writePng(out, svg.str(), width);
+  });
 }
 
 /// What a symbol comes to by every rule of tilt; none where no text can hold it.

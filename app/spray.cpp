@@ -41,7 +41,7 @@ void show(Compilation& job, const SprayOptions& options) {
     const backend::FilmPicture picture =
         options.films.empty() ? backend::FilmPicture() : pictureOf(*all[i], map);
     for (const std::string& path : options.films) {
-      putPicture(job, numbered(path, i, all.size()),
+      putPicture(job.log, numbered(path, i, all.size()),
                  [&](std::ostream& out) { return writeFilm(out, path, picture); });
     }
   }
@@ -71,7 +71,8 @@ int runSpray(const Invocation& invocation) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--cell", options.cell,
-                 "cells of the film, mm; default: 400 in the longer way (200 of a surface), or as many as show the passes")
+                 "cells of the film, mm; default: 400 in the longer way (200 of a surface), or as "
+                 "many as show the passes")
       ->check(aboveZero())
       ->type_name("MM");
   addSourceOptions(app, options.settings);

@@ -52,12 +52,12 @@ void show(Compilation& job, const StencilOptions& options) {
   const auto& all = job.evaluation.stencils;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const std::string& path : options.films) {
-      putPicture(job, numbered(path, i, all.size()), [&](std::ostream& out) {
+      putPicture(job.log, numbered(path, i, all.size()), [&](std::ostream& out) {
         return writeStencilFilm(out, path, *all[i], options.cell);
       });
     }
     for (const std::string& path : options.shares) {
-      putPicture(job, numbered(path, i, all.size()), [&](std::ostream& out) {
+      putPicture(job.log, numbered(path, i, all.size()), [&](std::ostream& out) {
         writeCellsSvg(out, sharePictureOf(*all[i]));
         return true;
       });

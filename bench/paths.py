@@ -39,7 +39,7 @@ CUTTERS = {
 # On a plane the passes run along leaning cylinders: along planes each would be one cut vector.
 DRIVES = {"plane": "(CYLNDR/0,-400,0,0,.1,1,(400+Y))"}
 PASSES = (300, 3000)  # growth: ten times the passes, ten times the cut vectors; 200 000 to 450 000 of them, so that start-up is little
-FEW = {"mesh of 200 000 triangles": (2, 20), "ruled surface": (10, 100), "polyconic": (3, 30), "tabulated cylinder": (100, 1000)}
+FEW = {"mesh of 200 000 triangles": (10, 100), "ruled surface": (10, 100), "polyconic": (3, 30), "tabulated cylinder": (100, 1000)}
 MESH_SIDE = 316  # 316 * 316 * 2 triangles
 
 
@@ -66,19 +66,31 @@ def program(surface, cutter, passes, tolerance=.0005):
             f"GODLTA/0,0,80\nY=Y+{2 * width / passes:.7f}\nIF(Y-{width})A,A,B\nB) GOTO/-60,0,60\nLOOPND\nFINI\n")
 
 
+# Cut vectors per second of the processor that a case is to reach.
+GOAL, FAST = 1_000_000, 2_000_000
+GOALS = {surface: dict.fromkeys(CUTTERS, GOAL) for surface in SURFACES}
+for simple in ("plane", "cylinder", "cone", "sphere"):
+    GOALS[simple] |= {"ball": FAST, "flat": FAST}
+GOALS["mesh of 200 000 triangles"] = dict.fromkeys(CUTTERS, 50_000)
+for without in ("ruled surface", "polyconic"):
+    GOALS[without] = {}
+
+
 def cases(folder):
-    """(what, path of a program, what is counted), all cutters on all surfaces, and one that grows."""
+    """(what, path of a program, goal), all cutters on all surfaces, and one that grows. The goal is that of the longest program."""
     folder = pathlib.Path(folder)
     wavy_mesh(folder / "wavy.stl")
     rows = []
 
-    def add(what, name, text):
+    def add(what, name, text, goal=None):
         (folder / name).write_text(text)
-        rows.append((what, folder / name, "cut vectors"))
+        rows.append((what, folder / name, goal))
     for s, surface in enumerate(SURFACES):
         for cutter in CUTTERS:
-            for passes in FEW.get(surface, PASSES):
-                add(f"{surface}, {cutter}, {passes} passes", f"{s}_{cutter}_{passes}.apt", program(surface, cutter, passes))
+            few = FEW.get(surface, PASSES)
+            for passes in few:
+                add(f"{surface}, {cutter}, {passes} passes", f"{s}_{cutter}_{passes}.apt", program(surface, cutter, passes),
+                    GOALS[surface].get(cutter) if passes == few[-1] else None)
     for passes in (10, 100, 1000, 10000):
         add(f"sphere, ball, {passes} passes", f"grows{passes}.apt", program("sphere", "ball", passes, .0001))
     for tolerance in (1e-4, 1e-6, 1e-8):
@@ -87,5 +99,5 @@ def cases(folder):
     for tolerance in (1e-4, 1e-6, 1e-8, 1e-10):
         add(f"circle in the plane, one turn, tolerance {tolerance:g}", f"circle{tolerance:g}.apt",
             f"INTOL/0\nOUTTOL/{tolerance:.12f}\nCUTTER/10\nC1=CIRCLE/0,0,0,75.25\nLX=LINE/XAXIS\nFROM/120,0,0\nINDIRV/-1,0,0\n"
-            "GO/TO,C1\nTLRGT,GORGT/C1,ON,2,INTOF,LX\nGOTO/120,0,0\nFINI\n")
+            "GO/TO,C1\nTLRGT,GORGT/C1,ON,2,INTOF,LX\nGOTO/120,0,0\nFINI\n", 20_000_000 if tolerance == 1e-10 else None)
     return rows

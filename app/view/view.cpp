@@ -7,7 +7,7 @@
 
 #include "app/command.h"
 #include "app/options.h"
-#include "app/output_file.h"
+#include "app/picture_file.h"
 #include "app/view/faults.h"
 #include "app/view/raster.h"
 #include "app/view/scene_builder.h"
@@ -15,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include "backend/svg/writer.h"
-#include "ir/diag/output.h"
 #include "runtime/path/chords.h"
 
 namespace arelem::app {
@@ -143,29 +142,6 @@ std::string pictureOf(Compilation& job,
   return out.str();
 }
 
-bool put(Compilation& job,
-         const std::string& path,
-         const std::function<bool(std::ostream&)>& write) {
-  Result<std::unique_ptr<OutputFile>> file = openOutput(path);
-  if (!file) {
-    job.log.accept(file.takeFailure());
-    return false;
-  }
-  if (!write((*file)->stream())) {
-    job.log.accept(fail(diag::OutputWrite, path, std::uint64_t{0}, "the picture cannot be made"));
-    return false;
-  }
-  if (auto bytes = (*file)->complete(); !bytes) {
-    job.log.accept(bytes.takeFailure());
-    return false;
-  }
-  if (auto name = (*file)->commit(false); !name) {
-    job.log.accept(name.takeFailure());
-    return false;
-  }
-  return true;
-}
-
 /// The kind of an output: of a file by its suffix; standard output has the kind of --to.
 Kind kindOf(const std::string& path, const ViewOptions& options) {
   return path == standardStream ? *kindOf("picture." + options.format) : *kindOf(path);
@@ -194,7 +170,7 @@ void produce(Compilation& job, const ViewOptions& options, const InterruptFlag& 
       return;
     }
     const Kind kind = kindOf(path, options);
-    static_cast<void>(put(job, path, [&](std::ostream& out) {
+    putPicture(job.log, path, [&](std::ostream& out) {
       if (kind == Kind::html) {
         backend::writePage(out, *scene);
         return true;
@@ -204,7 +180,7 @@ void produce(Compilation& job, const ViewOptions& options, const InterruptFlag& 
       }
       out << picture;
       return true;
-    }));
+    });
   }
 }
 }  // namespace

@@ -89,9 +89,10 @@ void writeSprayText(std::ostream& out, const ReportedSpray& s) {
           ? fmt::format("{}, {:.5g} mm apart, at {:.5g} degrees; overlap {:.5g}, inset {:.5g} mm",
                         s.passes, s.interval, s.degrees, s.overlap, s.inset)
           : fmt::format("{}, {:.5g} mm apart; overlap {:.5g}; {}", s.passes, s.interval, s.overlap,
-                        s.past > 0.0 ? fmt::format("{:.5g} mm past the edges", s.past)
-                                     : std::string("as far as the edges, which get less film: "
-                                                   "PAST, d goes beyond")));
+                        s.past > 0.0
+                            ? fmt::format("{:.5g} mm past the edges", s.past)
+                            : std::string("as far as its edges, if any, which get less film: "
+                                          "PAST, d goes beyond")));
   row(out, "path",
       fmt::format(
           "{:.7g} mm painted in {:.5g} s, {:.6g} mm besides in {:.4g} s{}{}", s.painted,

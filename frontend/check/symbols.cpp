@@ -30,10 +30,15 @@ bool needsName(EntityType type) {
          type == EntityType::mesh || type == EntityType::pathSpline;
 }
 
-/// `3E`, of 3E-05: digits and an E make a name.
-bool looksLikeExponent(std::string_view name) {
-  return name.size() > 1 && name.back() == 'E' &&
-         name.find_first_not_of("0123456789") == name.size() - 1;
+/// Digits, an E and perhaps digits make a name: `3E` of 3E-05, `1E300`. The digits before the E,
+/// else nothing.
+std::string_view mantissaOf(std::string_view name) {
+  constexpr std::string_view digits = "0123456789";
+  const std::size_t e = name.find_first_not_of(digits);
+  return e != 0 && e != std::string_view::npos && name[e] == 'E' &&
+                 name.find_first_not_of(digits, e + 1) == std::string_view::npos
+             ? name.substr(0, e)
+             : std::string_view();
 }
 }  // namespace
 
@@ -57,9 +62,9 @@ void Values::undefined(std::string_view name, const Span& span) {
   Diagnostic d = diagnose(span, diag::UndefinedSymbol, name);
   if (facts.kind != NameFacts::Class::unknown && !facts.defined) {
     d.labels.push_back({facts.definition, "it is defined here, after this use"});
-  } else if (looksLikeExponent(name)) {
-    d.help = fmt::format("a number with an exponent has a decimal point: {}.E",
-                         name.substr(0, name.size() - 1));
+  } else if (const std::string_view mantissa = mantissaOf(name); !mantissa.empty()) {
+    d.help = fmt::format("a number with an exponent has a decimal point: {}.{}", mantissa,
+                         name.substr(mantissa.size()));
   } else {
     for (const std::string& near : context_.names.similar(name, true)) {
       d.help += (d.help.empty() ? "did you mean `" : ", `") + near + "`";

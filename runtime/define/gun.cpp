@@ -108,14 +108,23 @@ Result<Resolved> finished(Gun gun,
 
 void nothingMore(Gun& /*gun*/) {}
 
-/// Two columns of numbers, separated by commas, semicolons or blanks; a first line that is no
-/// numbers is a heading, lines that begin with # are comments.
+/// Whether a line begins, behind blanks and quotation marks, like a number.
+bool beginsAsNumber(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t\"'");
+  return first != std::string_view::npos &&
+         std::string_view("+-.0123456789").find(line[first]) != std::string_view::npos;
+}
+
+/// Two columns of numbers, separated by commas, semicolons or blanks; a first line that begins
+/// with a word is a heading, lines that begin with # are comments.
 Result<std::vector<std::pair<double, double>>> columnsOf(std::string_view text) {
   std::vector<std::pair<double, double>> rows;
   std::size_t number = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
+    const bool comment =
+        line.find_first_not_of(" \t") == line.find('#') || (rows.empty() && !beginsAsNumber(line));
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     ++number;
     std::array<double, 3> values{};
@@ -133,8 +142,7 @@ Result<std::vector<std::pair<double, double>>> columnsOf(std::string_view text) 
       line.remove_prefix(static_cast<std::size_t>(next - line.data()));
       ++count;
     }
-    const bool comment = !good && count == 1 && (line.starts_with('#') || rows.empty());
-    if (count == 0 || comment) {
+    if (count == 0 || (comment && !good)) {
       continue;
     }
     if (!good || count != 2) {

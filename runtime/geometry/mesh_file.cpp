@@ -195,7 +195,7 @@ Result<TriangleMesh> readMesh(std::string_view bytes, MeshFormat format, std::st
   }
   std::optional<TriangleMesh> mesh = readPolygons(bytes, format);
   if (!mesh) {
-    return fail(diag::MeshBroken, name, fmt::format("it is not read as {}", spell(format)));
+    return fail(diag::MeshBroken, name, polygonFault(bytes, format));
   }
   return checkedMesh(*std::move(mesh), name);
 }

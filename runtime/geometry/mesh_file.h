@@ -16,7 +16,11 @@ enum class MeshFormat : std::uint8_t { stl, obj, ply, off };
                                             MeshFormat format,
                                             std::string_view name);
 
-/// OBJ, PLY and OFF; none where the bytes are not of that format.
+/// OBJ, PLY and OFF; none where the bytes are not of that format: `polygonFault` says why.
 [[nodiscard]] std::optional<TriangleMesh> readPolygons(std::string_view bytes, MeshFormat format);
+
+/// Why bytes are no OBJ, PLY or OFF: the line and what is wrong there, of the texts; what is known
+/// of a binary PLY.
+[[nodiscard]] std::string polygonFault(std::string_view bytes, MeshFormat format);
 
 }  // namespace arelem::geometry

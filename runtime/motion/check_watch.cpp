@@ -9,6 +9,9 @@
 namespace arelem::motion {
 
 namespace {
+/// Slopes of a gap at most this are rounding: of a stretch that is touched all along.
+/// Dimensionless.
+constexpr double levelSlope = 1e-13;
 /// Finest step, as a share of the tolerance band: what is narrower is contact within the tolerance.
 constexpr double fineShare = 0.25;
 /// A tangency passes through its band in a length of the order of sqrt(band); this share of it is
@@ -110,6 +113,9 @@ void CheckWatch::findNearest(const Segment& s, Field& guide) {
   constexpr double golden = 0.6180339887498949;
   looks_.push_back(s.length);
   const std::vector<double> looks = std::exchange(looks_, {});
+  if (tangent_) {
+    findParallel(s, looks, guide);
+  }
   const auto away = [&](double u) {
     return tangent_ ? missOfTangency(s, u, guide) : std::abs(measure(s, u).value);
   };
@@ -233,6 +239,36 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   }
 }
 
+/// Where the gap along the path neither opens nor closes check surface and guide are parallel.
+void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks, Field& guide) {
+  for (Field* field : {plus_.get(), minus_.get()}) {
+    const auto opens = [&](double u) {
+      const tool::Contact c = field->at(s.at(u), s.axisAt(u));
+      return slopeAlong(c, s.at(u), s.tangentAt(u), s.spin()) > 0.0;
+    };
+    for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
+      double low = looks[i];
+      double high = looks[i + 1];
+      const bool first = opens(low);
+      if (first == opens(high)) {
+        continue;
+      }
+      while (high - low > tolerance::sameSide) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) {
+          break;
+        }
+        (opens(middle) == first ? low : high) = middle;
+      }
+      const tool::Contact c = field->at(s.at(low), s.axisAt(low));
+      const bool agrees = c.normal.dot(guide.at(s.at(low), s.axisAt(low)).normal) > agreeing;
+      if (agrees && (!parallel_ || std::abs(c.gap) < std::abs(parallel_->gap))) {
+        parallel_ = {c.gap, s.at(low)};
+      }
+    }
+  }
+}
+
 /// The smaller gap of those whose contact agrees with that of the guide.
 double CheckWatch::missOfTangency(const Segment& s, double u, Field& guide) {
   const Vec3 at = s.at(u);
@@ -281,11 +317,14 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
       }
     }
     if (inside != nullptr) {
+      // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
+      // sign: the stop is where the stretch begins.
+      const double level = std::copysign(levelSlope, now_.lastTurn);
       if (now_.armed && now_.bandField == inside && u > ignoredUntil_ &&
-          (turn > 0.0) != (now_.lastTurn > 0.0)) {
+          (turn > level) != (now_.lastTurn > level)) {
         now_.lastTurn = turn;
         now_.free = 0.0;
-        return Hit{before, u, inside, true};
+        return Hit{before, u, inside, true, level};
       }
       // A start at a tangency is not counted; it must be left first.
       now_.armed = now_.armed || std::abs(turn) > tolerance::nullDirection;

@@ -24,6 +24,7 @@ class CheckWatch {
     double low = 0.0, high = 0.0;  ///< the position lies between these lengths along the segment
     Field* field = nullptr;        ///< the gap that is zero, or least, there
     bool touch = false;            ///< the slope of the gap changes sign there, not the gap
+    double level = 0.0;            ///< of a touch: the slope there
   };
 
   /// `cutter` null watches the tool end (ON). `drive` is the
@@ -62,6 +63,13 @@ class CheckWatch {
   [[nodiscard]] double band() const { return band_; }
   [[nodiscard]] double nearest() const { return nearest_; }
   [[nodiscard]] const Vec3& nearestPlace() const { return nearestPlace_; }
+  /// Looking closely for a tangency: the gap, negative for an overlap, and place where the surfaces
+  /// are parallel and touch least badly; none where they are parallel nowhere.
+  struct Parallel {
+    double gap = 0.0;
+    Vec3 place = Vec3::Zero();
+  };
+  [[nodiscard]] const std::optional<Parallel>& parallel() const { return parallel_; }
   /// Of the positions asked for, how many were asked for and how many met; where the last contact
   /// of any kind was. False where the tool never was clear of the surface.
   [[nodiscard]] int nth() const { return nth_; }
@@ -118,6 +126,7 @@ class CheckWatch {
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   void note(double distance, const Vec3& place);
   void findNearest(const Segment& segment, Field& guide);
+  void findParallel(const Segment& segment, const std::vector<double>& looks, Field& guide);
   double missOfTangency(const Segment& segment, double along, Field& guide);
 
   NamedSurface surface_;
@@ -135,6 +144,7 @@ class CheckWatch {
   std::vector<double> looks_;  ///< lengths along the segment, where looked at closely
   double nearest_ = std::numeric_limits<double>::infinity();
   Vec3 nearestPlace_ = Vec3::Zero();
+  std::optional<Parallel> parallel_;
 };
 
 }  // namespace arelem::motion

@@ -202,7 +202,7 @@ class Planner {
     if (!direction) {
       return direction.takeFailure();
     }
-    start.tangent = *direction;
+    start.face(*direction);
     warnWrongSide();
     for (CheckWatch& w : course_.watches) {
       w.begin(state_.toolEnd, state_.axis);

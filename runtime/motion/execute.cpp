@@ -71,6 +71,11 @@ class Motions {
     reporter_.report(action(), std::move(failure));
     stop_ = stop_ || reporter_.fatal();
   }
+  void reportAll(std::vector<Failure>& warnings) {
+    for (Failure& warning : warnings) {
+      report(std::move(warning));
+    }
+  }
   void reportIf(std::optional<Failure> failure) {
     if (failure) {
       report(*std::move(failure));
@@ -113,9 +118,7 @@ class Motions {
     if (!*curve) {
       return report(curve->takeFailure());
     }
-    for (Failure& warning : (*curve)->warnings) {
-      report(std::move(warning));
-    }
+    reportAll((*curve)->warnings);
     fact((*curve)->statement, 1, (*curve)->length, nullptr, facts_.begin());
   }
 
@@ -227,6 +230,7 @@ class Motions {
     if (!found) {
       reportIf(motion::ofMotion(state_, found.takeFailure()));
     } else {
+      reportAll(found->warnings);
       const Vec3 before = state_.toolEnd;
       if (s.surfaces.size() > 1) {
         if (auto part = motion::named(s.surfaces[1].surface); part) {
@@ -271,9 +275,7 @@ class Motions {
     if (!result) {
       return result.takeFailure();
     }
-    for (Failure& warning : result->warnings) {
-      report(std::move(warning));
-    }
+    reportAll(result->warnings);
     output_.commit();
     state_.toolEnd = result->toolEnd;
     state_.axis = result->axis;

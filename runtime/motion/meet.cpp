@@ -38,10 +38,12 @@ std::optional<PathPoint> settleThere(Path& path,
   return (settled.toolEnd - guess.toolEnd).norm() <= reach ? std::optional(there) : std::nullopt;
 }
 
-/// What changes its sign at the stop: the gap itself, or at a touch its slope.
+/// What changes its sign at the stop: the gap itself, or at a touch its slope less that at the
+/// touch.
 double signal(Path& path, const PathPoint& p, const CheckWatch::Hit& hit, double checkRest) {
   const tool::Contact c = hit.field->at(p.toolEnd, p.axis);
-  return hit.touch ? slopeAlong(c, p.toolEnd, p.tangent, path.spinAt(p)) : c.gap - checkRest;
+  return hit.touch ? slopeAlong(c, p.toolEnd, p.tangent, path.spinAt(p)) - hit.level
+                   : c.gap - checkRest;
 }
 }  // namespace
 

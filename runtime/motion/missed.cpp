@@ -1,5 +1,7 @@
 #include "runtime/motion/missed.h"
 
+#include <cmath>
+
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/certify/motion_check.h"
@@ -11,7 +13,11 @@ Failure missed(const Course& course) {
   const Vec3& p = w.nearestPlace();
   if (w.isTangent()) {
     const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
-    return fail(diag::NoTangency, partner, w.surface().name, w.band(), w.nearest());
+    const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
+    const Vec3& where = w.parallel() ? w.parallel()->place : p;
+    return fail(diag::NoTangency, partner, w.surface().name, w.band(),
+                gap < 0.0 ? "overlap" : "miss each other", std::abs(gap), where.x(), where.y(),
+                where.z());
   }
   const std::string_view condition = certify::spell(w.condition());
   if (!w.wasClear() && w.nearest() <= w.band()) {

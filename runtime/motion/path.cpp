@@ -14,6 +14,8 @@ namespace {
 constexpr double jumpShare = 2.0;
 /// How far ahead the contact behind a corner is looked for. Part unit.
 constexpr double aheadOfCorner = 1e-4;
+/// Cosine of the turn up to which a path through a crossing of two goes straight on.
+constexpr double straightOn = 0.87;
 /// Contact normals whose cosine is above this are those of one smooth path.
 constexpr double sameContact = 0.999;
 }  // namespace
@@ -31,7 +33,24 @@ bool Path::aim(PathPoint& point, const Vec3& towards) {
   if (length <= tolerance::nullDirection) {
     return false;
   }
-  point.tangent = common / (common.dot(towards) < 0.0 ? -length : length);
+  point.sense = common.dot(towards) < 0.0 ? -1.0 : 1.0;
+  point.tangent = common * (point.sense / length);
+  return true;
+}
+
+/// Where the tangent of one sense turns back, a contact has gone to another side of the cutter; if
+/// none has and the path goes straight on, two branches of it cross between the places.
+bool Path::aimBehind(PathPoint& point, const PathPoint& from) {
+  if (!aim(point, from.tangent)) {
+    return false;
+  }
+  const bool jumps = point.contacts[0].normal.dot(from.contacts[0].normal) <= 0.0 ||
+                     point.contacts[1].normal.dot(from.contacts[1].normal) <= 0.0 ||
+                     point.tangent.dot(from.tangent) < straightOn;
+  if (jumps && point.sense == -from.sense) {
+    point.sense = from.sense;
+    point.tangent = -point.tangent;
+  }
   return true;
 }
 
@@ -111,7 +130,7 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
   p.toolEnd = settled.toolEnd;
   p.axis = settled.axis;
   p.contacts = {settled.contacts[0], settled.contacts[1]};
-  if (!aim(p, from.tangent)) {
+  if (!aimBehind(p, from)) {
     return std::nullopt;
   }
   return p;

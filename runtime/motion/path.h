@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -35,9 +36,14 @@ struct Guide {
   /// Gap at which the next cut vector should end: the edge that leaves the chord most room, but for
   /// what positions may be off.
   [[nodiscard]] double vertexGap() const {
-    const bool straight = flat() || (field->flat() && bend == 0.0);
+    if (flat()) {
+      return rest;
+    }
     const double off = aimShare * (inner + outer);
-    return straight ? rest : bend >= 0.0 ? outer - off : off - inner;
+    if (field->flat() && bend == 0.0) {
+      return std::clamp(rest, off - inner, outer - off);
+    }
+    return bend >= 0.0 ? outer - off : off - inner;
   }
   /// Cut vectors end within this share of the band of the gap aimed at.
   static constexpr double aimShare = 2e-4;
@@ -51,6 +57,16 @@ struct PathPoint {
   Vec3 axis = Vec3::UnitZ();
   std::array<tool::Contact, 2> contacts;
   Vec3 tangent = Vec3::UnitX();
+  /// 1 where the tangent goes with the product of the normals of part and drive, -1 where against
+  /// it; 0 where these have no product. One path has one sense, round corners too: the surfaces
+  /// stay on their sides of it.
+  double sense = 0.0;
+
+  /// Sets out in a direction of one's own along the path.
+  void face(const Vec3& direction) {
+    sense = direction.dot(tangent) < 0.0 ? -sense : sense;
+    tangent = direction;
+  }
 };
 
 /// The curve on which both gaps keep given values.
@@ -94,9 +110,11 @@ class Path {
   }
   [[nodiscard]] std::array<double, 2> rests() const { return {guides[0].rest, guides[1].rest}; }
   [[nodiscard]] bool flat() const { return guides[0].flat() && guides[1].flat(); }
-  /// Sets the tangent of a place whose contacts are known, so that it goes with `towards`; false
-  /// where the surfaces have no common one.
+  /// Sets tangent and sense of a place whose contacts are known, so that the tangent goes with
+  /// `towards`; false where the surfaces have no common one.
   [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards);
+  /// The same for a place that follows `from` on the path, which may turn back between them.
+  [[nodiscard]] bool aimBehind(PathPoint& point, const PathPoint& from);
   /// Factor by which the chord may grow, or must shrink, to fit both bands.
   [[nodiscard]] double fit(const PathPoint& a, const PathPoint& b);
   /// The same, and to fit the largest turn of an axis that follows the path.

@@ -8,6 +8,7 @@
 #include "runtime/motion/axis_choice.h"
 #include "runtime/motion/route.h"
 #include "runtime/motion/settle.h"
+#include "runtime/motion/startup_sense.h"
 
 namespace arelem::motion {
 
@@ -241,7 +242,27 @@ class Starter {
     if (!found.ok) {
       return explain(found, from);
     }
-    return Standing{found.toolEnd, found.axis};
+    return along(found);
+  }
+
+  /// A position, unless it lies behind the tool on a way that its direction gives exactly.
+  [[nodiscard]] Result<Standing> along(const Settled& found) const {
+    Standing end{found.toolEnd, found.axis, {}};
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+      const Goal& goal = goals_[i];
+      if (!state_.direction[i]) {
+        continue;
+      }
+      const Sense sense = senseOf(state_, *state_.direction[i], found.toolEnd, goal.role, exact_);
+      const LedTo to{goal.surface.name, goal.condition};
+      if (sense.back > 0.0 && i == 0 && (exact_ || goals_.size() == 1)) {
+        return behind(to, found.toolEnd, sense);
+      }
+      if (sense.back > 0.0) {
+        end.warnings.push_back(turnsBack(to, sense));
+      }
+    }
+    return end;
   }
 
   /// Why no position was found from a place: surfaces that are parallel, a hollow that is too
@@ -325,7 +346,7 @@ class Starter {
       return fail(diag::OffsetLeavesDrive, goals_.back().surface.name, goals_[0].surface.name,
                   drift, 0.0 - inner, outer);
     }
-    return Standing{found.toolEnd, found.axis};
+    return Standing{found.toolEnd, found.axis, {}};
   }
 
   /// The direction passes beside the drive surface, or leads away from it.

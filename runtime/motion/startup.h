@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "runtime/motion/state.h"
 
 namespace arelem::motion {
@@ -7,6 +9,7 @@ namespace arelem::motion {
 struct Standing {
   Vec3 toolEnd = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
+  std::vector<Failure> warnings;
 };
 
 /// GO/ and OFFSET/: the tool position that meets one, two or three surfaces (spec 4.7). Does not

@@ -207,6 +207,10 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
     }
     looked = true;
     const double reached = (b->toolEnd - a.toolEnd).norm();
+    if (reached > longest_ * (1.0 + tolerance::coincidence) && !path_.flat()) {
+      length *= longest_ / reached;  // the surfaces led aside
+      continue;
+    }
     const bool better = !best || reached > bestLength;
     if (better) {
       best = std::move(b);

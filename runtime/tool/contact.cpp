@@ -176,7 +176,7 @@ Contact contactOf(const surface::Mesh& s,
   const surface::MeshShape& shape = s.shape();
   if (search.hint.triangle < 0) {
     const Vec3 core = te + cutter.f * axis;
-    search.hint.triangle = static_cast<int>(shape.tree->nearest(core, -1));
+    search.hint.triangle = static_cast<int>(shape.tree.nearest(shape.mesh, core, -1));
   }
   auto nearest = static_cast<std::size_t>(search.hint.triangle);
   const TriangleGap least = search.near.least(shape, cutter, te, axis, nearest);

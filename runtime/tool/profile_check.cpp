@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
@@ -32,6 +35,15 @@ std::optional<Failure> jointFault(const Profile& p,
 struct CornerPlace {
   double aboveBottom, withinSide;
 };
+
+/// What can be described of a corner that is wider than its shank, as a lollipop has it.
+std::string lowerHalf(const Profile& p) {
+  return fmt::format(
+      "the seven values have no place above the widest one of the corner but a side that goes "
+      "straight up or widens: of a corner on a thinner shank the lower half can be given, "
+      "CUTTER/{0:.6g},{1:.6g},{2:.6g},{3:.6g},{4:.6g},0,{3:.6g}",
+      2.0 * (p.e + p.r), p.r, p.e, p.f, p.alpha * degrees);
+}
 
 CornerPlace cornerPlace(const Profile& p) {
   const double rim = p.d / 2 * std::tan(p.alpha);
@@ -81,7 +93,8 @@ std::optional<Failure> shapeFault(const Profile& p) {
   }
   if (auto bad = jointFault(p, withinSide, diag::CutterArcCrossesSide, diag::CutterArcMissesSide,
                             diag::CutterArcOffSide)) {
-    return bad;
+    const bool bulges = withinSide < p.r && bad->row->severity == Severity::error;
+    return bulges ? std::move(*bad).withHelp(lowerHalf(p)) : bad;
   }
   if (p.sideStart.z > p.h + size) {
     return fail(diag::CutterNoSide, p.h, p.sideStart.z);

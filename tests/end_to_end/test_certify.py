@@ -126,6 +126,38 @@ class Certify(ArelemCase):
         self.assertAlmostEqual(part["measuredInner"], -0.0002, delta=1e-5)  # OUTTOL .002, INTOL 0
         self.assertLess(part["measuredOuter"], 0.0019)
 
+    def test_first_cut_vector_of_the_old_e27_leaves_the_sphere(self):
+        """It turns the axis in place by 0.45 radians, and with it the center of the ball, 0.25 above the tool end: measured here
+        from the old system's locations alone. Two cut vectors turn it within the tolerance: the one that arelem has more."""
+        case = CASES / "e27_tlaxis_4axis.apt"
+        center, radius, ball, band = (0.25, 0.35, -6.5), 8.25, 0.25, 0.002
+
+        def gaps(a, b):
+            angle = math.acos(min(1.0, sum(x * y for x, y in zip(a[3:], b[3:]))))
+            for k in range(1001):
+                s = k / 1000
+                share = [math.sin((1 - s) * angle), math.sin(s * angle)] if angle > 1e-9 else [1 - s, s]
+                axis = [share[0] * x + share[1] * y for x, y in zip(a[3:], b[3:])]
+                length = math.hypot(*axis)
+                place = [x + s * (y - x) + ball * n / length for x, y, n in zip(a, b, axis)]
+                yield math.dist(place, center) - radius - ball
+
+        points = [p for r in json.loads(case.with_suffix(".json").read_text())["cl"] if r["type"] == 5000 for p in r["points"]]
+        first, second = points[1], points[2]
+        farthest = max(gaps(first, second))
+        self.assertAlmostEqual(farthest, 0.00799, delta=1e-5)
+        self.assertGreater(farthest, 3.9 * band)
+        code, rows = self.rows(case, case.with_suffix(".json"))
+        self.assertEqual(code, 5)
+        self.assertIn(f"{farthest:.6f} off `PS1`", self.err)
+        self.assertIn("on cut vector 1 of this motion", self.err)
+        self.assertExit(0, case, "-o", "ours.jsonl")
+        ours = [p for line in (self.folder / "ours.jsonl").read_text().splitlines()
+                for p in json.loads(line).get("points", []) if len(p) == 6]
+        self.assertEqual(len(ours), len(points) + 1)
+        for a, b in zip(ours[1:], ours[2:-1]):  # FROM and the last GOTO are along no surface
+            self.assertLess(max(abs(g) for g in gaps(a, b)), band * (1 + 1e-6))
+
     def test_figures_of_a_sphere_are_those_of_a_pencil(self):
         records = self.records()
         code, rows = self.rows("s.apt", "s.jsonl")

@@ -142,6 +142,17 @@ class Spray(ArelemCase):
                 if numbers == 9:  # not turned over from pass to pass
                     self.assertEqual({tuple(float(v) for v in p[6:]) for p in places}, {(0, 1, 0)})
 
+    def test_a_table_file_with_decimal_commas_is_told(self):
+        self.write("part.apt", "UNITS/MM\nG1=GUN/TABLE,'m.csv',STNDOF,100,SPEED,100\nR1=REGION/(0,0),(90,0),(90,40),(0,40)\n"
+                               "SPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+        for text, line in (('"-10,5","0,0"\n"10,5","1,0"\n', 1), ("place;film\n-10,5;0\n", 2), ("-10,0\nfilm,1\n", 2)):
+            with self.subTest(text):
+                self.write("m.csv", text)
+                self.assertExit(4, "compile", "part.apt")
+                self.assertIn(f"no two numbers in line {line};", self.err)
+        self.write("m.csv", "place,film\n# measured on a Monday\n-10,0\n0,1\n10,0\n")
+        self.assertExit(0, "compile", "part.apt")
+
     def test_outputs_are_whole_numbers(self):
         for words, what in (("ON,1.7", "the output of SPRAY is 1.7; it must be a whole number, 1 to 9999"),
                             ("OFF,0", "the output of SPRAY is 0"), ("ON,OFF", "behind ON or OFF"),

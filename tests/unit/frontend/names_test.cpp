@@ -121,6 +121,9 @@ TEST(Names, AnExponentWithoutAPointIsExplained) {
   const auto c = compileText("INTOL/3E-05\nFINI\n");
   EXPECT_EQ(c->sink.all().back().kind().code, "E0201");
   EXPECT_EQ(c->sink.all().back().help, "a number with an exponent has a decimal point: 3.E");
+  const auto positive = compileText("INTOL/1E300\nFINI\n");
+  EXPECT_EQ(positive->sink.all().back().help,
+            "a number with an exponent has a decimal point: 1.E300");
 }
 
 }  // namespace

@@ -76,10 +76,11 @@ TEST(MeshFile, EveryFormatGivesTheSameTetrahedron) {
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
       "float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 "
       "0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
-  const std::vector<std::pair<std::string, MeshFormat>> files = {{obj, MeshFormat::obj},
-                                                                 {ply, MeshFormat::ply},
-                                                                 {stlText(*off), MeshFormat::stl},
-                                                                 {stlBinary(*off), MeshFormat::stl}};
+  const std::vector<std::pair<std::string, MeshFormat>> files = {
+      {obj, MeshFormat::obj},
+      {ply, MeshFormat::ply},
+      {stlText(*off), MeshFormat::stl},
+      {stlBinary(*off), MeshFormat::stl}};
   for (const auto& [bytes, format] : files) {
     const Result<TriangleMesh> mesh = readMesh(bytes, format, "x");
     ASSERT_TRUE(mesh.ok()) << spell(format);
@@ -127,10 +128,21 @@ TEST(MeshFile, WhatIsWrongIsNamed) {
     EXPECT_NE(refusal(std::string(300, '\xff'), format), "") << spell(format);
     EXPECT_NE(refusal("PARTNO A PROGRAM\nFINI\n", format), "") << spell(format);
   }
-  EXPECT_NE(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", MeshFormat::off), "");
-  EXPECT_NE(refusal("OFF\n999999999 1 0\n0 0 0\n", MeshFormat::off), "");
+  EXPECT_THAT(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", MeshFormat::off),
+              HasSubstr("line 6: a face names vertex 7; there are 0 to 2"));
+  EXPECT_THAT(refusal("OFF\n999999999 1 0\n0 0 0\n", MeshFormat::off),
+              HasSubstr("announces 999999999 vertices and 1 faces; it ends behind 1 of"));
   EXPECT_THAT(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\nnan 1 0\n3 0 1 2\n", MeshFormat::off),
-              testing::AnyOf(HasSubstr("not a finite number"), HasSubstr("not read as OFF")));
+              HasSubstr("finite number"));
+  EXPECT_THAT(refusal("# two\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2/7 9\n", MeshFormat::obj),
+              HasSubstr("line 5: a face names vertex 9; there are 1 to 3"));
+  EXPECT_THAT(refusal("v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::obj),
+              HasSubstr("line 2: a vertex has 2 coordinates; it needs 3"));
+  EXPECT_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+                      "y\nproperty float z\nelement face 1\nproperty list uchar int "
+                      "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 5\n",
+                      MeshFormat::ply),
+              HasSubstr("line 13: a face names vertex 5; there are 0 to 2"));
   EXPECT_THAT(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n", MeshFormat::off),
               HasSubstr("no triangle with an area"));
 }

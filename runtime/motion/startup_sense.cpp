@@ -1,0 +1,39 @@
+#include "runtime/motion/startup_sense.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ir/diag/motion.h"
+#include "ir/space/tolerance.h"
+#include "runtime/certify/motion_check.h"
+
+namespace arelem::motion {
+
+Sense senseOf(
+    const State& state, const Vec3& direction, const Vec3& toolEnd, Role role, bool flat) {
+  const auto seen = [&](const Vec3& v) {
+    return flat ? Vec3(v - v.dot(state.axis) * state.axis) : v;
+  };
+  const Vec3 way = seen(toolEnd - state.toolEnd);
+  const Vec3 wish = seen(direction);
+  if (wish.norm() <= tolerance::nullDirection * direction.norm()) {
+    return {};
+  }
+  const double along = way.dot(wish) / wish.norm();
+  if (-along <= std::max(state.band(role), tolerance::sameSide)) {
+    return {};
+  }
+  return {-along, std::acos(std::clamp(along / way.norm(), -1.0, 1.0)) * 180.0 / std::numbers::pi};
+}
+
+Failure behind(const LedTo& goal, const Vec3& toolEnd, const Sense& sense) {
+  return fail(diag::StartupBehind, certify::spell(goal.condition), goal.surface, toolEnd.x(),
+              toolEnd.y(), toolEnd.z(), sense.back);
+}
+
+Failure turnsBack(const LedTo& goal, const Sense& sense) {
+  return fail(diag::StartupTurnsBack, sense.degrees, goal.surface);
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+
+#include "runtime/motion/state.h"
+
+namespace arelem::motion {
+
+/// One surface of a startup as its direction sees it.
+struct LedTo {
+  std::string surface;
+  ir::Condition condition = ir::Condition::to;
+};
+
+/// Whether a startup goes the way that INDIRV or INDIRP gave for a surface: 0 to 90 degrees off.
+struct Sense {
+  double back = 0.0;     ///< by which it goes against the direction, part unit; 0 where it does not
+  double degrees = 0.0;  ///< between the way and the direction
+};
+
+/// `flat`: only what is square to the axis counts, as on the plane route, where the part surface
+/// sets the height. A way back shorter than the surface's tolerance band is none.
+[[nodiscard]] Sense senseOf(
+    const State& state, const Vec3& direction, const Vec3& toolEnd, Role role, bool flat);
+
+/// The only place along the direction lies behind the tool (spec 4.7 and manual 14.2.2: the motion
+/// is always forward along INDIRV).
+[[nodiscard]] Failure behind(const LedTo& goal, const Vec3& toolEnd, const Sense& sense);
+/// The direction was a guide only, and the startup goes against it.
+[[nodiscard]] Failure turnsBack(const LedTo& goal, const Sense& sense);
+
+}  // namespace arelem::motion
