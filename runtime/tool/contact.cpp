@@ -150,9 +150,11 @@ Contact contactOf(const surface::Cylinder& s,
   }
   const Vec3 w = s.point - te;
   const double z = w.dot(axis);
-  const Vec3 across = w - z * axis - w.dot(s.axis) * s.axis;
-  const double rho = across.norm();
-  const Vec3 out = rho > 0.0 ? Vec3(across / rho) : Vec3(s.axis.cross(axis));
+  // Square to both axes whatever is left of w there, which may be rounding alone.
+  const Vec3 beside = s.axis.cross(axis);
+  const double aside = w.dot(beside);
+  const double rho = std::abs(aside);
+  const Vec3 out = aside < 0.0 ? Vec3(-beside) : beside;
   ProfilePoint q;
   if (side > 0.0) {
     const double distance = distanceTo(cutter, {rho, z}, q);
