@@ -17,6 +17,7 @@
 #include "runtime/path/smoother.h"
 #include "runtime/path/swarf.h"
 #include "runtime/path/transform.h"
+#include "runtime/pieces.h"
 
 namespace arelem::app {
 
