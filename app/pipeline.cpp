@@ -97,6 +97,16 @@ bool isText(const Compilation& job) {
   return job.program.dialect == spell(frontend::Dialect::cl);
 }
 
+/// For an evaluation that was done before: files are known, progress and definitions told.
+runtime::Options onceMore(Compilation& job, const InterruptFlag& interrupted) {
+  runtime::Options options;
+  options.limits = job.settings.limits;
+  options.interrupted = &interrupted;
+  options.files = dataFiles(job);
+  options.files.opened = nullptr;
+  return options;
+}
+
 /// Section 2, of long programs piece by piece beside a second evaluation: that takes less time than
 /// the motions, and less memory than their actions.
 void run(Compilation& job,
@@ -106,8 +116,7 @@ void run(Compilation& job,
   runtime::Execution execution(options, records, job.log);
   if (job.inPieces) {
     CollectingSink told;
-    runtime::Options again{job.settings.limits, &interrupted, dataFiles(job)};
-    again.files.opened = nullptr;
+    const runtime::Options again = onceMore(job, interrupted);
     const runtime::Evaluation last = runtime::evaluateInPieces(
         job.program, again, told, [&execution](std::vector<runtime::Action>& actions) {
           execution.feed(actions);
@@ -143,9 +152,7 @@ bool evaluateInPieces(Compilation& job, const InterruptFlag& interrupted) {
   }
   if (good && job.inPieces && (whole || needsAll(job.evaluation.actions))) {
     CollectingSink told;
-    runtime::Options again{job.settings.limits, &interrupted, dataFiles(job)};
-    again.files.opened = nullptr;
-    job.evaluation = runtime::evaluate(job.program, again, told);
+    job.evaluation = runtime::evaluate(job.program, onceMore(job, interrupted), told);
     job.inPieces = false;
   }
   return good && !interrupted;
