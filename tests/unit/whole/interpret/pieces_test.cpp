@@ -17,20 +17,26 @@ std::string passes(int count, const std::string& check) {
          ")A,C,C\nC) LOOPND\nFINI\n";
 }
 
-struct Run {
+struct Compiled {
   SourceMap sources;
   CollectingSink sink;
   ir::Program program;
 
-  explicit Run(std::string text) {
+  explicit Compiled(std::string text) {
     const BufferId buffer = sources.add("test.apt", std::move(text));
     program = frontend::compile(sources, buffer, {}, sink);
   }
 };
 
+/// The numbers of a motion; none of other records.
+std::vector<double> placesOf(const cl::Record& record) {
+  const auto* motion = std::get_if<cl::Motion>(&record.body);
+  return motion != nullptr ? motion->coordinates : std::vector<double>();
+}
+
 TEST(Pieces, GiveTheRecordsOfTheWhole) {
   const int count = static_cast<int>(runtime::pieceSize) / 2;  // 5 actions a pass
-  Run run(passes(count, "PAST,LB"));
+  Compiled run(passes(count, "PAST,LB"));
   cl::Recording whole;
   const auto all = runtime::evaluate(run.program, {}, run.sink);
   const auto outcome = runtime::execute(all.actions, {}, whole, run.sink);
@@ -58,12 +64,13 @@ TEST(Pieces, GiveTheRecordsOfTheWhole) {
   EXPECT_EQ(inPieces.length, outcome.length);
   ASSERT_EQ(pieced.records.size(), whole.records.size());
   for (std::size_t i = 0; i < whole.records.size(); ++i) {
-    ASSERT_EQ(pieced.records[i].body, whole.records[i].body) << i;
+    ASSERT_EQ(pieced.records[i].body.index(), whole.records[i].body.index()) << i;
+    ASSERT_EQ(placesOf(pieced.records[i]), placesOf(whole.records[i])) << i;
   }
 }
 
 TEST(Pieces, AreNotMadeWhereMotionsGoOnAtLabels) {
-  Run run(passes(static_cast<int>(runtime::pieceSize) / 4, "PAST,LB,B,PAST,LA,B"));
+  Compiled run(passes(static_cast<int>(runtime::pieceSize) / 4, "PAST,LB,B,PAST,LA,B"));
   int pieces = 0;
   const auto all = runtime::evaluateInPieces(run.program, {}, run.sink,
                                              [&](std::vector<runtime::Action>&) { ++pieces; });
@@ -73,8 +80,8 @@ TEST(Pieces, AreNotMadeWhereMotionsGoOnAtLabels) {
 
 TEST(Pieces, EndBehindTheMotionsThatUseACutter) {
   // Only places behind the last CUTTER: none of them may end a piece.
-  Run run("PARTNO CUTTER\nFROM/0,0,0\nCUTTER/10\nLOOPST\nI=0\nA) GOTO/I,0,0\nI=I+1\nIF(I-" +
-          std::to_string(runtime::pieceSize + 10) + ")A,C,C\nC) LOOPND\nFINI\n");
+  Compiled run("PARTNO CUTTER\nFROM/0,0,0\nCUTTER/10\nLOOPST\nI=0\nA) GOTO/I,0,0\nI=I+1\nIF(I-" +
+               std::to_string(runtime::pieceSize + 10) + ")A,C,C\nC) LOOPND\nFINI\n");
   int pieces = 0;
   static_cast<void>(runtime::evaluateInPieces(run.program, {}, run.sink,
                                               [&](std::vector<runtime::Action>&) { ++pieces; }));
@@ -82,8 +89,8 @@ TEST(Pieces, EndBehindTheMotionsThatUseACutter) {
 }
 
 TEST(Pieces, ThatAreKeptAreNotOfferedAgain) {
-  Run run("PARTNO KEPT\nFROM/0,0,0\nLOOPST\nI=0\nA) GOTO/I,0,0\nI=I+1\nIF(I-" +
-          std::to_string(runtime::pieceSize + 10) + ")A,C,C\nC) LOOPND\nFINI\n");
+  Compiled run("PARTNO KEPT\nFROM/0,0,0\nLOOPST\nI=0\nA) GOTO/I,0,0\nI=I+1\nIF(I-" +
+               std::to_string(runtime::pieceSize + 10) + ")A,C,C\nC) LOOPND\nFINI\n");
   int pieces = 0;
   const auto all = runtime::evaluateInPieces(run.program, {}, run.sink,
                                              [&](std::vector<runtime::Action>&) { ++pieces; });
