@@ -57,6 +57,13 @@ struct Nearest {
 };
 }  // namespace
 
+ProfilePoint cornerCenter(const Profile& p) {
+  const double turn = std::cos(p.alpha + p.beta);
+  const double inwards = p.r * (std::cos(p.alpha) - std::sin(p.beta)) / turn;
+  const double upwards = p.r * (std::cos(p.beta) - std::sin(p.alpha)) / turn;
+  return {p.d / 2 - inwards, p.d / 2 * std::tan(p.alpha) + upwards};
+}
+
 void completeProfile(Profile& p) {
   p.sinAlpha = std::sin(p.alpha);
   p.cosAlpha = std::cos(p.alpha);
@@ -82,9 +89,10 @@ Result<Profile> makeProfile(std::span<const double> values) {
   if (values.size() < 7 || (noCorner && p.alpha == 0.0 && p.beta == 0.0)) {
     p.e = p.d / 2 - p.r;
     p.f = p.r;
-  } else if (noCorner && p.r == 0.0) {
-    p.e = p.d / 2;
-    p.f = p.d / 2 * std::tan(p.alpha);
+  } else if (noCorner) {
+    const ProfilePoint center = cornerCenter(p);
+    p.e = center.rho;
+    p.f = center.z;
   }
   if (auto bad = rangeFault(p)) {
     return *std::move(bad);

@@ -108,16 +108,13 @@ Profile joined(const Profile& p) {
   if (p.ring || std::abs(aboveBottom - p.r) > allowed || std::abs(withinSide - p.r) > allowed) {
     return p;
   }
-  // From where the lines meet, inwards and up to a center at the distance r from both.
-  const double turn = p.cosAlpha * p.cosBeta - p.sinAlpha * p.sinBeta;
-  const double inwards = p.r * (p.cosAlpha - p.sinBeta) / turn;
-  const double upwards = p.r * (p.cosBeta - p.sinAlpha) / turn;
   Profile out = p;
   if (p.e == 0.0) {
-    out.d = 2.0 * inwards;
+    out.d -= 2.0 * cornerCenter(p).rho;
   }
-  out.e = std::max(out.d / 2 - inwards, 0.0);
-  out.f = out.d / 2 * std::tan(p.alpha) + upwards;
+  const ProfilePoint center = cornerCenter(out);
+  out.e = std::max(center.rho, 0.0);
+  out.f = center.z;
   completeProfile(out);
   return out;
 }
