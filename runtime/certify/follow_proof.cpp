@@ -1,5 +1,6 @@
 #include "runtime/certify/follow_proof.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ir/space/motion_tolerance.h"
@@ -20,9 +21,9 @@ FollowProof::FollowProof(MotionCheck& check,
     : check_(check),
       modal_(modal),
       first_(first),
-      end_{first},
       drive_(driveTask(drive), first),
       part_(partTask(), first),
+      end_(first, std::max(bandOf(drive_.task()), bandOf(part_.task()))),
       interrupted_(interrupted) {}
 
 GuideTask FollowProof::driveTask(const Named& drive) const {

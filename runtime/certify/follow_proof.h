@@ -35,8 +35,8 @@ class FollowProof {
   MotionCheck& check_;
   const Modal& modal_;
   Location first_;
-  PathEnd end_;
   GuideStream drive_, part_;
+  PathEnd end_;
   Vec3 firstStep_ = Vec3::Zero();
   std::uint64_t cutVectors_ = 0;
   const InterruptFlag* interrupted_;

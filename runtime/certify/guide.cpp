@@ -117,7 +117,7 @@ Touch touch(const surface::AnySurface& surface,
   if (n.low < -allowed.inner - allowed.slack && n.high >= -allowed.inner - allowed.slack) {
     probe->settle(n, -allowed.inner - allowed.slack);
   }
-  return {n.low, n.high, n.normal};
+  return {n.low, n.high, n.normal, n.point - at.toolEnd};
 }
 
 GuideStream::GuideStream(GuideTask task, const Location& first)

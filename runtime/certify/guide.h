@@ -61,6 +61,7 @@ class GuideStream {
 struct Touch {
   double low = 0.0, high = 0.0;  ///< the gap lies between
   Vec3 normal = Vec3::UnitZ();
+  Vec3 offset = Vec3::Zero();  ///< of the point of the tool from the tool end
 };
 [[nodiscard]] Touch touch(const surface::AnySurface& surface,
                           const Relation& relation,

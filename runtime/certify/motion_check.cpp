@@ -25,11 +25,22 @@ double excess(const Touch& t, const Allowed& a) {
 }  // namespace
 
 void PathEnd::moveTo(const Location& next) {
-  const Vec3 step = next.toolEnd - place.toolEnd;
-  if (step.norm() > tolerance::sameSide) {
-    towards = step.normalized();
+  const Chord stretch(from_.toolEnd, next.toolEnd, from_.axis, next.axis);
+  const bool tells = stretch.length() > band_;
+  if (tells || !known_) {
+    stretch_ = stretch;
   }
-  place = next;
+  if (tells) {
+    from_ = next;
+    known_ = true;
+  }
+  place_ = next;
+}
+
+Vec3 PathEnd::towards(const Vec3& offset) const {
+  const Vec3 velocity = stretch_.velocity(offset);
+  const double length = velocity.norm();
+  return length > tolerance::sameSide ? Vec3(velocity / length) : Vec3(Vec3::Zero());
 }
 
 std::string_view spell(ir::Condition condition) {
@@ -162,7 +173,7 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     c.allowed.inner = c.tangent ? band : std::max(c.allowed.inner, c.allowed.outer);
     c.allowed.outer = c.allowed.inner;
   }
-  const Location& end = at.place;
+  const Location& end = at.place();
   if (on) {
     c.touch = touch(goal.surface.surface, {nullptr, 1.0, 0.0}, end, c.allowed);
     return c;
@@ -173,20 +184,20 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
       touch(goal.surface.surface, {cutter, -1.0, modal.thick[role]}, end, c.allowed)};
   // TO ends while the tool comes nearer, PAST while it leaves; at a tangency the tool is on the
   // side on which it is of its guide.
-  Vec3 towards = at.towards;
-  double wanted = glancing;
-  double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
+  std::optional<Vec3> guideNormal;
   if (c.tangent) {
     const Named part = modal.partSurface();
     const surface::AnySurface& guide = touchesPart ? part.surface : drive;
     const tool::Profile* guideCutter = modal.cutterFor(touchesPart ? partRole : driveRole);
     const Touch plus = touch(guide, {guideCutter, 1.0, 0.0}, end, c.allowed);
     const Touch minus = touch(guide, {guideCutter, -1.0, 0.0}, end, c.allowed);
-    towards = std::abs(plus.high) <= std::abs(minus.high) ? plus.normal : minus.normal;
-    wanted = -agreeing;
-    sign = 1.0;
+    guideNormal = std::abs(plus.high) <= std::abs(minus.high) ? plus.normal : minus.normal;
   }
-  const auto fits = [&](const Touch& t) { return sign * t.normal.dot(towards) >= -wanted; };
+  const double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
+  const auto fits = [&](const Touch& t) {
+    return guideNormal ? t.normal.dot(*guideNormal) >= agreeing
+                       : sign * t.normal.dot(at.towards(t.offset)) >= -glancing;
+  };
   const bool first = fits(sides[0]) == fits(sides[1])
                          ? std::abs(sides[0].high) <= std::abs(sides[1].high)
                          : fits(sides[0]);

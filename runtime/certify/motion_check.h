@@ -9,12 +9,24 @@ struct Goal {
   ir::Condition condition = ir::Condition::to;
 };
 
-/// Where a motion is, and the direction in which it came there; zero if it did not move.
-struct PathEnd {
-  Location place;
-  Vec3 towards = Vec3::Zero();
+/// Where a motion is, and how it came there. Cut vectors shorter than the band may go from one side
+/// of it to the other, whatever the path does: the last stretch that is longer tells.
+class PathEnd {
+ public:
+  PathEnd(const Location& first, double band) : place_(first), from_(first), band_(band) {}
 
   void moveTo(const Location& next);
+  [[nodiscard]] const Location& place() const { return place_; }
+  /// Direction in which the point of the tool at `offset` from the tool end came: where the axis
+  /// turns, another one than that of the tool end. Zero if it did not move.
+  [[nodiscard]] Vec3 towards(const Vec3& offset) const;
+
+ private:
+  Location place_;
+  Location from_;  ///< where the present stretch begins
+  Chord stretch_;
+  double band_;
+  bool known_ = false;  ///< a stretch longer than the band is behind
 };
 
 [[nodiscard]] std::string_view spell(ir::Condition condition);  ///< "TO", "ON", ...

@@ -1,6 +1,7 @@
 #include "runtime/certify/probe.h"
 
 #include "runtime/certify/cutter_probe.h"
+#include "runtime/certify/mesh_point_probe.h"
 #include "runtime/certify/mesh_probe.h"
 
 namespace arelem::certify {
@@ -108,6 +109,9 @@ std::unique_ptr<Probe> makeProbe(const surface::AnySurface& any, const Relation&
   return std::visit(
       [&]<class S>(const S& s) -> std::unique_ptr<Probe> {
         if (relation.cutter == nullptr) {
+          if constexpr (std::is_same_v<S, surface::Mesh>) {
+            return std::make_unique<MeshPointProbe>(s, relation.side);
+          }
           Relation point = relation;
           point.thick = 0.0;
           return std::make_unique<PointProbe<S>>(s, point);

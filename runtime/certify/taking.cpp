@@ -235,7 +235,7 @@ void Association::endFollow() {
   if (t.proof && t.proof->cutVectors() > 0) {
     add(t.proof->finish(*t.action, t.goals, met));
   }
-  const std::optional<Location> last = t.proof ? t.proof->end().place : t.last;
+  const std::optional<Location> last = t.proof ? t.proof->end().place() : t.last;
   modal_.consumeOneShots();
   if (last) {
     moveTo(*last);

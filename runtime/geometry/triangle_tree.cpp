@@ -1,12 +1,17 @@
-// The only file that includes CGAL's tree of boxes.
 #include "runtime/geometry/triangle_tree.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "runtime/geometry/place_order.h"
 
 namespace arelem::geometry {
+
+namespace {
+/// Triangles of a leaf at most.
+constexpr std::uint32_t ofLeaf = 2;
+}  // namespace
 
 OnTriangle nearestOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const Vec3 ab = b - a;
@@ -42,70 +47,127 @@ OnTriangle nearestOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p)
   return {a + vb / sum * ab + vc / sum * ac, Feature::face};
 }
 
-namespace {
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Traits = CGAL::AABB_traits<Kernel, Primitive>;
-using Tree = CGAL::AABB_tree<Traits>;
-
-Kernel::Point_3 point(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-/// What CGAL's traversal asks; the query is in the search itself.
-struct Traversal {
-  TriangleSearch& search;
-  Triangles::const_iterator begin;
-
-  static bool go_further() { return true; }  // NOLINT(readability-identifier-naming): CGAL's names
-  void intersection(int, const Primitive& primitive) const {
-    search.visit(static_cast<std::size_t>(primitive.id() - begin));
-  }
-  // NOLINTNEXTLINE(readability-identifier-naming)
-  [[nodiscard]] bool do_intersect(int, const CGAL::AABB_node<Traits>& node) const {
-    const CGAL::Bbox_3& box = node.bbox();
-    const Vec3 low(box.xmin(), box.ymin(), box.zmin());
-    const Vec3 high(box.xmax(), box.ymax(), box.zmax());
-    return search.enters(0.5 * (low + high), 0.5 * (high - low));
-  }
-};
-
-class CgalTree final : public TriangleTree {
+/// Divides the order where the highest bit in which its keys differ changes.
+class TriangleTree::Builder {
  public:
-  explicit CgalTree(const TriangleMesh& mesh) : mesh_(mesh) {
-    triangles_.reserve(mesh.triangles.size());
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      triangles_.emplace_back(point(mesh.corner(i, 0)), point(mesh.corner(i, 1)),
-                              point(mesh.corner(i, 2)));
-    }
-    tree_.insert(triangles_.cbegin(), triangles_.cend());
-    tree_.build();
-  }
-
-  [[nodiscard]] std::size_t nearest(const Vec3& p, int guess) const override {
-    const auto start = static_cast<std::size_t>(std::max(guess, 0));
-    const Vec3 on =
-        nearestOn(mesh_.corner(start, 0), mesh_.corner(start, 1), mesh_.corner(start, 2), p).point;
-    const auto hint = triangles_.cbegin() + static_cast<std::ptrdiff_t>(start);
-    const auto found = tree_.closest_point_and_primitive(point(p), {point(on), hint});
-    return static_cast<std::size_t>(found.second - triangles_.cbegin());
-  }
-
-  void search(TriangleSearch& search) const override {
-    Traversal traversal{search, triangles_.cbegin()};
-    tree_.traversal(0, traversal);
+  Builder(TriangleTree& tree, const TriangleMesh& mesh, PlaceOrder order)
+      : tree_(tree), mesh_(mesh), keys_(std::move(order.keys)) {
+    tree_.order_ = std::move(order.triangles);
+    tree_.boxes_.reserve(2 * keys_.size());
+    tree_.boxes_.resize(1);
+    build(0, 0, static_cast<std::uint32_t>(keys_.size()));
+    tree_.boxes_.shrink_to_fit();
   }
 
  private:
-  TriangleMesh mesh_;
-  Triangles triangles_;
-  Tree tree_;
-};
-}  // namespace
+  void build(std::size_t place, std::uint32_t begin, std::uint32_t end) {
+    if (end - begin <= ofLeaf) {
+      tree_.boxes_[place] = leaf(begin, end);
+      return;
+    }
+    const std::size_t child = tree_.boxes_.size();
+    tree_.boxes_.resize(child + 2);
+    const std::uint32_t middle = division(begin, end);
+    build(child, begin, middle);
+    build(child + 1, middle, end);
+    Box box = tree_.boxes_[child];
+    const Box& other = tree_.boxes_[child + 1];
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], other.low[k]);
+      box.high[k] = std::max(box.high[k], other.high[k]);
+    }
+    box.first = static_cast<std::uint32_t>(child);
+    box.count = 0;
+    tree_.boxes_[place] = box;
+  }
 
-std::unique_ptr<TriangleTree> makeTree(const TriangleMesh& mesh) {
-  return std::make_unique<CgalTree>(mesh);
+  [[nodiscard]] Box leaf(std::uint32_t begin, std::uint32_t end) const {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    Box box{{none, none, none}, {-none, -none, -none}, begin, end - begin};
+    for (std::uint32_t i = begin; i < end; ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3& v = mesh_.corner(tree_.order_[i], corner);
+        for (std::size_t k = 0; k < 3; ++k) {
+          box.low[k] = std::min(box.low[k], v[static_cast<Eigen::Index>(k)]);
+          box.high[k] = std::max(box.high[k], v[static_cast<Eigen::Index>(k)]);
+        }
+      }
+    }
+    return box;
+  }
+
+  [[nodiscard]] std::uint32_t division(std::uint32_t begin, std::uint32_t end) const {
+    const std::uint64_t differ = keys_[begin] ^ keys_[end - 1];
+    if (differ == 0) {
+      return begin + (end - begin) / 2;
+    }
+    const std::uint64_t bit = std::bit_floor(differ);
+    const auto first = keys_.begin();
+    return static_cast<std::uint32_t>(
+        std::partition_point(first + begin, first + end,
+                             [&](std::uint64_t key) { return (key & bit) == 0; }) -
+        first);
+  }
+
+  TriangleTree& tree_;
+  const TriangleMesh& mesh_;
+  std::vector<std::uint64_t> keys_;
+};
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) {
+  Builder(*this, mesh, PlaceOrder::of(mesh));
+}
+
+double TriangleTree::Box::squaredDistance(const Vec3& p) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double x = p[static_cast<Eigen::Index>(k)];
+    const double beside = std::max({low[k] - x, x - high[k], 0.0});
+    sum += beside * beside;
+  }
+  return sum;
+}
+
+/// The nearer box first, so that the others are too far off.
+std::size_t TriangleTree::nearest(const TriangleMesh& mesh, const Vec3& p, int guess) const {
+  std::size_t found = 0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](std::size_t i) {
+    const Vec3 on = nearestOn(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), p).point;
+    const double squared = (on - p).squaredNorm();
+    if (squared < least || (squared == least && i < found)) {
+      least = squared;
+      found = i;
+    }
+  };
+  if (guess >= 0) {
+    look(static_cast<std::size_t>(guess));
+  }
+  struct Later {
+    std::uint32_t box;
+    double squared;
+  };
+  std::array<Later, deepest> later;
+  std::size_t waiting = 1;
+  later[0] = {0, boxes_[0].squaredDistance(p)};
+  while (waiting > 0) {
+    const auto [place, squared] = later[--waiting];
+    if (!(squared <= least)) {
+      continue;
+    }
+    const Box& box = boxes_[place];
+    if (box.count == 0) {
+      const double first = boxes_[box.first].squaredDistance(p);
+      const double second = boxes_[box.first + 1].squaredDistance(p);
+      const bool swap = second < first;
+      later[waiting++] = swap ? Later{box.first, first} : Later{box.first + 1, second};
+      later[waiting++] = swap ? Later{box.first + 1, second} : Later{box.first, first};
+    }
+    for (std::uint32_t i = 0; i < box.count; ++i) {
+      look(order_[box.first + i]);
+    }
+  }
+  return found;
 }
 
 }  // namespace arelem::geometry

@@ -1,31 +1,64 @@
 #pragma once
-#include <memory>
+#include <array>
 
 #include "runtime/geometry/triangle_mesh.h"
 
 namespace arelem::geometry {
 
-/// Goes through a tree of boxes and skips those that cannot matter.
-class TriangleSearch {
- public:
-  virtual ~TriangleSearch() = default;
-  /// Whether triangles inside this box could matter. `half`: half the box's lengths.
-  [[nodiscard]] virtual bool enters(const Vec3& center, const Vec3& half) = 0;
-  virtual void visit(std::size_t triangle) = 0;
-};
-
-/// Finds triangles of a mesh by place.
+/// Finds triangles of a mesh by place: a tree of boxes over triangles in the order of places, which
+/// takes a few sweeps to build and keeps neighbors together in memory.
+///
+/// A search is a class with `bool enters(const Vec3& center, const Vec3& half)`, whether triangles
+/// inside this box could matter (`half`: half the box's lengths), and `void visit(std::size_t)`.
 class TriangleTree {
  public:
-  virtual ~TriangleTree() = default;
-  /// The triangle nearest to p. `guess` is one that is likely to be near, or -1.
-  [[nodiscard]] virtual std::size_t nearest(const Vec3& p, int guess) const = 0;
+  /// The mesh must have triangles.
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  /// The triangle nearest to p, of the same mesh. `guess` is one that is likely to be near, or -1.
+  [[nodiscard]] std::size_t nearest(const TriangleMesh& mesh, const Vec3& p, int guess) const;
   /// Visits every triangle whose boxes are all entered; always in the same order.
-  virtual void search(TriangleSearch& search) const = 0;
+  template <class Search>
+  void search(Search& search) const;
+
+ private:
+  struct Box {
+    std::array<double, 3> low, high;
+    std::uint32_t first = 0;  ///< child, the other one follows; in leaves a place in the order
+    std::uint32_t count = 0;  ///< triangles of a leaf, else 0
+
+    [[nodiscard]] double squaredDistance(const Vec3& p) const;
+  };
+  /// Trees are no deeper: keys have 63 bits, and equal ones are halved.
+  static constexpr std::size_t deepest = 63 + 33;
+
+  class Builder;
+
+  std::vector<std::uint32_t> order_;
+  std::vector<Box> boxes_;
 };
 
-/// The mesh must have triangles; it is copied.
-[[nodiscard]] std::unique_ptr<TriangleTree> makeTree(const TriangleMesh& mesh);
+template <class Search>
+void TriangleTree::search(Search& search) const {
+  std::array<std::uint32_t, deepest> later;
+  std::size_t waiting = 1;
+  later[0] = 0;
+  while (waiting > 0) {
+    const Box& box = boxes_[later[--waiting]];
+    const Vec3 low(box.low[0], box.low[1], box.low[2]);
+    const Vec3 high(box.high[0], box.high[1], box.high[2]);
+    if (!search.enters(0.5 * (low + high), 0.5 * (high - low))) {
+      continue;
+    }
+    if (box.count == 0) {
+      later[waiting++] = box.first + 1;
+      later[waiting++] = box.first;
+    }
+    for (std::uint32_t i = 0; i < box.count; ++i) {
+      search.visit(order_[box.first + i]);
+    }
+  }
+}
 
 /// Where the point of a triangle nearest to p lies on it.
 enum class Feature : std::uint8_t { face, edge0, edge1, edge2, vertex0, vertex1, vertex2 };

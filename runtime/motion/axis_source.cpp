@@ -1,5 +1,6 @@
 #include "runtime/motion/axis_source.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "ir/diag/motion.h"
@@ -88,8 +89,9 @@ class AngleAxis final : public AxisSource {
 
   std::optional<Vec3> step(const Vec3& toolEnd, const Vec3& from) {
     Vec3 normal = control_.field->at(toolEnd, from).normal;
-    if (control_.on && normal.dot(from) < 0.0) {
-      normal = -normal;
+    if (control_.on) {
+      const double up = normal.dot(from);
+      normal *= (std::abs(up) <= tolerance::symmetric ? control_.side : up) < 0.0 ? -1.0 : 1.0;
     }
     const Vec3 other = other_.field->at(toolEnd, from).normal;
     const Vec3 common = normal.cross(other);

@@ -34,8 +34,9 @@ class AxisSource {
 /// A surface whose contact normal an angle is measured from or towards.
 struct AngleSide {
   std::unique_ptr<Field> field;
-  bool on = false;  ///< the tool end is on the surface: the normal of its definition counts
+  bool on = false;  ///< the tool end is on the surface: the normal on the axis' side counts
   std::string name;
+  double side = 1.0;  ///< on: from which side the tool came, where the axis lies in the surface
 };
 
 /// ATANGL. `start` is the axis near which the first one is looked for; `forward` gives the sense of

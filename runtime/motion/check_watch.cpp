@@ -9,6 +9,9 @@
 namespace arelem::motion {
 
 namespace {
+/// Slopes of a gap at most this are rounding: of a stretch that is touched all along.
+/// Dimensionless.
+constexpr double levelSlope = 1e-13;
 /// Finest step, as a share of the tolerance band: what is narrower is contact within the tolerance.
 constexpr double fineShare = 0.25;
 /// A tangency passes through its band in a length of the order of sqrt(band); this share of it is
@@ -343,11 +346,14 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
       }
     }
     if (inside != nullptr) {
+      // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
+      // sign: the stop is where the stretch begins.
+      const double level = std::copysign(levelSlope, now_.lastTurn);
       if (now_.armed && now_.bandField == inside && u > ignoredUntil_ &&
-          (turn > 0.0) != (now_.lastTurn > 0.0)) {
+          (turn > level) != (now_.lastTurn > level)) {
         now_.lastTurn = turn;
         now_.free = 0.0;
-        return Hit{before, u, inside, true};
+        return Hit{before, u, inside, true, level};
       }
       // A start at a tangency is not counted; it must be left first.
       now_.armed = now_.armed || std::abs(turn) > tolerance::nullDirection;

@@ -24,6 +24,7 @@ class CheckWatch {
     double low = 0.0, high = 0.0;  ///< the position lies between these lengths along the segment
     Field* field = nullptr;        ///< the gap that is zero, or least, there
     bool touch = false;            ///< the slope of the gap changes sign there, not the gap
+    double level = 0.0;            ///< of a touch: the slope there
   };
 
   /// `cutter` null watches the tool end (ON). `drive` is the

@@ -30,6 +30,13 @@ struct Cubic {
   [[nodiscard]] double slopeAt(double x) const {
     return first + x * (2.0 * second + 3.0 * x * third);
   }
+  /// True where the slope keeps its sign: the three that it is a mean of everywhere have one.
+  [[nodiscard]] bool keepsSlope() const {
+    const double end = first + 2.0 * second + 3.0 * third;
+    const double between = first + second;
+    return (first >= 0.0 && between >= 0.0 && end >= 0.0) ||
+           (first <= 0.0 && between <= 0.0 && end <= 0.0);
+  }
 };
 
 struct Extremes {
@@ -51,6 +58,9 @@ Extremes extremes(const Cubic& c) {
     }
   };
   consider(1.0);
+  if (c.keepsSlope()) {
+    return e;
+  }
   const double disc = c.second * c.second - 3.0 * c.third * c.first;
   if (disc >= 0.0) {
     const double q = -(c.second + std::copysign(std::sqrt(disc), c.second));
@@ -92,19 +102,12 @@ double crossing(const GapNode& a, const GapNode& b) {
   return a.along + (inside ? at : 0.5 * length);
 }
 
-double fittingFactor(const GapNode& first,
-                     const GapNode& last,
-                     const GapNode& a,
-                     const GapNode& b,
-                     double inner,
-                     double outer) {
+double squaredFit(
+    const GapLine& ends, const GapNode& a, const GapNode& b, double inner, double outer) {
   // Ends lie on the line between them; rounding must not make a dip of that.
   const double rounding = 1e-9 * (inner + outer);
-  const double steepness = (last.gap - first.gap) / (last.along - first.along);
   const Extremes e = extremes(Cubic(a, b));
-  const auto line = [&](double x) {
-    return first.gap + steepness * (a.along - first.along + x * (b.along - a.along));
-  };
+  const auto line = [&](double x) { return ends.at(a.along + x * (b.along - a.along)); };
   double factor = unlimited;
   const double lowLine = line(e.leastAt);
   const double dip = (1.0 + cubicError) * (lowLine - e.least);
@@ -116,7 +119,7 @@ double fittingFactor(const GapNode& first,
   if (rise > rounding) {
     factor = std::min(factor, std::max(0.0, outer - highLine) / rise);
   }
-  return std::sqrt(factor);
+  return factor;
 }
 
 }  // namespace arelem::motion

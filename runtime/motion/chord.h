@@ -26,13 +26,23 @@ struct GapNode {
 /// place of the cutter to another has its ridge.
 [[nodiscard]] double crossing(const GapNode& a, const GapNode& b);
 
-/// Factor by which to scale the length of a chord from `first` to `last` so that its part between
-/// `a` and `b` just fits the band; above 1 where there is room.
-[[nodiscard]] double fittingFactor(const GapNode& first,
-                                   const GapNode& last,
-                                   const GapNode& a,
-                                   const GapNode& b,
-                                   double inner,
-                                   double outer);
+/// The straight line from the gap at one end of a chord to that at the other.
+struct GapLine {
+  double along = 0.0;  ///< where it starts
+  double gap = 0.0;
+  double steepness = 0.0;
+
+  GapLine() = default;
+  GapLine(const GapNode& first, const GapNode& last)
+      : along(first.along),
+        gap(first.gap),
+        steepness((last.gap - first.gap) / (last.along - first.along)) {}
+  [[nodiscard]] double at(double place) const { return gap + steepness * (place - along); }
+};
+
+/// Square of the factor by which to scale the length of a chord with these ends so that its part
+/// between `a` and `b` just fits the band; above 1 where there is room.
+[[nodiscard]] double squaredFit(
+    const GapLine& ends, const GapNode& a, const GapNode& b, double inner, double outer);
 
 }  // namespace arelem::motion

@@ -112,14 +112,30 @@ class Planner {
       return onField(s.surface, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
     }
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
-    auto plus = makeField(s.surface, 1.0, tool);
-    auto minus = makeField(s.surface, -1.0, tool);
-    const double gapPlus = std::abs(plus->at(state_.toolEnd, state_.axis).gap);
-    const double gapMinus = std::abs(minus->at(state_.toolEnd, state_.axis).gap);
-    if (std::abs(gapPlus - gapMinus) <= tolerance::sameSide) {
-      return sideAlongAxis(s) < 0.0 ? std::move(minus) : std::move(plus);
+    if (std::holds_alternative<surface::Mesh>(s.surface)) {
+      return makeField(s.surface, sideAlongAxis(s), tool);  // its gap is the same on both sides
     }
-    return gapPlus < gapMinus ? std::move(plus) : std::move(minus);
+    // The cutter reaches at least as far as its rim, where the gap on the other side begins.
+    const double rim = rimDistance(s, *tool.cutter);
+    const double likely = rim < 0.0 ? -1.0 : 1.0;
+    auto near = makeField(s.surface, likely, tool);
+    const double gapNear = std::abs(near->at(state_.toolEnd, state_.axis).gap);
+    if (gapNear + tolerance::sameSide < std::abs(rim) + tool.thick) {
+      return near;
+    }
+    auto far = makeField(s.surface, -likely, tool);
+    const double gapFar = std::abs(far->at(state_.toolEnd, state_.axis).gap);
+    if (std::abs(gapNear - gapFar) <= tolerance::sameSide) {
+      return sideAlongAxis(s) == likely ? std::move(near) : std::move(far);
+    }
+    return gapNear < gapFar ? std::move(near) : std::move(far);
+  }
+
+  /// Signed distance of one place of the upper rim of the cutter.
+  [[nodiscard]] double rimDistance(const NamedSurface& s, const tool::Profile& cutter) const {
+    const Vec3 out = state_.axis.unitOrthogonal();
+    const Vec3 place = state_.toolEnd + cutter.sideEnd.rho * out + cutter.sideEnd.z * state_.axis;
+    return footOn(s.surface, place).distance;
   }
 
   std::optional<Failure> setChecks() {
@@ -186,7 +202,7 @@ class Planner {
     if (!direction) {
       return direction.takeFailure();
     }
-    start.tangent = *direction;
+    start.face(*direction);
     warnWrongSide();
     for (CheckWatch& w : course_.watches) {
       w.begin(state_.toolEnd, state_.axis);

@@ -14,6 +14,8 @@ namespace {
 constexpr double jumpShare = 2.0;
 /// How far ahead the contact behind a corner is looked for. Part unit.
 constexpr double aheadOfCorner = 1e-4;
+/// Cosine of the turn up to which a path through a crossing of two goes straight on.
+constexpr double straightOn = 0.87;
 /// Contact normals whose cosine is above this are those of one smooth path.
 constexpr double sameContact = 0.999;
 }  // namespace
@@ -31,7 +33,24 @@ bool Path::aim(PathPoint& point, const Vec3& towards) {
   if (length <= tolerance::nullDirection) {
     return false;
   }
-  point.tangent = common / (common.dot(towards) < 0.0 ? -length : length);
+  point.sense = common.dot(towards) < 0.0 ? -1.0 : 1.0;
+  point.tangent = common * (point.sense / length);
+  return true;
+}
+
+/// Where the tangent of one sense turns back, a contact has gone to another side of the cutter; if
+/// none has and the path goes straight on, two branches of it cross between the places.
+bool Path::aimBehind(PathPoint& point, const PathPoint& from) {
+  if (!aim(point, from.tangent)) {
+    return false;
+  }
+  const bool jumps = point.contacts[0].normal.dot(from.contacts[0].normal) <= 0.0 ||
+                     point.contacts[1].normal.dot(from.contacts[1].normal) <= 0.0 ||
+                     point.tangent.dot(from.tangent) < straightOn;
+  if (jumps && point.sense == -from.sense) {
+    point.sense = from.sense;
+    point.tangent = -point.tangent;
+  }
   return true;
 }
 
@@ -80,12 +99,13 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
   const Vec3& n1 = from.contacts[1].normal;
   const double c = n0.dot(n1);
   const double det = 1.0 - c * c;
+  const std::array corrections{guides[0].correction(along), guides[1].correction(along)};
   Vec3 guess = from.toolEnd + along * from.tangent;
   if (det > tolerance::nullDirection) {
     const auto drop = [&](std::size_t i) {
       const Guide& g = guides[i];
       return gaps[i] - from.contacts[i].gap -
-             0.5 * along * along * (g.bend + along / 3.0 * g.trend);
+             0.5 * along * along * (g.bend + along / 3.0 * g.trend) + corrections[i];
     };
     const double r0 = drop(0);
     const double r1 = drop(1);
@@ -97,6 +117,11 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
                           Wanted{guides[1].field.get(), gaps[1]}};
   const std::array across{Constraint{from.tangent, from.toolEnd + along * from.tangent}};
   const Settled settled = settle(guess, axis, wanted, across, accept);
+  if (accept > 0.0) {
+    for (std::size_t i = 0; i < guides.size(); ++i) {
+      guides[i].error = (corrections[i] + settled.missed[i]) / (along * along * along);
+    }
+  }
   const double reach = jumpShare * (guess - from.toolEnd).norm();
   if (!settled.ok || (settled.toolEnd - guess).norm() > reach) {
     return std::nullopt;
@@ -105,7 +130,7 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
   p.toolEnd = settled.toolEnd;
   p.axis = settled.axis;
   p.contacts = {settled.contacts[0], settled.contacts[1]};
-  if (!aim(p, from.tangent)) {
+  if (!aimBehind(p, from)) {
     return std::nullopt;
   }
   return p;
@@ -152,6 +177,7 @@ class ChordFit {
     }
     first_ = node(0.0, a.contacts[guide], a.toolEnd);
     last_ = node(length, b.contacts[guide], b.toolEnd);
+    ends_ = GapLine(first_, last_);
   }
 
   double run(double inner, double outer) {
@@ -163,7 +189,7 @@ class ChordFit {
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
     consider(first_, middle, depth);
     consider(middle, last_, depth);
-    return factor_;
+    return std::sqrt(squared_);
   }
 
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
@@ -186,7 +212,7 @@ class ChordFit {
   void consider(const GapNode& a, const GapNode& b, int depth) {
     const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
     if (depth == 0 || kink <= kinkShare * (inner_ + outer_)) {
-      factor_ = std::min(factor_, fittingFactor(first_, last_, a, b, inner_, outer_));
+      squared_ = std::min(squared_, squaredFit(ends_, a, b, inner_, outer_));
       return;
     }
     const GapNode between = measure(crossing(a, b));
@@ -201,8 +227,9 @@ class ChordFit {
   double length_;
   Vec3 direction_, turn_ = Vec3::Zero();
   GapNode first_, last_;
+  GapLine ends_;
   double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
-  double factor_ = tolerance::farAway;
+  double squared_ = tolerance::farAway;  ///< square of the factor
 };
 }  // namespace
 

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "runtime/motion/chord.h"
 #include "runtime/motion/segment.h"
@@ -15,11 +17,18 @@ struct Guide {
   double bend = 0.0;                ///< present estimate of the curvature along the path
   double trend = 0.0;               ///< its change per length of path
   double spread = 0.0;              ///< length of the cut vector over which that was seen
+  double error = 0.0;               ///< of the places foretold, per length to the third
 
   /// Nothing is known of what comes but, perhaps, the curvature.
   void startAnew(double curvature) {
     bend = curvature;
-    trend = spread = 0.0;
+    trend = spread = error = 0.0;
+  }
+  /// What the last places foretold were off, for the next one. 0 where that is too much of the band
+  /// to go on like this.
+  [[nodiscard]] double correction(double along) const {
+    const double off = along * along * along * error;
+    return std::abs(off) <= mostError * (inner + outer) ? off : 0.0;
   }
 
   /// True where the gap changes linearly along a cut vector.
@@ -27,12 +36,18 @@ struct Guide {
   /// Gap at which the next cut vector should end: the edge that leaves the chord most room, but for
   /// what positions may be off.
   [[nodiscard]] double vertexGap() const {
-    const bool straight = flat() || (field->flat() && bend == 0.0);
+    if (flat()) {
+      return rest;
+    }
     const double off = aimShare * (inner + outer);
-    return straight ? rest : bend >= 0.0 ? outer - off : off - inner;
+    if (field->flat() && bend == 0.0) {
+      return std::clamp(rest, off - inner, outer - off);
+    }
+    return bend >= 0.0 ? outer - off : off - inner;
   }
   /// Cut vectors end within this share of the band of the gap aimed at.
   static constexpr double aimShare = 2e-4;
+  static constexpr double mostError = 0.1;
 };
 
 /// A place on the path: tool position, contacts with part (0) and drive (1) surface, and the
@@ -42,6 +57,16 @@ struct PathPoint {
   Vec3 axis = Vec3::UnitZ();
   std::array<tool::Contact, 2> contacts;
   Vec3 tangent = Vec3::UnitX();
+  /// 1 where the tangent goes with the product of the normals of part and drive, -1 where against
+  /// it; 0 where these have no product. One path has one sense, round corners too: the surfaces
+  /// stay on their sides of it.
+  double sense = 0.0;
+
+  /// Sets out in a direction of one's own along the path.
+  void face(const Vec3& direction) {
+    sense = direction.dot(tangent) < 0.0 ? -sense : sense;
+    tangent = direction;
+  }
 };
 
 /// The curve on which both gaps keep given values.
@@ -85,9 +110,11 @@ class Path {
   }
   [[nodiscard]] std::array<double, 2> rests() const { return {guides[0].rest, guides[1].rest}; }
   [[nodiscard]] bool flat() const { return guides[0].flat() && guides[1].flat(); }
-  /// Sets the tangent of a place whose contacts are known, so that it goes with `towards`; false
-  /// where the surfaces have no common one.
+  /// Sets tangent and sense of a place whose contacts are known, so that the tangent goes with
+  /// `towards`; false where the surfaces have no common one.
   [[nodiscard]] bool aim(PathPoint& point, const Vec3& towards);
+  /// The same for a place that follows `from` on the path, which may turn back between them.
+  [[nodiscard]] bool aimBehind(PathPoint& point, const PathPoint& from);
   /// Factor by which the chord may grow, or must shrink, to fit both bands.
   [[nodiscard]] double fit(const PathPoint& a, const PathPoint& b);
   /// The same, and to fit the largest turn of an axis that follows the path.

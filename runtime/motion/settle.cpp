@@ -74,6 +74,9 @@ Settled settle(const Vec3& start,
       }
       ++count;
     }
+    if (out.iterations == 1) {
+      out.missed = rhs;
+    }
     double most = out.worst;
     for (const Constraint& c : constraints) {
       rows[count] = c.normal;

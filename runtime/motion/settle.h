@@ -28,6 +28,7 @@ struct Settled {
   std::size_t worstAt = 0;                ///< index into the wanted fields
   Vec3 axis = Vec3::UnitZ();              ///< tool axis at toolEnd
   std::array<tool::Contact, 3> contacts;  ///< of the wanted fields at toolEnd
+  std::array<double, 3> missed{};         ///< target - gap at the start
 };
 
 /// Newton from `start`. Where fewer than three equations are given each step is the shortest one,

@@ -273,7 +273,8 @@ void Stride::learn(const PathPoint& a, const PathPoint& b) {
     }
     if (const auto slope = slopes(i, a, b)) {
       const double bend = curvature(slope->front(), slope->back(), length);
-      g.startAnew(bend);
+      g.bend = bend;
+      g.trend = g.spread = 0.0;
       if (path_.middle.end == b.toolEnd && bend != 0.0) {
         // The curvatures of both halves are those of their middles.
         const double change =

@@ -10,6 +10,8 @@
 namespace arelem::tool {
 
 namespace {
+/// Sine of the angle up to which the axis of a cylinder counts as square to that of the tool.
+constexpr double square = 1e-12;
 
 bool isWall(const Vec3& generatrix, const Vec3& axis) {
   return std::abs(generatrix.dot(axis)) > 0.5 &&
@@ -135,6 +137,34 @@ Contact contactOf(const surface::Sphere& s,
   return {s.radius - distance, (s.center - point) / distance, point};
 }
 
+/// Across a cylinder that lies square to the tool axis the cutter is its profile, and the cylinder
+/// a circle.
+Contact contactOf(const surface::Cylinder& s,
+                  double side,
+                  const Profile& cutter,
+                  const Vec3& te,
+                  const Vec3& axis,
+                  Search<surface::Cylinder>& search) {
+  if (cutter.ring || std::abs(s.axis.dot(axis)) > square) {
+    return contactOf<surface::Cylinder>(s, side, cutter, te, axis, search);
+  }
+  const Vec3 w = s.point - te;
+  const double z = w.dot(axis);
+  const Vec3 across = w - z * axis - w.dot(s.axis) * s.axis;
+  const double rho = across.norm();
+  const Vec3 out = rho > 0.0 ? Vec3(across / rho) : Vec3(s.axis.cross(axis));
+  ProfilePoint q;
+  if (side > 0.0) {
+    const double distance = distanceTo(cutter, {rho, z}, q);
+    const double scale = distance != 0.0 ? 1.0 / distance : 1.0;
+    return {distance - s.radius, scale * ((q.rho - rho) * out + (q.z - z) * axis),
+            te + q.rho * out + q.z * axis};
+  }
+  const double distance = farthestFrom(cutter, {rho, z}, q);
+  return {s.radius - distance, ((rho + q.rho) * out + (z - q.z) * axis) / distance,
+          te - q.rho * out + q.z * axis};
+}
+
 /// The least gap of all triangles that the cutter may reach. Sides do not matter: a cutter that has
 /// a body touches a mesh from where it is.
 Contact contactOf(const surface::Mesh& s,
@@ -146,7 +176,7 @@ Contact contactOf(const surface::Mesh& s,
   const surface::MeshShape& shape = s.shape();
   if (search.hint.triangle < 0) {
     const Vec3 core = te + cutter.f * axis;
-    search.hint.triangle = static_cast<int>(shape.tree->nearest(core, -1));
+    search.hint.triangle = static_cast<int>(shape.tree.nearest(shape.mesh, core, -1));
   }
   auto nearest = static_cast<std::size_t>(search.hint.triangle);
   const TriangleGap least = search.near.least(shape, cutter, te, axis, nearest);

@@ -26,13 +26,12 @@ class ContactDescent {
     if (!search_.valid) {
       search_.toward = -sample(te_ + cutter_.f * axis_).gradient;
     }
-    turnTo(search_.toward);
+    double angle = 0.0;
     if constexpr (surface::Turning<S>) {
-      const double angle = search_.towardTurns.dot(te_ - search_.towardAt);
-      if (angle != 0.0 && std::abs(angle) <= largestForetold) {
-        turnTo(search_.toward + angle * axis_.cross(search_.toward));
-      }
+      angle = search_.towardTurns.dot(te_ - search_.towardAt);
     }
+    const bool foretold = angle != 0.0 && std::abs(angle) <= largestForetold;
+    turnTo(foretold ? Vec3(search_.toward + angle * axis_.cross(search_.toward)) : search_.toward);
     search_.valid = true;
   }
 
@@ -119,6 +118,9 @@ class ContactDescent {
   /// that. Radians.
   static constexpr double smallTurn = 1e-6;
   static constexpr double smallestTurn = 1e-15;
+  /// Up to here the series of sine and cosine, and of the root next to 1, are exact. Radians.
+  static constexpr double seriesTurn = 0.03;
+  static constexpr double seriesRoot = 5e-5;
   static constexpr double largestTurn = 1.0;
   /// How often Newton may be held on the rim of the disc.
   static constexpr int mostClipped = 3;
@@ -151,6 +153,26 @@ class ContactDescent {
       return closed() && (outside || iteration > patience) ? 0.5 * (low + high) : proposed;
     }
   };
+
+  /// A small turn about the axis, by the series of sine and cosine.
+  void turnBy(double angle) {
+    if (std::abs(angle) > seriesTurn) {
+      turnTo(direction(angle));
+      return;
+    }
+    const double a = angle * angle;
+    const double cosine = 1.0 - a / 2.0 * (1.0 - a / 12.0 * (1.0 - a / 30.0 * (1.0 - a / 56.0)));
+    const double sine = angle * (1.0 - a / 6.0 * (1.0 - a / 20.0 * (1.0 - a / 42.0)));
+    search_.toward = cosine * search_.toward + sine * axis_.cross(search_.toward);
+  }
+  /// The unit vector along one of nearly that length: where it is near enough the series of the
+  /// root is exact, without root and quotient.
+  [[nodiscard]] static Vec3 nearlyUnit(const Vec3& v) {
+    const double over = v.squaredNorm() - 1.0;
+    return std::abs(over) <= seriesRoot
+               ? Vec3(v * (1.0 - over * (0.5 - over * (0.375 - over * 0.3125))))
+               : Vec3(v / std::sqrt(1.0 + over));
+  }
 
   Sample sample(const Vec3& at) {
     const surface::Foot foot = surface_.foot(at, search_.hint);
@@ -211,7 +233,7 @@ class ContactDescent {
       const double next = bracket.keep(turned + std::clamp(angle, -largestTurn, largestTurn), i);
       angle = next - turned;
       turned = next;
-      turnTo(direction(angle));
+      turnBy(angle);
       last_ = sample(place(q));
       if (std::abs(angle) <= (newton ? smallTurn : smallestTurn)) {
         break;
@@ -228,14 +250,14 @@ class ContactDescent {
                     double curvature,
                     const Vec3& turning,
                     const Vec3& tangent) {
-    const Vec3 turned = (search_.toward + angle * tangent) / std::sqrt(1.0 + angle * angle);
+    const Vec3 turned = nearlyUnit(search_.toward + angle * tangent);
     last_.at += rho * (turned - search_.toward);
     search_.toward = turned;
     search_.towardAt = te_;
     search_.towardTurns = -turning / curvature;
     last_.foot.distance += side_ * 0.5 * rho * angle * slope;
     last_.gradient += rho * angle * turning;
-    last_.gradient /= last_.gradient.norm();
+    last_.gradient = nearlyUnit(last_.gradient);
     last_.foot.normal = side_ * last_.gradient;
   }
 

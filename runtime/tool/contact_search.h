@@ -63,8 +63,9 @@ class ContactSearch {
   static constexpr double lowShare = 1.5;
   /// Growth of the pieces in which the shank above is proven.
   static constexpr double growth = 1.6;
-  /// A bound of the bend is asked for this much more than is needed, to serve the next contacts.
-  static constexpr double reserve = 1.5;
+  /// A bound of the bend is asked for so much more than is needed, to serve the next contacts; less
+  /// where that is not known.
+  static constexpr std::array reserves{1.5, 1.15, 1.0};
   static constexpr int angles = 16;
   /// Cosine of one and a half steps between the angles of the grid.
   static constexpr double besideContact = 0.83;
@@ -119,7 +120,8 @@ class ContactSearch {
     if ((q - search_.boundAt).norm() + radius <= search_.boundRadius && proves(search_.bound)) {
       return true;
     }
-    return proves(boundAround(q, c, reserve * radius)) || proves(boundAround(q, c, radius));
+    return std::any_of(reserves.begin(), reserves.end(),
+                       [&](double reserve) { return proves(boundAround(q, c, reserve * radius)); });
   }
 
   /// True where the contact is inside a level bottom: the distance has no slope there. Where it

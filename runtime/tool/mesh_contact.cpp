@@ -94,15 +94,15 @@ bool TriangleCutter::mayReach(const geometry::TriangleMesh& mesh,
 }
 
 namespace {
-class LeastGap final : public geometry::TriangleSearch {
+class LeastGap {
  public:
   LeastGap(const TriangleCutter& cutter, const geometry::TriangleMesh& mesh, std::size_t start)
       : cutter_(cutter), mesh_(mesh), nearest(start), least(cutter.gapTo(mesh, start)) {}
 
-  bool enters(const Vec3& center, const Vec3& half) override {
+  bool enters(const Vec3& center, const Vec3& half) {
     return cutter_.mayReach(center, half, least.gap);
   }
-  void visit(std::size_t i) override {
+  void visit(std::size_t i) {
     if (i != nearest && cutter_.mayReach(mesh_, i, least.gap)) {
       const TriangleGap gap = cutter_.gapTo(mesh_, i);
       if (gap.gap < least.gap || (gap.gap == least.gap && i < nearest)) {

@@ -102,7 +102,7 @@ class NearTriangles::List {
 };
 
 /// Takes the triangles that a tangent from one measured distance does not exclude.
-class NearTriangles::List::Collect final : public geometry::TriangleSearch {
+class NearTriangles::List::Collect {
  public:
   Collect(List& near,
           const Vec3& from,
@@ -118,10 +118,10 @@ class NearTriangles::List::Collect final : public geometry::TriangleSearch {
         ceiling_(ceiling),
         limit_(limit) {}
 
-  bool enters(const Vec3& center, const Vec3& half) override {
+  bool enters(const Vec3& center, const Vec3& half) {
     return !full && boxes_.mayReach(center, half, ceiling_);
   }
-  void visit(std::size_t i) override {
+  void visit(std::size_t i) {
     if (full) {
       return;
     }
@@ -165,7 +165,7 @@ bool NearTriangles::List::collect(
     const Vec3& from, const Vec3& to, const Vec3& axis, double ceiling, std::size_t limit) {
   near_.clear();
   Collect search(*this, from, to, axis, ceiling, limit);
-  shape_.tree->search(search);
+  shape_.tree.search(search);
   valid_ = !search.full;
   from_ = from;
   to_ = to;
@@ -206,7 +206,7 @@ TriangleGap NearTriangles::List::scan(const PlacedBody& body, std::size_t& trian
 
 TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::size_t& triangle) {
   if (!body_.isConvex()) {
-    return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, *shape_.tree, triangle);
+    return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, shape_.tree, triangle);
   }
   const PlacedBody body(body_, te, axis);
   TriangleGap least;
@@ -221,7 +221,7 @@ TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::si
   if (collectAround(te, axis, least.gap)) {
     return scan(body, triangle);
   }
-  least = leastGap(TriangleCutter(body_, te, axis), shape_.mesh, *shape_.tree, triangle);
+  least = leastGap(TriangleCutter(body_, te, axis), shape_.mesh, shape_.tree, triangle);
   (void)collectAround(te, axis, least.gap);
   return least;
 }

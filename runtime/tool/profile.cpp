@@ -161,6 +161,10 @@ double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
     nearest = {p.e + share * dx, p.f + share * dz};
     return length - p.r;
   }
+  if (p.alpha == 0.0 && c.z <= 0.0 && c.rho <= p.bottomEnd.rho && isRounded(p)) {
+    nearest = {c.rho, 0.0};
+    return -c.z;
+  }
   Nearest best{c, apart(c, {0.0, 0.0}), {0.0, 0.0}};
   best.considerLine({0.0, 0.0}, p.bottomEnd);
   best.considerLine(p.sideStart, p.sideEnd);

@@ -17,7 +17,7 @@ namespace arelem::scenes {
 
 namespace {
 /// Why a motion may be refused: the scene has no such motion. The message says what and where.
-constexpr std::array<std::string_view, 14> explained{
+constexpr std::array<std::string_view, 15> explained{
     "E0504",  // the startup's contact with the part surface is not the one that the motion follows
     "E0505",  // the same for the drive surface
     "E0508",  // the check surface is not on the way
@@ -32,6 +32,7 @@ constexpr std::array<std::string_view, 14> explained{
     "E0544",  // two of the surfaces are parallel
     "E0545",  // the straight end of a tabulated cylinder ends before the check surface
     "E0507",  // the direction is square to the path
+    "E0546",  // N,INTOF: the path meets the check surface more seldom than N times
 };
 /// Stops of moved scenes may lie apart by this share of the band over the sine at which they are
 /// met.

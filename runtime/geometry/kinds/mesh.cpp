@@ -13,8 +13,7 @@ namespace {
 constexpr double onMesh = 1e-13;
 }  // namespace
 
-MeshShape::MeshShape(geometry::TriangleMesh given)
-    : mesh(std::move(given)), tree(geometry::makeTree(mesh)) {
+MeshShape::MeshShape(geometry::TriangleMesh given) : mesh(std::move(given)), tree(mesh) {
   const std::size_t count = mesh.triangles.size();
   normals.reserve(count);
   edgeNormals.resize(count);
@@ -53,7 +52,7 @@ Vec3 MeshShape::normalAt(std::size_t triangle, Feature feature) const {
 
 Foot Mesh::foot(const Vec3& p, Hint& hint) const {
   const MeshShape& s = *shape_;
-  const std::size_t i = s.tree->nearest(p, hint.triangle);
+  const std::size_t i = s.tree.nearest(s.mesh, p, hint.triangle);
   const geometry::OnTriangle on =
       geometry::nearestOn(s.mesh.corner(i, 0), s.mesh.corner(i, 1), s.mesh.corner(i, 2), p);
   hint = {static_cast<int>(i), on.feature};

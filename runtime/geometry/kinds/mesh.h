@@ -11,7 +11,7 @@ struct MeshShape {
   explicit MeshShape(geometry::TriangleMesh mesh);
 
   geometry::TriangleMesh mesh;
-  std::unique_ptr<geometry::TriangleTree> tree;
+  geometry::TriangleTree tree;
   std::vector<Vec3> normals;                     ///< unit, of each triangle
   std::vector<std::array<Vec3, 3>> edgeNormals;  ///< sum of the normals on both sides
   std::vector<Vec3> vertexNormals;               ///< sum of the normals around, by their angles

@@ -162,10 +162,10 @@ Foot Polyconic::foot(const Vec3& p, Hint& hint) const {
   return {(p - place.place).dot(normal) - sheet_->thickness(), normal};
 }
 
-double Polyconic::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
-  return hint.valid ? sheetBend(sheet_->at(hint.s, hint.t), foot.normal,
+Vec3 Polyconic::turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
+  return hint.valid ? sheetTurn(sheet_->at(hint.s, hint.t), foot.normal,
                                 foot.distance + sheet_->thickness(), t)
-                    : 0.0;
+                    : Vec3(Vec3::Zero());
 }
 
 namespace {

@@ -23,7 +23,10 @@ class Polyconic {
 
   /// Newton on s and t from the hint; without one from the nearest of many places.
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
-  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+  [[nodiscard]] Vec3 turn(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
+  [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const {
+    return t.dot(turn(p, foot, t, hint));
+  }
   [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
   /// `hint` is that of the foot.
   [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius, const Hint& hint) const;

@@ -94,9 +94,10 @@ struct FootCurve {
       if (!(scale.minCoeff() > nearEnd)) {
         return std::nullopt;
       }
-      const Vec3 foot = (place - 2.0 * m * linear).cwiseQuotient(scale);
+      const Vec3 share = scale.cwiseInverse();
+      const Vec3 foot = (place - 2.0 * m * linear).cwiseProduct(share);
       const Vec3 half = roots.cwiseProduct(foot) + linear;
-      const Vec3 moving = half.cwiseQuotient(scale);
+      const Vec3 moving = half.cwiseProduct(share);
       const double fall = 4.0 * half.dot(moving);
       if (!(fall > 0.0)) {
         return std::nullopt;
@@ -165,23 +166,22 @@ Vec3 Quadric::search(const Vec3& p) const {
 Foot Quadric::foot(const Vec3& p, Hint& hint) const {
   const FootCurve curve{axes_.transpose() * p, roots_, alongAxes_, constant_};
   double multiplier = 0.0;
-  if (hint.valid) {
-    const Vec3 last = axes_.transpose() * hint.point;
-    const Vec3 half = roots_.cwiseProduct(last) + alongAxes_;
-    const double squared = half.squaredNorm();
-    multiplier = squared > 0.0 ? 0.5 * (curve.place - last).dot(half) / squared : 0.0;
+  if (hint.valid && hint.half > 0.0) {
+    multiplier = 0.5 * (curve.place - hint.foot).dot(hint.normal) / hint.half;
   }
-  Vec3 outward;
-  if (const auto found = curve.follow(multiplier)) {
-    hint = {true, axes_ * *found};
-    outward = (axes_ * (roots_.cwiseProduct(*found) + alongAxes_)).normalized();
+  const auto found = curve.follow(multiplier);
+  if (found) {
+    hint.foot = *found;
   } else {
     const Vec3 near = search(p);
     const Candidate refined = refine(p, near);
-    hint = {true, refined.good ? refined.point : near};
-    outward = gradient(hint.point).normalized();
+    hint.foot = axes_.transpose() * (refined.good ? refined.point : near);
   }
-  return {(p - hint.point).dot(outward), outward};
+  hint.valid = true;
+  const Vec3 half = roots_.cwiseProduct(hint.foot) + alongAxes_;
+  hint.half = half.norm();
+  hint.normal = hint.half > 0.0 ? Vec3(half / hint.half) : Vec3(Vec3::Zero());
+  return {(curve.place - hint.foot).dot(hint.normal), axes_ * hint.normal};
 }
 
 namespace {
@@ -197,18 +197,17 @@ Eigen::Matrix2d acrossNormal(const Eigen::Matrix3d& matrix, const Vec3& e1, cons
 /// The foot moves with the place by (I + 2 m Q)^-1 (t - a grad F), with the a that keeps it on the
 /// surface; the normal turns by Q times that.
 Vec3 Quadric::turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
-  const Vec3 half = roots_.cwiseProduct(axes_.transpose() * hint.point) + alongAxes_;
-  const double length = half.norm();
+  const double length = hint.half;
   if (!hint.valid || length <= 0.0) {
     return Vec3::Zero();
   }
   // The place is 2 m |half| from its foot.
-  const Vec3 scale = Vec3::Ones() + foot.distance / length * roots_;
-  const Vec3 normal = half / length;
+  const Vec3 share = (Vec3::Ones() + foot.distance / length * roots_).cwiseInverse();
+  const Vec3& normal = hint.normal;
   const Vec3 along = axes_.transpose() * t;
   const Vec3 across = along - normal.dot(along) * normal;
-  const Vec3 moving = normal.cwiseQuotient(scale);
-  const Vec3 direct = across.cwiseQuotient(scale);
+  const Vec3 moving = normal.cwiseProduct(share);
+  const Vec3 direct = across.cwiseProduct(share);
   const Vec3 moved = direct - normal.dot(direct) / normal.dot(moving) * moving;
   const Vec3 turned = roots_.cwiseProduct(moved);
   return axes_ * (turned - normal.dot(turned) * normal) / length;

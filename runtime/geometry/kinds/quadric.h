@@ -17,7 +17,10 @@ class Quadric {
  public:
   struct Hint {
     bool valid = false;
-    Vec3 point = Vec3::Zero();  ///< the last foot
+    /// The last foot, the unit normal there and half the length of the gradient, in the basis of
+    /// the axes.
+    Vec3 foot = Vec3::Zero(), normal = Vec3::Zero();
+    double half = 0.0;
   };
 
   Quadric(const Eigen::Matrix3d& matrix, const Vec3& linear, double constant);

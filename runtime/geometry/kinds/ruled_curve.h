@@ -27,6 +27,14 @@ inline constexpr int spansOfACurve = 64;
 /// A polynomial stands for the curve where it is this near to it, as a share of the coordinates.
 inline constexpr double onCurve = 4e-15;
 
+/// The largest second derivative of a polynomial of so many terms that is at most 1 in [-1, 1]
+/// (Markov): n^2 (n^2 - 1) / 3 for degree n.
+inline constexpr double secondOfUnit = 784.0;
+/// Bounds over more polynomials than this are made of those of the carrier.
+inline constexpr double mostSpans = 8.0;
+/// Share of a polynomial's range of fractions by which a range may leave the last.
+inline constexpr double sameFraction = 1e-9;
+
 /// A place of a curve with its derivatives by the fraction.
 struct CurvePlace {
   Vec3 place = Vec3::Zero(), first = Vec3::Zero(), second = Vec3::Zero();
@@ -63,6 +71,11 @@ class RuledCurve {
       return CurveRange{};
     }
     const CurvePlace middle = at(std::clamp(f, low_, high_));
+    if (const auto seconds = secondsFromTable(f - reach, f + reach)) {
+      CurveRange range{0.0, seconds->low, seconds->high};
+      range.first = middle.first.norm() + range.second() * reach;
+      return range;
+    }
     for (double room = 1.5; room <= 6.0; room *= 2.0) {
       const auto range = rangeWithin(middle, room * middle.first.norm() * reach);
       if (range && range->first <= room * middle.first.norm()) {
@@ -75,6 +88,15 @@ class RuledCurve {
 
   [[nodiscard]] double low() const { return low_; }
   [[nodiscard]] double high() const { return high_; }
+
+  /// True where one polynomial holds at both fractions.
+  [[nodiscard]] bool isSmooth(double f1, double f2) const {
+    if (spans_.empty()) {
+      return section_.isPoint();
+    }
+    const std::size_t number = spanAt(inSpans(f1));
+    return number == spanAt(inSpans(f2)) && spans_[number].good;
+  }
 
   /// Within [low, high].
   [[nodiscard]] CurvePlace at(double f) const {
@@ -115,6 +137,7 @@ class RuledCurve {
   /// The height over the base line between two fractions, by powers of t in [-1, 1].
   struct Span {
     std::array<double, curveTerms> terms{};
+    double off = 0.0;  ///< largest difference from the curve
     bool good = false;
   };
 
@@ -172,12 +195,12 @@ class RuledCurve {
     std::copy(terms.begin(), terms.end(), span.terms.begin());
     span.terms[0] += mean;
     span.terms[1] += rise;
-    const double allowed = onCurve * (1.0 + section_.base(middle).cwiseAbs().maxCoeff() +
-                                      std::abs(mean) * section_.heading.norm());
+    span.off = onCurve * (1.0 + section_.base(middle).cwiseAbs().maxCoeff() +
+                          std::abs(mean) * section_.heading.norm());
     span.good = true;
     for (const double t : {-0.97, -0.6, 0.1, 0.75, 0.97}) {
       const auto height = heightAt(middle + t * half);
-      span.good = span.good && height && std::abs(valueOf(span, t)[0] - *height) <= allowed;
+      span.good = span.good && height && std::abs(valueOf(span, t)[0] - *height) <= span.off;
     }
     return span;
   }
@@ -193,22 +216,63 @@ class RuledCurve {
     }
     return {value, slope, 2.0 * half};
   }
+  /// The polynomial that holds at f, by its number; `x` is f in numbers of polynomials.
+  [[nodiscard]] std::size_t spanAt(double x) const {
+    return static_cast<std::size_t>(
+        std::clamp(std::floor(x), 0.0, static_cast<double>(spans_.size() - 1)));
+  }
+  [[nodiscard]] double inSpans(double f) const {
+    return (f - low_) / (high_ - low_) * static_cast<double>(spans_.size());
+  }
   [[nodiscard]] std::optional<CurvePlace> fromTable(double f) const {
     if (spans_.empty()) {
       return std::nullopt;
     }
-    const auto count = static_cast<double>(spans_.size());
-    const double x = (f - low_) / (high_ - low_) * count;
-    const double floor = std::clamp(std::floor(x), 0.0, count - 1.0);
-    const Span& span = spans_[static_cast<std::size_t>(floor)];
+    const double x = inSpans(f);
+    const std::size_t number = spanAt(x);
+    const Span& span = spans_[number];
     if (!span.good) {
       return std::nullopt;
     }
-    const double byF = 2.0 * count / (high_ - low_);
-    const std::array<double, 3> v = valueOf(span, 2.0 * (x - floor) - 1.0);
+    const double byF = 2.0 * static_cast<double>(spans_.size()) / (high_ - low_);
+    const std::array<double, 3> v = valueOf(span, 2.0 * (x - static_cast<double>(number)) - 1.0);
     return CurvePlace{section_.base(f) + v[0] * section_.heading,
                       section_.finish - section_.start + byF * v[1] * section_.heading,
                       byF * byF * v[2] * section_.heading};
+  }
+
+  /// The range of the second derivative along the heading between two fractions, all of them where
+  /// polynomials stand for the curve. None elsewhere, or where there are many.
+  [[nodiscard]] std::optional<Bends> secondsFromTable(double from, double to) const {
+    const auto count = static_cast<double>(spans_.size());
+    const double byF = 2.0 * count / (high_ - low_);
+    const double first = (from - low_) * 0.5 * byF;
+    const double last = (to - low_) * 0.5 * byF;
+    if (!(first >= -sameFraction && last <= count + sameFraction && last - first <= mostSpans)) {
+      return std::nullopt;
+    }
+    Bends all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (double i = std::max(0.0, std::floor(first)); i < std::min(last, count); ++i) {
+      const Span& span = spans_[static_cast<std::size_t>(i)];
+      if (!span.good) {
+        return std::nullopt;
+      }
+      const Bends part = secondsOf(span, std::max(-1.0, 2.0 * (first - i) - 1.0),
+                                   std::min(1.0, 2.0 * (last - i) - 1.0));
+      all = {std::min(all.low, part.low), std::max(all.high, part.high)};
+    }
+    return Bends{byF * byF * all.low, byF * byF * all.high};
+  }
+  /// The range of the second derivative by t: its value in the middle and the most it changes, and
+  /// what the polynomial may be off.
+  [[nodiscard]] static Bends secondsOf(const Span& span, double from, double to) {
+    double change = 0.0;
+    for (int k = 3; k < curveTerms; ++k) {
+      change += k * (k - 1) * (k - 2) * std::abs(span.terms[static_cast<std::size_t>(k)]);
+    }
+    change = 0.5 * (to - from) * change + secondOfUnit * span.off;
+    const double middle = valueOf(span, 0.5 * (from + to))[2];
+    return {middle - change, middle + change};
   }
 
   /// The same formulas with all that the carrier may do within `radius` of the place: its normal

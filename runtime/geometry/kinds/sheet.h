@@ -38,19 +38,23 @@ inline Descent descent(const SheetPlace& s, const Vec3& rest) {
   return {solved(ff, fg, gg, slope), false};
 }
 
-/// How the distance bends along t at `distance` from the place, `normal` its unit normal. With
-/// first form I and second form L (towards the normal) the shape operator of the distance is
-/// -I^-1 L, and that of the parallel surface at d is (I - d L)^-1 (-L), all in the basis byF, byG.
-inline double sheetBend(const SheetPlace& s, const Vec3& normal, double distance, const Vec3& t) {
-  Eigen::Matrix2d first, second;
-  first << s.byF.squaredNorm(), s.byF.dot(s.byG), s.byF.dot(s.byG), s.byG.squaredNorm();
-  second << normal.dot(s.byFF), normal.dot(s.byFG), normal.dot(s.byFG), normal.dot(s.byGG);
-  const Eigen::Vector2d products(s.byF.dot(t), s.byG.dot(t));
-  const Eigen::Vector2d components = solved(first(0, 0), first(0, 1), first(1, 1), products);
-  const Eigen::Matrix2d parallel = first - distance * second;
+/// The change of the normal of the distance along t at `distance` from the place, `normal` its unit
+/// normal. With first form I and second form L (towards the normal) the shape operator of the
+/// distance is -I^-1 L, and that of the parallel surface at d is (I - d L)^-1 (-L), all in the
+/// basis byF, byG.
+inline Vec3 sheetTurn(const SheetPlace& s, const Vec3& normal, double distance, const Vec3& t) {
+  const double ff = s.byF.squaredNorm();
+  const double fg = s.byF.dot(s.byG);
+  const double gg = s.byG.squaredNorm();
+  const double bentF = normal.dot(s.byFF);
+  const double bentMixed = normal.dot(s.byFG);
+  const double bentG = normal.dot(s.byGG);
+  const Eigen::Vector2d along = solved(ff, fg, gg, {s.byF.dot(t), s.byG.dot(t)});
+  const Eigen::Vector2d bent(bentF * along.x() + bentMixed * along.y(),
+                             bentMixed * along.x() + bentG * along.y());
   const Eigen::Vector2d carried =
-      solved(parallel(0, 0), parallel(0, 1), parallel(1, 1), -second * components);
-  return products.dot(carried);
+      solved(ff - distance * bentF, fg - distance * bentMixed, gg - distance * bentG, -bent);
+  return carried.x() * s.byF + carried.y() * s.byG;
 }
 
 }  // namespace arelem::surface

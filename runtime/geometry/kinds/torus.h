@@ -19,8 +19,10 @@ struct Torus {
     const Vec3 radial = w - along * axis;
     const double rho = radial.norm();
     const Vec3 out = rho > 0.0 ? Vec3(radial / rho) : Vec3(axis.unitOrthogonal());
-    const double length = std::hypot(rho - major, along);
-    const Vec3 normal = length > 0.0 ? Vec3(((rho - major) * out + along * axis) / length) : out;
+    // Of the size of a part: std::hypot would take longer than all else here.
+    const double across = rho - major;
+    const double length = std::sqrt(across * across + along * along);
+    const Vec3 normal = length > 0.0 ? Vec3((across * out + along * axis) / length) : out;
     return {length - minor, normal};
   }
   /// The meridian's bend is 1/L, L the distance to the axis circle; the one about the axis is

@@ -14,7 +14,7 @@ tool::Facet SectionTriangles::facetOf(std::size_t triangle) const {
 }
 
 /// Takes the triangles that a tangent from one measured distance does not exclude.
-class SectionTriangles::Collect final : public geometry::TriangleSearch {
+class SectionTriangles::Collect {
  public:
   Collect(SectionTriangles& list, const Way& way, std::size_t limit)
       : list_(list),
@@ -28,10 +28,10 @@ class SectionTriangles::Collect final : public geometry::TriangleSearch {
                list.task_.axis,
                0.5 * (list.task_.section.at(way.to) - list.task_.section.at(way.from))) {}
 
-  bool enters(const Vec3& center, const Vec3& half) override {
+  bool enters(const Vec3& center, const Vec3& half) {
     return !full && boxes_.mayReach(center, half, ceiling_);
   }
-  void visit(std::size_t i) override {
+  void visit(std::size_t i) {
     if (full) {
       return;
     }
@@ -65,7 +65,7 @@ bool SectionTriangles::gather(const Way& way, std::size_t limit) {
   all_.clear();
   near_.clear();
   Collect search(*this, way, limit);
-  task_.mesh->shape().tree->search(search);
+  task_.mesh->shape().tree.search(search);
   return !search.full;
 }
 
@@ -107,10 +107,6 @@ SectionTriangles::Measured SectionTriangles::measure(std::uint32_t index,
   const Measured m{gap.gap, inSection(gap.low, gap.slope, p)};
   note(index, m.tangent);
   return m;
-}
-
-tool::TriangleGap SectionTriangles::gapTo(std::size_t triangle, const SectionPoint& p) const {
-  return tool::gapOf(tool::PlacedBody(body_, task_.section.at(p), task_.axis), facetOf(triangle));
 }
 
 }  // namespace arelem::motion

@@ -3,20 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/geometry/kinds/mesh.h"
-#include "runtime/motion/facets/section.h"
+#include "runtime/motion/facets/facet_task.h"
 #include "runtime/tool/triangle_gap.h"
 
 namespace arelem::motion {
-
-/// A tool end that moves in a section along a mesh: a convex cutter with a fixed axis.
-struct FacetTask {
-  const surface::Mesh* mesh = nullptr;
-  const tool::Profile* cutter = nullptr;
-  Vec3 axis = Vec3::UnitZ();
-  Section section;
-  double low = 0.0, high = 0.0;  ///< the gap may lie between
-};
 
 /// The triangles of a mesh that may matter along a piece of a section, with what is known of the
 /// gaps to them.
@@ -26,12 +16,6 @@ struct FacetTask {
 /// the tree of boxes, and a short one of it, for the piece that is looked at.
 class SectionTriangles {
  public:
-  /// The gap is at least base + byS s + byZ z.
-  struct Tangent {
-    double base = 0.0, byS = 0.0, byZ = 0.0;
-
-    [[nodiscard]] double at(const SectionPoint& p) const { return base + byS * p.s + byZ * p.z; }
-  };
   struct Measured {
     double gap = 0.0;
     Tangent tangent;
@@ -67,16 +51,6 @@ class SectionTriangles {
       return false;
     }
   };
-  /// A straight piece of way.
-  struct Way {
-    SectionPoint from, to;
-    double slab = 0.0;  ///< how far above and below it one may go
-
-    [[nodiscard]] double beside(const SectionPoint& p) const {
-      return std::abs(p.z - heightOn(from, to, p.s));
-    }
-  };
-
   explicit SectionTriangles(const FacetTask& task);
 
   /// Takes all triangles whose gap may be less than the task's low anywhere within the slab. False
@@ -91,8 +65,6 @@ class SectionTriangles {
 
   /// The gap to one of them; of one above `enough` only something below it and still above.
   Measured measure(std::uint32_t index, const SectionPoint& p, double enough);
-  /// The gap to a triangle of the mesh.
-  [[nodiscard]] tool::TriangleGap gapTo(std::size_t triangle, const SectionPoint& p) const;
   [[nodiscard]] const FacetTask& task() const { return task_; }
 
  private:

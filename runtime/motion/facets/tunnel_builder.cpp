@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/facets/gap_heights.h"
+#include "runtime/motion/facets/upright_heights.h"
+
 namespace arelem::motion {
 
 namespace {
@@ -13,8 +16,6 @@ constexpr double bentShare = 0.045;
 constexpr double restShare = 1e-5;
 /// Corners of this share of what is spared are none.
 constexpr double straightShare = 0.25;
-/// Places beyond the tops of cells where nothing may be either, in bands.
-constexpr double aboveBands = 4.5;
 /// Lengths of the lists, in lengths of a cut vector, at the beginning.
 constexpr double wideReach = 4.0;
 constexpr double nearReach = 0.5;
@@ -47,14 +48,22 @@ double better(
          : count > greatest && length > shortest ? length / growth
                                                  : length;
 }
+
+std::unique_ptr<HeightSource> sourceOf(const FacetTask& task, double rest) {
+  if (auto upright = UprightHeights::of(task, rest)) {
+    return upright;
+  }
+  return std::make_unique<GapHeights>(task, rest);
+}
 }  // namespace
 
 TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
-    : triangles_(task),
+    : task_(task),
+      body_(*task.cutter),
       band_(task.high - task.low),
       spare_(spareShare * band_),
       bent_(bentShare * band_),
-      heights_(triangles_, restShare * band_),
+      heights_(sourceOf(task, restShare * band_)),
       wide_{{}, wideReach * reach, firstWide},
       near_{{}, nearReach * reach, firstNear},
       step_(stepReach * reach),
@@ -67,10 +76,10 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   ended_ = true;
   // A short list to find the first node: it is below the place by the band, along the normal.
   const Way around{{at.s - least_, at.z}, {at.s + least_, at.z}, slabBands * band_ + least_};
-  if (!triangles_.gather(around, most)) {
+  if (!heights_->gather(around, most)) {
     return false;
   }
-  const auto node = heights_.node(at, triangles_.all());
+  const auto node = heights_->node(at, Among::wide);
   if (!node || around.beside(node->point()) > around.slab) {
     return false;
   }
@@ -89,24 +98,37 @@ void TunnelBuilder::List::settleShare() {
 bool TunnelBuilder::gather() {
   const SectionPoint here = last_.point();
   const double slope = last_.highest().slope();
+  const std::uint32_t highest = heights_->triangle(last_.highest().index);
   wide_.settleShare();
   for (; wide_.length > least_; wide_.length /= 2.0) {
     wide_.way = {here,
                  {here.s + wide_.length, here.z + slope * wide_.length},
                  wide_.share * wide_.length + 2.0 * slabBands * band_};
-    if (!triangles_.gather(wide_.way, most)) {
+    if (!heights_->gather(wide_.way, most)) {
       continue;
     }
-    const auto node = heights_.node(here, triangles_.all());
-    if (!node) {
+    if (!resume(highest)) {
       return false;
     }
-    wide_.length = better(wide_.length, triangles_.all().size(), few, many, shortest_);
-    last_ = *node;
+    wide_.length = better(wide_.length, heights_->count(Among::wide), few, many, shortest_);
     near_.way.to.s = here.s;
     return true;
   }
   return false;
+}
+
+/// The last node in a new wide list, in which its triangle has another number.
+bool TunnelBuilder::resume(std::uint32_t highest) {
+  const std::size_t count = heights_->count(Among::wide);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (heights_->triangle(i) == highest) {
+      last_.renumber(i);
+      return true;
+    }
+  }
+  const auto node = heights_->node(last_.point(), Among::wide);
+  last_ = node.value_or(last_);
+  return node.has_value();
 }
 
 /// The short list for the next piece of way; false where there is none.
@@ -134,9 +156,9 @@ bool TunnelBuilder::focus() {
       }
       continue;
     }
-    triangles_.focus(near_.way);
-    near_.length =
-        better(near_.length, triangles_.near().size(), fewNear, manyNear, nearReach * shortest_);
+    heights_->focus(near_.way);
+    near_.length = better(near_.length, heights_->count(Among::near), fewNear, manyNear,
+                          nearReach * shortest_);
     return true;
   }
 }
@@ -144,7 +166,7 @@ bool TunnelBuilder::focus() {
 bool TunnelBuilder::isInSlab(const TouchNode& node) {
   const double beside = near_.way.beside(node.point());
   near_.see(beside);
-  return beside + aboveBands * band_ <= near_.way.slab;
+  return beside + HeightSource::aboveBands * band_ <= near_.way.slab;
 }
 
 bool TunnelBuilder::extend() {
@@ -158,8 +180,7 @@ bool TunnelBuilder::extend() {
     const bool toEnd = rest < (1.0 + remainder) * step_;
     const double s = toEnd ? near_.way.to.s : last_.s + step_;
     const SectionPoint here = last_.point();
-    auto node =
-        heights_.node({s, here.z + last_.highest().slope() * (s - here.s)}, triangles_.near());
+    auto node = heights_->node({s, here.z + last_.highest().slope() * (s - here.s)}, Among::near);
     const Outcome outcome = node ? settle(last_, *node, 0) : Outcome::ends;
     if (outcome == Outcome::outside) {
       near_.length /= 2.0;
@@ -179,20 +200,20 @@ bool TunnelBuilder::extend() {
 std::optional<std::uint32_t> TunnelBuilder::witness(TouchNode& a, TouchNode& b) {
   const std::uint32_t i = a.highest().index;
   const std::uint32_t k = b.highest().index;
-  if (i == k || heights_.nearTop(b, i, spare_)) {
+  if (i == k || heights_->nearTop(b, i, spare_)) {
     return i;
   }
-  return heights_.nearTop(a, k, spare_) ? std::optional(k) : std::nullopt;
+  return heights_->nearTop(a, k, spare_) ? std::optional(k) : std::nullopt;
 }
 
 /// Below both tangents of the triangle that is touched at both ends.
-TunnelBuilder::Bottom TunnelBuilder::bottomOf(TouchNode& a, TouchNode& b, std::uint32_t i) const {
+HeightSource::Bottom TunnelBuilder::bottomOf(TouchNode& a, TouchNode& b, std::uint32_t i) const {
   const TouchHeight& first = *a.of(i);
   const TouchHeight& last = *b.of(i);
   const double length = b.s - a.s;
   // Heights of the tangents, over the heights of touch: nothing but rounding.
-  const double over0 = first.tangentHeight(a.s, task().low) - first.z;
-  const double over1 = last.tangentHeight(b.s, task().low) - last.z;
+  const double over0 = first.tangentHeight(a.s, task_.low) - first.z;
+  const double over1 = last.tangentHeight(b.s, task_.low) - last.z;
   const double mean = (last.z - first.z) / length;
   const double fall0 = first.slope() - mean;
   const double fall1 = mean - last.slope();
@@ -210,74 +231,20 @@ TunnelBuilder::Bottom TunnelBuilder::bottomOf(TouchNode& a, TouchNode& b, std::u
   return bottom;
 }
 
-/// Where a triangle may come through the bottom of a cell, or between bottom and top.
-std::optional<double> TunnelBuilder::penetrationBy(const Bottom& bottom, std::uint32_t j) {
-  const double low = task().low;
-  const double above = aboveBands * band_;
-  bool first = false;
-  bool second = false;
-  const auto see = [&](const SectionTriangles::Tangent& t) {
-    const double more = t.byZ < 0.0 ? above * t.byZ : 0.0;
-    const double middle = t.at(bottom.corner) + more;
-    if (middle >= low) {
-      first = first || t.at(bottom.from) + more >= low;
-      second = second || t.at(bottom.to) + more >= low;
-    }
-    return first && second;
-  };
-  const SectionTriangles::Tangents& known = triangles_.tangents(j);
-  for (std::uint32_t i = 0; i < known.count; ++i) {
-    if (see(known.last[i])) {
-      return std::nullopt;
-    }
-  }
-  const auto between = [](const SectionPoint& a, const SectionPoint& b) {
-    return SectionPoint{0.5 * (a.s + b.s), 0.5 * (a.z + b.z)};
-  };
-  for (int i = 0; i < 4; ++i) {
-    const SectionPoint p = i == 0   ? !first && !second ? bottom.corner
-                                      : first           ? between(bottom.corner, bottom.to)
-                                                        : between(bottom.from, bottom.corner)
-                             : i == 1 ? bottom.corner
-                           : i == 2 ? bottom.from
-                                    : bottom.to;
-    const auto m = triangles_.measure(j, p, low);
-    if (m.gap < low) {
-      return p.s;
-    }
-    if (see(m.tangent)) {
-      return std::nullopt;
-    }
-  }
-  return bottom.corner.s;
-}
-
-std::optional<double> TunnelBuilder::penetration(const Bottom& bottom, std::uint32_t skipped) {
-  for (const std::uint32_t j : triangles_.near()) {
-    if (j == skipped) {
-      continue;
-    }
-    if (const auto s = penetrationBy(bottom, j)) {
-      return s;
-    }
-  }
-  return std::nullopt;
-}
-
 void TunnelBuilder::emit(TouchNode& a, TouchNode& b, const Bottom& bottom, std::uint32_t i) {
-  const double before = heights_.top(a.s, *a.of(i));
+  const double before = heights_->top(a.s, *a.of(i));
   if (tunnel_.empty()) {
     tunnel_.addBottom(bottom.from);
     tunnel_.addTop({a.s, before});
-    marks_.push_back({a.s, triangles_.triangle(i)});
+    marks_.push_back({a.s, heights_->triangle(i)});
   }
   tunnel_.lowerTop(before);
   if (bottom.rise > 0.0) {
     tunnel_.addBottom(bottom.corner);
   }
   tunnel_.addBottom(bottom.to);
-  tunnel_.addTop({b.s, heights_.top(b.s, *b.of(i))});
-  marks_.push_back({b.s, triangles_.triangle(b.highest().index)});
+  tunnel_.addTop({b.s, heights_->top(b.s, *b.of(i))});
+  marks_.push_back({b.s, heights_->triangle(b.highest().index)});
 }
 
 TunnelBuilder::Outcome TunnelBuilder::divide(TouchNode& a, TouchNode& b, double s, int depth) {
@@ -287,7 +254,7 @@ TunnelBuilder::Outcome TunnelBuilder::divide(TouchNode& a, TouchNode& b, double 
     return Outcome::ends;
   }
   const SectionPoint guess{s, heightOn(a.point(), b.point(), s)};
-  auto middle = heights_.node(guess, triangles_.near());
+  auto middle = heights_->node(guess, Among::near);
   if (!middle) {
     return Outcome::ends;
   }
@@ -314,7 +281,7 @@ TunnelBuilder::Outcome TunnelBuilder::settle(TouchNode& a, TouchNode& b, int dep
   if (bottom.rise > bent_) {
     return divide(a, b, bottom.corner.s, depth);
   }
-  if (const auto s = penetration(bottom, *i)) {
+  if (const auto s = heights_->penetration(bottom, *i)) {
     return divide(a, b, *s, depth);
   }
   emit(a, b, bottom, *i);
@@ -341,9 +308,15 @@ tool::TriangleGap TunnelBuilder::touchAt(const SectionPoint& p) const {
   auto behind = std::lower_bound(marks_.begin(), marks_.end(), p.s,
                                  [](const Mark& m, double at) { return m.s < at; });
   behind = behind == marks_.end() ? behind - 1 : behind;
-  tool::TriangleGap best = triangles_.gapTo(behind->triangle, p);
+  const tool::PlacedBody body(body_, task_.section.at(p), task_.axis);
+  const auto gapTo = [&](std::size_t triangle) {
+    const surface::MeshShape& shape = task_.mesh->shape();
+    return tool::gapOf(body, {shape.mesh.corner(triangle, 0), shape.mesh.corner(triangle, 1),
+                              shape.mesh.corner(triangle, 2), shape.normals[triangle]});
+  };
+  tool::TriangleGap best = gapTo(behind->triangle);
   if (behind != marks_.begin() && (behind - 1)->triangle != behind->triangle) {
-    const tool::TriangleGap other = triangles_.gapTo((behind - 1)->triangle, p);
+    const tool::TriangleGap other = gapTo((behind - 1)->triangle);
     best = other.gap < best.gap ? other : best;
   }
   return best;

@@ -1,6 +1,9 @@
 #pragma once
-#include "runtime/motion/facets/touch_heights.h"
+#include <memory>
+
+#include "runtime/motion/facets/height_source.h"
 #include "runtime/motion/facets/tunnel.h"
+#include "runtime/tool/triangle_gap.h"
 
 namespace arelem::motion {
 
@@ -23,11 +26,12 @@ class TunnelBuilder {
   void forget(double s);
   /// The triangle touched at s, the nearer of those at the nodes around.
   [[nodiscard]] tool::TriangleGap touchAt(const SectionPoint& p) const;
-  [[nodiscard]] const FacetTask& task() const { return triangles_.task(); }
+  [[nodiscard]] const FacetTask& task() const { return task_; }
 
  private:
   enum class Outcome : std::uint8_t { done, outside, ends };
-  using Way = SectionTriangles::Way;
+  using Among = HeightSource::Among;
+  using Bottom = HeightSource::Bottom;
   /// A piece of way whose triangles are listed.
   struct List {
     Way way;
@@ -43,25 +47,21 @@ class TunnelBuilder {
     double s = 0.0;
     std::uint32_t triangle = 0;
   };
-  struct Bottom {
-    SectionPoint from, corner, to;
-    double rise = 0.0;  ///< of the corner; 0: it is none
-  };
 
   bool gather();
+  bool resume(std::uint32_t highest);
   bool focus();
   Outcome settle(TouchNode& a, TouchNode& b, int depth);
   Outcome divide(TouchNode& a, TouchNode& b, double s, int depth);
   [[nodiscard]] std::optional<std::uint32_t> witness(TouchNode& a, TouchNode& b);
   [[nodiscard]] Bottom bottomOf(TouchNode& a, TouchNode& b, std::uint32_t i) const;
-  [[nodiscard]] std::optional<double> penetration(const Bottom& bottom, std::uint32_t skipped);
-  [[nodiscard]] std::optional<double> penetrationBy(const Bottom& bottom, std::uint32_t j);
   void emit(TouchNode& a, TouchNode& b, const Bottom& bottom, std::uint32_t i);
   [[nodiscard]] bool isInSlab(const TouchNode& node);
 
-  SectionTriangles triangles_;
+  FacetTask task_;
+  tool::Body body_;
   double band_, spare_, bent_;
-  TouchHeights heights_;
+  std::unique_ptr<HeightSource> heights_;
   Tunnel tunnel_;
   TouchNode last_;
   std::vector<Mark> marks_;

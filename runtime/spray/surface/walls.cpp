@@ -12,12 +12,12 @@ namespace {
 constexpr std::uint32_t steps = 96;  // of each parameter of a patch
 
 /// The first triangle on a straight way.
-class FirstCrossing : public geometry::TriangleSearch {
+class FirstCrossing {
  public:
   FirstCrossing(const geometry::TriangleMesh& mesh, const Vec3& from, const Vec3& to)
       : mesh_(mesh), from_(from), way_(to - from) {}
 
-  [[nodiscard]] bool enters(const Vec3& center, const Vec3& half) override {
+  [[nodiscard]] bool enters(const Vec3& center, const Vec3& half) {
     double first = 0.0;
     double last = share_;
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -37,7 +37,7 @@ class FirstCrossing : public geometry::TriangleSearch {
     return first <= last;
   }
 
-  void visit(std::size_t t) override {
+  void visit(std::size_t t) {
     const Vec3& a = mesh_.corner(t, 0);
     const Vec3 normal = (mesh_.corner(t, 1) - a).cross(mesh_.corner(t, 2) - a).normalized();
     const double before = normal.dot(from_ - a);
@@ -72,7 +72,7 @@ class FirstCrossing : public geometry::TriangleSearch {
 };
 }  // namespace
 
-Walls::Walls(const geometry::TriangleMesh& mesh) : mesh_(mesh), tree_(geometry::makeTree(mesh)) {}
+Walls::Walls(const geometry::TriangleMesh& mesh) : mesh_(mesh), tree_(mesh) {}
 
 Walls Walls::of(const Patch& patch) {
   const PatchMesh triangles = meshOf(patch, steps);
@@ -82,14 +82,14 @@ Walls Walls::of(const Patch& patch) {
 }
 
 Vec3 Walls::nearest(const Vec3& place) const {
-  const std::size_t t = tree_->nearest(place, -1);
+  const std::size_t t = tree_.nearest(mesh_, place, -1);
   return geometry::nearestOn(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), place)
       .point;
 }
 
 std::optional<double> Walls::between(const Vec3& from, const Vec3& to) const {
   FirstCrossing search(mesh_, from, to);
-  tree_->search(search);
+  tree_.search(search);
   return search.distance();
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <optional>
 
 #include "runtime/geometry/triangle_tree.h"
@@ -27,7 +26,7 @@ class Walls {
 
  private:
   geometry::TriangleMesh mesh_;
-  std::unique_ptr<geometry::TriangleTree> tree_;
+  geometry::TriangleTree tree_;
   double blur_ = 0.0;
 };
 

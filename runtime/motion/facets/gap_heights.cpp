@@ -1,4 +1,4 @@
-#include "runtime/motion/facets/touch_heights.h"
+#include "runtime/motion/facets/gap_heights.h"
 
 #include <cmath>
 #include <limits>
@@ -6,48 +6,21 @@
 namespace arelem::motion {
 
 namespace {
-/// Steeper ways are looked at from another side. Dimensionless.
-constexpr double steepest = 3.0;
-constexpr double leastRise = 0.25;
 constexpr int newtonLimit = 40;
 /// How often the highest of a list changes before it counts as a steep wall.
 constexpr int raiseLimit = 60;
 }  // namespace
 
-TouchHeight* TouchNode::of(std::uint32_t index) {
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (known_[i].index == index) {
-      return &known_[i];
-    }
-  }
-  return nullptr;
-}
-
-const TouchHeight& TouchNode::add(const TouchHeight& height) {
-  std::size_t place = count_;
-  if (count_ < known_.size()) {
-    ++count_;
-  } else {
-    place = best_ == 0 ? 1 : 0;
-  }
-  known_[place] = height;
-  if (count_ == 1 || height.z > known_[best_].z) {
-    best_ = place;
-  }
-  return known_[place];
-}
-
-std::optional<TouchHeight> TouchHeights::height(std::uint32_t index, const SectionPoint& guess) {
+std::optional<TouchHeight> GapHeights::height(std::uint32_t index, const SectionPoint& guess) {
   SectionPoint p = guess;
   for (int i = 0; i < newtonLimit; ++i) {
     const auto m = list_.measure(index, p, std::numeric_limits<double>::infinity());
     const double excess = m.gap - list_.task().low;
-    const bool steep =
-        m.tangent.byZ < leastRise || std::abs(m.tangent.byS) > steepest * m.tangent.byZ;
     if (std::abs(excess) <= rest_) {
-      return steep ? std::nullopt : std::optional(TouchHeight{index, p.z, m.tangent, 0.0, false});
+      const TouchHeight found{index, p.z, m.tangent, 0.0, false};
+      return found.isSteep() ? std::nullopt : std::optional(found);
     }
-    if (m.tangent.byZ < leastRise) {
+    if (m.tangent.byZ < TouchHeight::leastRise) {
       return std::nullopt;
     }
     p.z -= excess / m.tangent.byZ;
@@ -56,8 +29,7 @@ std::optional<TouchHeight> TouchHeights::height(std::uint32_t index, const Secti
 }
 
 /// That of the triangle nearest to a place, as far as that is known without measuring.
-std::optional<TouchHeight> TouchHeights::likely(const SectionPoint& guess,
-                                                std::span<const std::uint32_t> among) {
+std::optional<TouchHeight> GapHeights::likely(const SectionPoint& guess, Indices among) {
   double least = std::numeric_limits<double>::infinity();
   std::uint32_t found = 0;
   for (const std::uint32_t j : among) {
@@ -71,8 +43,7 @@ std::optional<TouchHeight> TouchHeights::likely(const SectionPoint& guess,
 }
 
 /// That of the triangle nearest to a place.
-std::optional<TouchHeight> TouchHeights::nearest(const SectionPoint& guess,
-                                                 std::span<const std::uint32_t> among) {
+std::optional<TouchHeight> GapHeights::nearest(const SectionPoint& guess, Indices among) {
   double least = std::numeric_limits<double>::infinity();
   std::optional<std::uint32_t> found;
   for (const std::uint32_t j : among) {
@@ -88,8 +59,7 @@ std::optional<TouchHeight> TouchHeights::nearest(const SectionPoint& guess,
   return found ? height(*found, guess) : std::nullopt;
 }
 
-std::optional<TouchNode> TouchHeights::node(const SectionPoint& guess,
-                                            std::span<const std::uint32_t> among) {
+std::optional<TouchNode> GapHeights::node(const SectionPoint& guess, Indices among) {
   std::optional<TouchHeight> best = likely(guess, among);
   if (!best) {
     best = nearest(guess, among);
@@ -113,7 +83,7 @@ std::optional<TouchNode> TouchHeights::node(const SectionPoint& guess,
       if (m.gap >= low) {
         continue;
       }
-      if (m.tangent.byZ < leastRise) {
+      if (m.tangent.byZ < TouchHeight::leastRise) {
         return std::nullopt;
       }
       const auto higher = height(j, {top.s, top.z + (low - m.gap) / m.tangent.byZ});
@@ -127,9 +97,7 @@ std::optional<TouchNode> TouchHeights::node(const SectionPoint& guess,
   return raised ? std::nullopt : std::optional(node);
 }
 
-std::optional<TouchHeight> TouchHeights::nearTop(TouchNode& node,
-                                                 std::uint32_t index,
-                                                 double below) {
+std::optional<TouchHeight> GapHeights::nearTop(TouchNode& node, std::uint32_t index, double below) {
   const SectionPoint top = node.point();
   if (const TouchHeight* known = node.of(index); known != nullptr) {
     return known->z >= top.z - below ? std::optional(*known) : std::nullopt;
@@ -148,7 +116,7 @@ std::optional<TouchHeight> TouchHeights::nearTop(TouchNode& node,
   return found->z >= top.z - below ? found : std::nullopt;
 }
 
-double TouchHeights::top(double s, TouchHeight& height) {
+double GapHeights::top(double s, TouchHeight& height) {
   if (height.hasTop) {
     return height.top;
   }
@@ -162,6 +130,60 @@ double TouchHeights::top(double s, TouchHeight& height) {
   height.top = height.z + (gap <= high ? rise : rise * (high - low - rest_) / (gap - low - rest_));
   height.hasTop = true;
   return height.top;
+}
+
+/// Where a triangle may come through the bottom of a cell, or between bottom and top.
+std::optional<double> GapHeights::penetrationBy(const Bottom& bottom, std::uint32_t j) {
+  const double low = list_.task().low;
+  const double above = aboveBands * band_;
+  bool first = false;
+  bool second = false;
+  const auto see = [&](const Tangent& t) {
+    const double more = t.byZ < 0.0 ? above * t.byZ : 0.0;
+    const double middle = t.at(bottom.corner) + more;
+    if (middle >= low) {
+      first = first || t.at(bottom.from) + more >= low;
+      second = second || t.at(bottom.to) + more >= low;
+    }
+    return first && second;
+  };
+  const SectionTriangles::Tangents& known = list_.tangents(j);
+  for (std::uint32_t i = 0; i < known.count; ++i) {
+    if (see(known.last[i])) {
+      return std::nullopt;
+    }
+  }
+  const auto between = [](const SectionPoint& a, const SectionPoint& b) {
+    return SectionPoint{0.5 * (a.s + b.s), 0.5 * (a.z + b.z)};
+  };
+  for (int i = 0; i < 4; ++i) {
+    const SectionPoint p = i == 0   ? !first && !second ? bottom.corner
+                                      : first           ? between(bottom.corner, bottom.to)
+                                                        : between(bottom.from, bottom.corner)
+                             : i == 1 ? bottom.corner
+                           : i == 2 ? bottom.from
+                                    : bottom.to;
+    const auto m = list_.measure(j, p, low);
+    if (m.gap < low) {
+      return p.s;
+    }
+    if (see(m.tangent)) {
+      return std::nullopt;
+    }
+  }
+  return bottom.corner.s;
+}
+
+std::optional<double> GapHeights::penetration(const Bottom& bottom, std::uint32_t skipped) {
+  for (const std::uint32_t j : list_.near()) {
+    if (j == skipped) {
+      continue;
+    }
+    if (const auto s = penetrationBy(bottom, j)) {
+      return s;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace arelem::motion

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/geometry/kinds/ruled_sheet.h"
+
+/// Bounds of the curvatures of a ruled surface.
+namespace arelem::surface {
+
+namespace {
+/// The normal of a part of the sheet that is bounded turns by at most this sine, and ways along it
+/// are at most this many times as long as straight ones.
+constexpr double mostTurn = 0.2;
+constexpr double sheetSlack = 1.5;
+
+/// Both ranges; none where one of them is not known.
+std::optional<Bends> hull(const std::optional<Bends>& a, const std::optional<Bends>& b) {
+  return a && b ? std::optional(Bends{std::min(a->low, b->low), std::max(a->high, b->high)})
+                : std::nullopt;
+}
+}  // namespace
+
+/// Over the places within `reach`, by way of the parameters there.
+std::optional<Bends> Ruled::Sheet::curvaturesAround(double f, double g, double reach) const {
+  const SheetPlace s = at(f, g);
+  const double area = s.byF.cross(s.byG).norm();
+  if (!(area > 0.0)) {
+    return std::nullopt;
+  }
+  const double way = sheetSlack * reach / area;  // along the sheet, through the inverse of its form
+  const double halfF = way * s.byG.norm();
+  const double halfG = way * s.byF.norm();
+  const auto a = range(first_, f, halfF);
+  const auto b = range(second_, f, halfF);
+  if (!a || !b) {
+    return std::nullopt;
+  }
+  const auto result = curvaturesOf(s, g, halfF, halfG, *a, *b);
+  // Ways over a part whose normal turns so little are longer than straight ones by less than that.
+  return result && result->stretch * (1.0 + mostTurn * mostTurn) <= sheetSlack
+             ? std::optional(result->curvatures)
+             : std::nullopt;
+}
+
+/// With S_gg = 0 the second form has the entries n . S_ff and n . S_fg; second derivatives of the
+/// curves go along their headings. All is bounded over the box of f and g about a place, by its
+/// values there and the largest change of each; `a` and `b` are the ranges of the curves.
+std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace& s,
+                                                                double g,
+                                                                double halfF,
+                                                                double halfG,
+                                                                const CurveRange& a,
+                                                                const CurveRange& b) const {
+  const Vec3 across = s.byF.cross(s.byG);
+  const double area = across.norm();
+  const double longF = s.byF.norm();
+  const double longG = s.byG.norm();
+  const double weightA = std::abs(1.0 - g) + halfG;
+  const double weightB = std::abs(g) + halfG;
+  const double twistChange = secondsApart(a, b) * halfF;
+  const double twist = s.byFG.norm() + twistChange;
+  const double changeF = (weightA * a.second() + weightB * b.second()) * halfF + twist * halfG;
+  const double changeG = twist * halfF;
+  const double changeArea = changeF * (longG + changeG) + longF * changeG;
+  if (!(changeArea <= mostTurn * area)) {
+    return std::nullopt;
+  }
+  const Vec3 normal = across / area;
+  const double turned = 2.0 * changeArea / (2.0 * area - changeArea);
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const auto along = [&](const RuledCurve& curve, const CurveRange& range, double weight) {
+    const double middle = normal.dot(curve.heading());
+    Bends part{none, -none};
+    for (const double n : {weight * (middle - turned), weight * (middle + turned)}) {
+      part.low = std::min({part.low, n * range.low, n * range.high});
+      part.high = std::max({part.high, n * range.low, n * range.high});
+    }
+    return part;
+  };
+  // At each g the two curves count by their weights, which are linear. Along the ruling nothing
+  // bends.
+  Bends bent{0.0, 0.0};
+  for (const double at : {g - halfG, g + halfG}) {
+    const Bends ofA = along(first_, a, 1.0 - at);
+    const Bends ofB = along(second_, b, at);
+    bent = {std::min(bent.low, ofA.low + ofB.low), std::max(bent.high, ofA.high + ofB.high)};
+  }
+  const double twisted = std::abs(normal.dot(s.byFG)) + twistChange + turned * s.byFG.norm();
+  const double byUnitF = (longG + changeG) / (area - changeArea);
+  const double byUnitG = (longF + changeF) / (area - changeArea);
+  const double mixed = 2.0 * twisted * byUnitF * byUnitG;
+  return Bounded{{-bent.high * byUnitF * byUnitF - mixed, -bent.low * byUnitF * byUnitF + mixed},
+                 std::max(byUnitF / longG, byUnitG / longF) * area};
+}
+
+Ruled::Sheet::Row Ruled::Sheet::rulingsAbout(double f, double half) const {
+  const SheetPlace middle = at(f, 0.0);
+  Row row;
+  row.from = middle.place;
+  row.along = middle.byG;
+  const auto a = range(first_, f, half);
+  const auto b = range(second_, f, half);
+  if (a && b) {
+    row.first = a->first * half;
+    row.second = b->first * half;
+  }
+  return row;
+}
+
+Ruled::Sheet::Row Ruled::Sheet::rowAbout(double f, double half) const {
+  Row row = rulingsAbout(f, half);
+  const auto a = range(first_, f, half);
+  const auto b = range(second_, f, half);
+  if (!a || !b) {
+    return row;
+  }
+  const double halfG = 0.5 / cellsOfARuling;
+  for (int k = 0; k < cellsOfARow; ++k) {
+    const double g = (k + 0.5) / cellsOfARuling - rulingsBeside;
+    if (const auto bounded = curvaturesOf(at(f, g), g, half, halfG, *a, *b)) {
+      row.cells[static_cast<std::size_t>(k)] = bounded->curvatures;
+    }
+  }
+  return row;
+}
+
+Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
+  const double width = (high_ - low_) / static_cast<double>(rows_.size());
+  const double half = 0.5 * width * rowsOfABlock;
+  Row block = rulingsAbout(low_ + width * static_cast<double>(row) + half, half);
+  block.cells = rows_[row].cells;
+  for (std::size_t i = row + 1; i < row + rowsOfABlock; ++i) {
+    for (std::size_t k = 0; k < cellsOfARow; ++k) {
+      block.cells[k] = hull(block.cells[k], rows_[i].cells[k]);
+    }
+  }
+  return block;
+}
+
+/// Widens `all` by the cells of a row within `reach` of a place, and empties it where they are not
+/// known; false where none is within reach. A place at g is off the ruling in the middle by at most
+/// the moves on both curves, each by its weight there.
+bool Ruled::Sheet::widenBy(const Row& row,
+                           const Vec3& place,
+                           double reach,
+                           std::optional<Bends>& all) {
+  const double length = row.along.norm();
+  const double spread = row.first + row.second;
+  const Vec3 rest = place - row.from;
+  if (!(length > spread)) {
+    all.reset();
+    return true;
+  }
+  const double g = rest.dot(row.along) / (length * length);
+  const double here = reach + std::abs(1.0 - g) * row.first + std::abs(g) * row.second;
+  const double most = here + here / (length - spread) * spread;
+  const double squared = most * most - (rest - g * row.along).squaredNorm();
+  if (squared < 0.0) {
+    return false;
+  }
+  const double half = std::sqrt(squared) / length;
+  const double from = (g - half + rulingsBeside) * cellsOfARuling;
+  const double to = (g + half + rulingsBeside) * cellsOfARuling;
+  if (!(from >= 0.0 && to < cellsOfARow)) {
+    all.reset();
+    return true;
+  }
+  for (auto k = static_cast<std::size_t>(from); all && k <= static_cast<std::size_t>(to); ++k) {
+    all = hull(all, row.cells[k]);
+  }
+  return true;
+}
+
+/// The part of the sheet about a place that is within reach ends, in both directions, at a row that
+/// is not: beyond the last row nothing is known.
+std::optional<Bends> Ruled::Sheet::curvaturesInCells(double f, double g, double reach) const {
+  const auto count = static_cast<int>(rows_.size());
+  if (count == 0 || !(f > low_ && f < high_)) {
+    return std::nullopt;
+  }
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const Vec3 place = at(f, g).place;
+  const int middle = std::min(static_cast<int>((f - low_) / (high_ - low_) * count), count - 1);
+  std::optional<Bends> all(Bends{none, -none});
+  for (const int way : {-1, 1}) {
+    int i = way < 0 ? middle : middle + 1;
+    for (;;) {
+      if (i < 0 || i >= count) {
+        return std::nullopt;
+      }
+      // A block is taken as one where its last row is within reach too.
+      const int last = i + way * (rowsOfABlock - 1);
+      const int block = i / rowsOfABlock;
+      if (last >= 0 && last < count && last / rowsOfABlock == block) {
+        std::optional<Bends> wider = all;
+        if (widenBy(rows_[static_cast<std::size_t>(last)], place, reach, wider) &&
+            widenBy(blocks_[static_cast<std::size_t>(block)], place, reach, wider) && wider) {
+          all = wider;
+          i = last + way;
+          continue;
+        }
+      }
+      if (!widenBy(rows_[static_cast<std::size_t>(i)], place, reach, all)) {
+        break;
+      }
+      if (!all) {
+        return std::nullopt;
+      }
+      i += way;
+    }
+  }
+  return all->low <= all->high ? all : std::nullopt;
+}
+
+}  // namespace arelem::surface

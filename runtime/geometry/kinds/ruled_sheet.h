@@ -1,0 +1,159 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "runtime/geometry/kinds/ruled.h"
+#include "runtime/geometry/kinds/ruled_curve.h"
+
+/// What a ruled surface knows of itself. Private to runtime/geometry/kinds.
+namespace arelem::surface {
+
+/// Parts of the sheet with known curvatures: rows of rulings for each curve distance, and cells of
+/// each for each distance of the curves, from one of those before the first to one behind the last.
+inline constexpr int rowsOfASpan = 128;
+inline constexpr int rowsOfABlock = 8;
+inline constexpr int cellsOfARuling = 4;
+inline constexpr int rulingsBeside = 1;
+inline constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
+
+class Ruled::Sheet {
+ public:
+  explicit Sheet(const geometry::RuledSurface& s) : first_(s.first), second_(s.second) {
+    low_ = std::max(first_.low(), second_.low());
+    high_ = std::min(first_.high(), second_.high());
+    atLow_ = {first_.at(low_), second_.at(low_)};
+    atHigh_ = {first_.at(high_), second_.at(high_)};
+    const int count = std::max(2, static_cast<int>((high_ - low_) * rulingsOfASpan) + 1);
+    for (int i = 0; i < count; ++i) {
+      const double f = low_ + (high_ - low_) * i / (count - 1);
+      rulings_.push_back({f, first_.at(f).place, second_.at(f).place});
+    }
+    const int rows = std::max(1, static_cast<int>((high_ - low_) * rowsOfASpan));
+    for (int i = 0; i < rows && low_ < high_; ++i) {
+      rows_.push_back(
+          rowAbout(low_ + (high_ - low_) * (i + 0.5) / rows, 0.5 * (high_ - low_) / rows));
+    }
+    for (std::size_t i = 0; i + rowsOfABlock <= rows_.size(); i += rowsOfABlock) {
+      blocks_.push_back(blockFrom(i));
+    }
+  }
+
+  [[nodiscard]] SheetPlace at(double f, double g) const {
+    CurvePlace a, b;
+    curves(f, a, b);
+    return {(1.0 - g) * a.place + g * b.place, (1.0 - g) * a.first + g * b.first, b.place - a.place,
+            (1.0 - g) * a.second + g * b.second, b.first - a.first};
+  }
+
+  /// True where one formula holds between two fractions.
+  [[nodiscard]] bool isSmooth(double f1, double f2) const {
+    return std::min(f1, f2) >= low_ && std::max(f1, f2) <= high_ && first_.isSmooth(f1, f2) &&
+           second_.isSmooth(f1, f2);
+  }
+
+  /// Bounds of the normal curvatures of the sheet, positive where it bends away from its normal,
+  /// within `reach` of the place at f and g. None where it is not smooth or turns too much there.
+  [[nodiscard]] std::optional<Bends> curvatures(double f, double g, double reach) const {
+    const auto inCells = curvaturesInCells(f, g, reach);
+    return inCells ? inCells : curvaturesAround(f, g, reach);
+  }
+
+  /// Fractions from which a search for the foot of p may start.
+  [[nodiscard]] Hint seed(const Vec3& p) const { return seed(p, 1); }
+  /// The same for a place of the sheet, where every eighth ruling is enough.
+  [[nodiscard]] Hint seedOn(const Vec3& place) const { return seed(place, 8); }
+
+ private:
+  [[nodiscard]] Hint seed(const Vec3& p, std::size_t every) const {
+    Hint best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < rulings_.size(); i += every) {
+      const Ruling& r = rulings_[i];
+      const Vec3 along = r.to - r.from;
+      const double squared = along.squaredNorm();
+      const double g = squared > 0.0 ? std::clamp((p - r.from).dot(along) / squared, -reachOfACurve,
+                                                  1.0 + reachOfACurve)
+                                     : 0.0;
+      const double distance = (p - r.from - g * along).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        best.f = r.f;
+        best.g = g;
+      }
+    }
+    best = {true, best.f, best.g, best.f, best.g, at(best.f, best.g)};
+    return best;
+  }
+
+  struct Ruling {
+    double f;
+    Vec3 from, to;
+  };
+  /// The rulings about one, and what is known of them between those beside the curves.
+  struct Row {
+    Vec3 from = Vec3::Zero(), along = Vec3::Zero();  ///< of the ruling in the middle
+    /// How far the others are from it on the curves.
+    double first = std::numeric_limits<double>::infinity(), second = first;
+    std::array<std::optional<Bends>, cellsOfARow> cells;
+  };
+  struct Bounded {
+    Bends curvatures;
+    double stretch = 1.0;  ///< ways along the sheet over straight ones
+  };
+
+  /// Without cells yet.
+  [[nodiscard]] Row rulingsAbout(double f, double half) const;
+  [[nodiscard]] Row rowAbout(double f, double half) const;
+  /// The rows from one on as one.
+  [[nodiscard]] Row blockFrom(std::size_t row) const;
+  [[nodiscard]] std::optional<Bends> curvaturesInCells(double f, double g, double reach) const;
+  [[nodiscard]] std::optional<Bends> curvaturesAround(double f, double g, double reach) const;
+  [[nodiscard]] std::optional<Bounded> curvaturesOf(const SheetPlace& s,
+                                                    double g,
+                                                    double halfF,
+                                                    double halfG,
+                                                    const CurveRange& a,
+                                                    const CurveRange& b) const;
+  /// How far the second derivatives of the curves may be from each other.
+  [[nodiscard]] double secondsApart(const CurveRange& a, const CurveRange& b) const {
+    const Vec3 between =
+        0.5 * ((b.low + b.high) * second_.heading() - (a.low + a.high) * first_.heading());
+    return between.norm() + 0.5 * (a.high - a.low + b.high - b.low);
+  }
+  static bool widenBy(const Row& row, const Vec3& place, double reach, std::optional<Bends>& all);
+
+  /// Bounds of one of the curves as the sheet follows it: beyond its ends the tangents are
+  /// straight.
+  [[nodiscard]] std::optional<CurveRange> range(const RuledCurve& curve,
+                                                double f,
+                                                double half) const {
+    const double from = std::max(f - half, low_);
+    const double to = std::min(f + half, high_);
+    return from < to ? curve.range(0.5 * (from + to), 0.5 * (to - from)) : CurveRange{};
+  }
+  static CurvePlace onTangent(const CurvePlace& end, double beyond) {
+    return {end.place + beyond * end.first, end.first, Vec3::Zero()};
+  }
+  void curves(double f, CurvePlace& a, CurvePlace& b) const {
+    if (f < low_ || f > high_) {
+      const auto& end = f < low_ ? atLow_ : atHigh_;
+      const double beyond = f - (f < low_ ? low_ : high_);
+      a = onTangent(end[0], beyond);
+      b = onTangent(end[1], beyond);
+      return;
+    }
+    a = first_.at(f);
+    b = second_.at(f);
+  }
+
+  RuledCurve first_, second_;
+  double low_, high_;
+  std::array<CurvePlace, 2> atLow_, atHigh_;
+  std::vector<Ruling> rulings_;
+  std::vector<Row> rows_, blocks_;
+};
+
+}  // namespace arelem::surface

@@ -1,0 +1,50 @@
+#pragma once
+#include <optional>
+
+#include "runtime/motion/facets/touch_node.h"
+
+namespace arelem::motion {
+
+/// The heights at which a cutter touches the triangles of a mesh, along pieces of a section.
+///
+/// Two lists of triangles go along: a wide one for a long piece of way, and the near ones of it for
+/// the piece that is looked at. What is not listed is farther off anywhere in the slab.
+class HeightSource {
+ public:
+  /// The lower line over a piece of way: straight, or with a corner.
+  struct Bottom {
+    SectionPoint from, corner, to;
+    double rise = 0.0;  ///< of the corner; 0: it is none
+  };
+  /// Places beyond the tops of cells where nothing may be either, in bands.
+  static constexpr double aboveBands = 4.5;
+  enum class Among : std::uint8_t { wide, near };
+
+  HeightSource() = default;
+  HeightSource(const HeightSource&) = delete;
+  HeightSource& operator=(const HeightSource&) = delete;
+  virtual ~HeightSource() = default;
+
+  /// Lists all triangles whose gap may be less than the task's low anywhere within the slab. False
+  /// where there are more than `limit`.
+  virtual bool gather(const Way& way, std::size_t limit) = 0;
+  /// Those of them that matter on a part of the way.
+  virtual void focus(const Way& way) = 0;
+  [[nodiscard]] virtual std::size_t count(Among among) const = 0;
+  /// The number in the mesh of one of the wide list.
+  [[nodiscard]] virtual std::uint32_t triangle(std::uint32_t index) const = 0;
+
+  /// The highest of the triangles listed; none where the way is too steep.
+  virtual std::optional<TouchNode> node(const SectionPoint& guess, Among among) = 0;
+  /// The height of one triangle at a node, if it is not below the node's by more than `below`.
+  virtual std::optional<TouchHeight> nearTop(TouchNode& node,
+                                             std::uint32_t index,
+                                             double below) = 0;
+  /// Finds the top of a height.
+  virtual double top(double s, TouchHeight& height) = 0;
+  /// Where one of the near triangles, but for `skipped`, may come through a bottom, or between it
+  /// and the top.
+  virtual std::optional<double> penetration(const Bottom& bottom, std::uint32_t skipped) = 0;
+};
+
+}  // namespace arelem::motion

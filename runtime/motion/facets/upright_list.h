@@ -1,0 +1,90 @@
+#pragma once
+#include <vector>
+
+#include "runtime/motion/facets/facet_task.h"
+#include "runtime/tool/upright_touch.h"
+
+namespace arelem::motion {
+
+/// The triangles near a way along which a cutter stands upright, in the frame of the section: along
+/// the way, across it, up.
+///
+/// Any normal tells a line in the section that no height of touch of a triangle is above: how far
+/// its corners and the cutter reach along it. One normal goes for all near triangles at once, in a
+/// few sweeps over their corners, and the lines of the last normals are kept.
+class UprightList {
+ public:
+  struct Line {
+    double base = 0.0, slope = 0.0;
+
+    [[nodiscard]] double at(double s) const { return base + slope * s; }
+  };
+
+  UprightList(const FacetTask& task, const tool::UprightProfile& profile);
+
+  bool gather(const Way& way, std::size_t limit);
+  void focus(const Way& way);
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+  [[nodiscard]] const std::vector<std::uint32_t>& near() const { return near_; }
+  [[nodiscard]] std::uint32_t number(std::uint32_t index) const { return all_[index].number; }
+  [[nodiscard]] const tool::UprightFacet& facet(std::uint32_t index) const {
+    return all_[index].facet;
+  }
+
+  /// The line of one triangle for a normal that is not level.
+  [[nodiscard]] Line line(std::uint32_t index, const Vec3& normal) const;
+  /// What is known of the heights of one of the wide list: they are not above.
+  [[nodiscard]] double known(std::uint32_t index, double s) const;
+  /// Lines of all near triangles for a normal; lowers their heights at s.
+  void addNormal(const Vec3& normal, double s, std::vector<double>& heights);
+  /// Lines of all near triangles for a normal; lowers how much they are above a straight piece.
+  void addNormal(const Vec3& normal,
+                 const SectionPoint& from,
+                 const SectionPoint& to,
+                 std::vector<double>& excess);
+  /// Above no height of the near triangles at s, by all that is known.
+  void heightsAt(double s, std::vector<double>& heights) const;
+  /// How much the lines of the near triangles are above a straight piece: those of which one line
+  /// is nowhere above it are below.
+  void excessOver(const SectionPoint& from,
+                  const SectionPoint& to,
+                  std::vector<double>& excess) const;
+
+ private:
+  struct Own {
+    tool::UprightFacet facet;
+    std::array<Line, 2> lines;       ///< for a normal towards it, and for its own
+    double first = 0.0, last = 0.0;  ///< beyond these s it is beside the cutter
+    std::uint32_t number = 0;
+
+    [[nodiscard]] bool isBelow(const Way& way) const;
+  };
+  class Collect;
+
+  [[nodiscard]] Vec3 local(const Vec3& place) const;
+  [[nodiscard]] Vec3 turned(const Vec3& direction) const;
+  [[nodiscard]] Vec3 normalTowards(double x, double y) const;
+  [[nodiscard]] Line lineOf(double most, const Vec3& normal) const;
+  [[nodiscard]] Line lineTowards(const tool::UprightFacet& facet, double s) const;
+  void setRange(Own& own) const;
+  void sweep(const Vec3& normal);
+  void fill();
+
+  const FacetTask task_;
+  tool::UprightProfile profile_;
+  Vec3 across_;
+  double radius_;
+  std::vector<Own> all_;
+  std::vector<std::uint32_t> near_;
+  /// Coordinates of the near triangles' corners, one after the other for each of nine.
+  std::array<std::vector<double>, 9> corners_;
+  std::array<std::vector<double>, 2> base_, slope_;
+  std::vector<double> first_, last_;
+  /// The last normals: slopes of their lines, and bases of each near triangle.
+  static constexpr std::size_t kept = 10;
+  std::array<std::vector<double>, kept> bases_;
+  std::array<double, kept> slopes_{};
+  std::size_t rounds_ = 0;
+};
+
+}  // namespace arelem::motion
