@@ -57,13 +57,6 @@ struct Nearest {
 };
 }  // namespace
 
-ProfilePoint cornerCenter(const Profile& p) {
-  const double turn = std::cos(p.alpha + p.beta);
-  const double inwards = p.r * (std::cos(p.alpha) - std::sin(p.beta)) / turn;
-  const double upwards = p.r * (std::cos(p.beta) - std::sin(p.alpha)) / turn;
-  return {p.d / 2 - inwards, p.d / 2 * std::tan(p.alpha) + upwards};
-}
-
 void completeProfile(Profile& p) {
   p.sinAlpha = std::sin(p.alpha);
   p.cosAlpha = std::cos(p.alpha);

@@ -35,11 +35,9 @@ struct Profile {
 };
 
 /// Checks the ranges of the values as written (angles in degrees, lengths in the part unit), 1, 2
-/// or 7 of them, and completes them. Where e and f are zero they follow from the
-/// others; without corner radius the lines meet in a sharp corner. Whether the parts join is for shapeFault to say.
+/// or 7 of them, and completes them. Where corner radius and center are zero the lines meet in a
+/// sharp corner. Whether the parts join is for shapeFault to say.
 [[nodiscard]] Result<Profile> makeProfile(std::span<const double> values);
-/// The center of a corner arc of the radius r that touches both lines, wherever e and f are.
-[[nodiscard]] ProfilePoint cornerCenter(const Profile& profile);
 /// Works out the sines and the ends of the lines from the seven values.
 void completeProfile(Profile& profile);
 /// The ring of CUTTER/OPTION,n,radius,height.

@@ -52,6 +52,13 @@ CornerPlace cornerPlace(const Profile& p) {
 }
 }  // namespace
 
+ProfilePoint cornerCenter(const Profile& p) {
+  const double turn = std::cos(p.alpha + p.beta);
+  const double inwards = p.r * (std::cos(p.alpha) - std::sin(p.beta)) / turn;
+  const double upwards = p.r * (std::cos(p.beta) - std::sin(p.alpha)) / turn;
+  return {p.d / 2 - inwards, p.d / 2 * std::tan(p.alpha) + upwards};
+}
+
 std::optional<Failure> rangeFault(const Profile& p) {
   if (p.d < 0.0) {
     return fail(diag::CutterDiameter, p.d);
