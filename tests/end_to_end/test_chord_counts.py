@@ -173,13 +173,17 @@ class AgainstAGreedyProgram(ArelemCase):
 
     def test_across_a_parabola(self):
         def gap(x, z):
-            u = x  # the foot at (u, u^2 / 8)
-            for _ in range(8):
-                u -= ((u - x) + (u * u / 8 - z - 0.5) * u / 4) / (1 + (3 * u * u / 8 - z - 0.5) / 4)
-            side = 1 if z + 0.5 > x * x / 8 else -1
-            return side * math.hypot(x - u, z + 0.5 - u * u / 8) - 0.5
+            if z + 0.5 < x * x / 8:
+                return z - 9  # below the curve: only the sign counts
+            low, high = x - 1.5, x + 1.5  # the foot at (u, u^2 / 8): the distance falls towards it from either side
+            for _ in range(26):
+                left, right = low + 0.382 * (high - low), high - 0.382 * (high - low)
+                nearer = math.hypot(x - left, z + 0.5 - left * left / 8) < math.hypot(x - right, z + 0.5 - right * right / 8)
+                low, high = (low, right) if nearer else (left, high)
+            u = (low + high) / 2
+            return math.hypot(x - u, z + 0.5 - u * u / 8) - 0.5
 
-        self.check("PS=QADRIC/1,0,0,0,0,0,0,0,-4,0", 0, -6, 5, gap)
+        self.check("PS=QADRIC/1,0,0,0,0,0,0,0,-8,0", 0, -6, 5, gap)
 
     def test_over_a_tabulated_sine_beside_a_drawn_one(self):
         """The curve is taken from a point that follows it with a tolerance of a thousandth of the band."""
