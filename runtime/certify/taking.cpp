@@ -61,8 +61,8 @@ bool Association::holdsBack(const Held& next) {
   for (std::size_t g = 0; g < t.goals.size() && !met; ++g) {
     met = check_.missed(modal_, t.goals[g], g, there, t.drive->surface) == 0.0;
   }
-  const bool strays = t.proof->strays(there.place);
-  if (strays && t.held.empty() && isNext(there.place.toolEnd)) {
+  const bool strays = t.proof->strays(there.place());
+  if (strays && t.held.empty() && isNext(there.place().toolEnd)) {
     close();
     add(next.location, next.withAxis, next.onCurve);
     return true;
@@ -89,8 +89,8 @@ bool Association::isNext(const Vec3& place) const {
   Vec3 wanted = locate->point;
   if (locate->word == Word::GODLTA) {
     wanted =
-        taking_->proof->end().place.toolEnd +
-        (locate->axial ? Vec3(*locate->axial * taking_->proof->end().place.axis) : locate->point);
+        taking_->proof->end().place().toolEnd +
+        (locate->axial ? Vec3(*locate->axial * taking_->proof->end().place().axis) : locate->point);
   }
   return (place - wanted).norm() <= options_.slack;
 }
