@@ -48,8 +48,7 @@ bool readPath(ClFile& file,
   reading.dialect = frontend::Dialect::cl;
   Compilation job(reading);
   const auto upright = path::makeUprightStage(records, slack, job.log);
-  const auto chords =
-      path::makeChordStage(*upright, job.log, std::max(0.5 * slack, leastSag));
+  const auto chords = path::makeChordStage(*upright, job.log, std::max(0.5 * slack, leastSag));
   InPartUnit lengths(part, displayName(file.path()), *chords, job.log);
   bool good = readRecords(job, file, lengths, interrupted);
   upright->finish();
