@@ -86,6 +86,7 @@ void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
   const Measure m = measure(here, 0.0);
   now_.free = 0.0;
   now_.armed = std::abs(m.value) > band_;
+  startedAt_ = !now_.armed;
   now_.outside = m.field;
   now_.positive = m.value > 0.0;
   now_.startedRemote = now_.positive;
@@ -160,6 +161,22 @@ bool CheckWatch::crosses(const Measure& m) {
   return changed;
 }
 
+/// The length at which the measure has its zero, between one where it has the sign from before and
+/// one where it has the other.
+double CheckWatch::crossing(const Segment& s, double low, double high) {
+  const bool now = now_.positive;
+  const std::size_t looks = looks_.size();
+  while (high - low > tolerance::sameSide) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) {
+      break;
+    }
+    ((measure(s, middle).value > 0.0) == now ? high : low) = middle;
+  }
+  looks_.resize(looks);
+  return high;
+}
+
 /// True where the measure came near zero and goes away again. A slope of zero has no direction.
 bool CheckWatch::touchesHere(const Measure& m) {
   const double toward = now_.positive ? m.turn : -m.turn;
@@ -204,7 +221,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       if (++now_.seen == wanted()) {
         return Hit{before, u, vanishing(m, outsideBefore)};
       }
-      now_.last = s.at(u);
+      now_.last = s.at(crossing(s, before, u));
       now_.bandField = nullptr;
     } else if (slipsThrough(m, outsideBefore)) {
       now_.seen += 2;

@@ -77,6 +77,8 @@ class CheckWatch {
   [[nodiscard]] bool touchedAny() const { return now_.seen > 0; }
   [[nodiscard]] const Vec3& lastContact() const { return now_.last; }
   [[nodiscard]] bool wasClear() const { return now_.armed; }
+  /// True where the tool was at the surface, within its tolerance, when the motion began.
+  [[nodiscard]] bool startedAt() const { return startedAt_; }
 
   /// What changes from segment to segment; can be put back to try a segment again.
   struct Progress {
@@ -112,6 +114,7 @@ class CheckWatch {
   }
   [[nodiscard]] std::optional<Hit> scanCrossing(const Segment& segment);
   [[nodiscard]] bool crosses(const Measure& measure);
+  [[nodiscard]] double crossing(const Segment& segment, double low, double high);
   [[nodiscard]] bool near(const Measure& measure) const {
     return std::abs(measure.value) <= band_ + pathBand_;
   }
@@ -141,6 +144,7 @@ class CheckWatch {
   Progress now_;
   double ignoredUntil_ = -1.0;
   bool close_ = false;
+  bool startedAt_ = false;
   std::vector<double> looks_;  ///< lengths along the segment, where looked at closely
   double nearest_ = std::numeric_limits<double>::infinity();
   Vec3 nearestPlace_ = Vec3::Zero();

@@ -208,7 +208,7 @@ class Planner {
     PathPoint& start = course_.start;
     start = course_.path.look(state_.toolEnd, wanted_);
     auto direction = startDirection(request_.heading, wanted_, start.contacts[0].normal,
-                                    start.contacts[1].normal);
+                                    start.contacts[1].normal, state_.toolEnd);
     if (!direction) {
       return direction.takeFailure();
     }

@@ -6,6 +6,7 @@
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/motion/told.h"
 
 namespace arelem::motion {
 
@@ -13,6 +14,20 @@ namespace {
 /// Cosine of 88 degrees, as the old system has it: nearer to square than this a GO word does not
 /// decide.
 constexpr double leastCosine = 0.0349;
+
+/// The words that turn onto a path to which one is square.
+std::string_view others(ir::Heading heading) {
+  switch (heading) {
+    case ir::Heading::left:
+    case ir::Heading::right:
+      return "GOFWD and GOBACK go along the path from here";
+    case ir::Heading::forward:
+    case ir::Heading::back:
+      return "GOLFT and GORGT go along the path from here";
+    default:
+      return "GOUP and GODOWN go along the axis only; the path from here goes across it";
+  }
+}
 }  // namespace
 
 std::string_view spell(ir::Heading heading) {
@@ -67,7 +82,8 @@ Result<Vec3> wantedDirection(ir::Heading heading,
 Result<Vec3> startDirection(ir::Heading heading,
                             const Vec3& wanted,
                             const Vec3& partNormal,
-                            const Vec3& driveNormal) {
+                            const Vec3& driveNormal,
+                            const Vec3& toolEnd) {
   const Vec3 common = partNormal.cross(driveNormal);
   if (common.norm() <= tolerance::nullDirection) {
     return wanted;
@@ -76,7 +92,9 @@ Result<Vec3> startDirection(ir::Heading heading,
   const double cosine = tangent.dot(wanted);
   if (std::abs(cosine) <= leastCosine) {
     const double degrees = std::acos(std::abs(cosine)) * 180.0 / std::numbers::pi;
-    return fail(diag::PerpendicularDirection, spell(heading), degrees);
+    const Vec3 p = told(toolEnd);
+    return fail(diag::PerpendicularDirection, spell(heading), degrees, p.x(), p.y(), p.z())
+        .withHelp(std::string(others(heading)));
   }
   return Vec3(cosine > 0.0 ? tangent : Vec3(-tangent));
 }

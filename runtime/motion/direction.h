@@ -17,7 +17,8 @@ namespace arelem::motion {
 [[nodiscard]] Result<Vec3> startDirection(ir::Heading heading,
                                           const Vec3& wanted,
                                           const Vec3& partNormal,
-                                          const Vec3& driveNormal);
+                                          const Vec3& driveNormal,
+                                          const Vec3& toolEnd);
 
 [[nodiscard]] std::string_view spell(ir::Heading heading);  ///< "GOLFT", ...
 

@@ -14,6 +14,7 @@
 #include "runtime/motion/settle.h"
 #include "runtime/motion/stop.h"
 #include "runtime/motion/stride.h"
+#include "runtime/motion/told.h"
 
 namespace arelem::motion {
 
@@ -78,10 +79,10 @@ class Follower {
   // ---- what may go wrong ------------------------------------------------------------------------
 
   [[nodiscard]] Failure lost() {
-    const Vec3& p = last_.toolEnd;
-    if (auto bad = course_.path.axis.fault(p)) {
+    if (auto bad = course_.path.axis.fault(last_.toolEnd)) {
       return *std::move(bad);
     }
+    const Vec3 p = told(last_.toolEnd);
     const Vec3& n = last_.contacts[0].normal;
     const double sine = n.cross(last_.contacts[1].normal).norm();
     if (sine <= tolerance::nullDirection) {
@@ -98,8 +99,8 @@ class Follower {
       const double length = surface::endBefore(surface->surface, contact->point);
       if (length > 0.0) {
         const CheckWatch& w = course_.watches.front();
-        const Vec3& p = last_.toolEnd;
-        const Vec3& q = w.nearestPlace();
+        const Vec3 p = told(last_.toolEnd);
+        const Vec3 q = told(w.nearestPlace());
         return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, w.nearest(),
                     w.surface().name, q.x(), q.y(), q.z());
       }
@@ -115,9 +116,9 @@ class Follower {
                             ? static_cast<double>(limits_.points)
                             : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
     if (static_cast<double>(result_.cutVectors) >= most) {
-      const Vec3& p = last_.toolEnd;
+      const Vec3 p = told(last_.toolEnd);
       const CheckWatch& w = course_.watches.front();
-      const Vec3& q = w.nearestPlace();
+      const Vec3 q = told(w.nearestPlace());
       return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name, w.nearest(),
                   q.x(), q.y(), q.z());
     }

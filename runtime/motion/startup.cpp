@@ -9,6 +9,7 @@
 #include "runtime/motion/route.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/startup_sense.h"
+#include "runtime/motion/told.h"
 
 namespace arelem::motion {
 
@@ -275,7 +276,7 @@ class Starter {
     // Farther from the surfaces than at the beginning: from far away all of them look parallel, and
     // no hollow is near.
     const bool lost = !(found.worst <= atFirst);
-    const Vec3& p = lost ? from : found.toolEnd;
+    const Vec3 p = told(lost ? from : found.toolEnd);
     const auto parallel = [](const Vec3& a, const Vec3& b) {
       return a.cross(b).norm() <= tolerance::nullDirection;
     };
@@ -305,7 +306,7 @@ class Starter {
   }
 
   [[nodiscard]] Failure diverges(const Settled& found) const {
-    const Vec3& p = found.toolEnd;
+    const Vec3 p = told(found.toolEnd);
     return fail(diag::StartupDiverges, p.x(), p.y(), p.z(), found.worst,
                 goals_[found.worstAt].surface.name);
   }
@@ -361,7 +362,7 @@ class Starter {
     if ((near.toolEnd - from).dot(along) < 0.0) {
       near.toolEnd = from;
     }
-    const Vec3& p = near.toolEnd;
+    const Vec3 p = told(near.toolEnd);
     return fail(diag::OffsetMisses, goals_[0].surface.name, std::abs(field->at(p, state_.axis).gap),
                 p.x(), p.y(), p.z());
   }

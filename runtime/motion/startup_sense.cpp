@@ -7,6 +7,7 @@
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/certify/motion_check.h"
+#include "runtime/motion/told.h"
 
 namespace arelem::motion {
 
@@ -28,8 +29,9 @@ Sense senseOf(
 }
 
 Failure behind(const LedTo& goal, const Vec3& toolEnd, const Sense& sense) {
-  return fail(diag::StartupBehind, certify::spell(goal.condition), goal.surface, toolEnd.x(),
-              toolEnd.y(), toolEnd.z(), sense.back);
+  const Vec3 p = told(toolEnd);
+  return fail(diag::StartupBehind, certify::spell(goal.condition), goal.surface, p.x(), p.y(),
+              p.z(), sense.back);
 }
 
 Failure turnsBack(const LedTo& goal, const Sense& sense) {

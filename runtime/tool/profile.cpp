@@ -82,9 +82,10 @@ Result<Profile> makeProfile(std::span<const double> values) {
   if (values.size() < 7 || (noCorner && p.alpha == 0.0 && p.beta == 0.0)) {
     p.e = p.d / 2 - p.r;
     p.f = p.r;
-  } else if (noCorner && p.r == 0.0) {
-    p.e = p.d / 2;
-    p.f = p.d / 2 * std::tan(p.alpha);
+  } else if (noCorner) {
+    const ProfilePoint center = cornerCenter(p);
+    p.e = center.rho;
+    p.f = center.z;
   }
   if (auto bad = rangeFault(p)) {
     return *std::move(bad);

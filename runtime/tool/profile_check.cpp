@@ -52,6 +52,13 @@ CornerPlace cornerPlace(const Profile& p) {
 }
 }  // namespace
 
+ProfilePoint cornerCenter(const Profile& p) {
+  const double turn = std::cos(p.alpha + p.beta);
+  const double inwards = p.r * (std::cos(p.alpha) - std::sin(p.beta)) / turn;
+  const double upwards = p.r * (std::cos(p.beta) - std::sin(p.alpha)) / turn;
+  return {p.d / 2 - inwards, p.d / 2 * std::tan(p.alpha) + upwards};
+}
+
 std::optional<Failure> rangeFault(const Profile& p) {
   if (p.d < 0.0) {
     return fail(diag::CutterDiameter, p.d);
@@ -108,16 +115,13 @@ Profile joined(const Profile& p) {
   if (p.ring || std::abs(aboveBottom - p.r) > allowed || std::abs(withinSide - p.r) > allowed) {
     return p;
   }
-  // From where the lines meet, inwards and up to a center at the distance r from both.
-  const double turn = p.cosAlpha * p.cosBeta - p.sinAlpha * p.sinBeta;
-  const double inwards = p.r * (p.cosAlpha - p.sinBeta) / turn;
-  const double upwards = p.r * (p.cosBeta - p.sinAlpha) / turn;
   Profile out = p;
   if (p.e == 0.0) {
-    out.d = 2.0 * inwards;
+    out.d -= 2.0 * cornerCenter(p).rho;
   }
-  out.e = std::max(out.d / 2 - inwards, 0.0);
-  out.f = out.d / 2 * std::tan(p.alpha) + upwards;
+  const ProfilePoint center = cornerCenter(out);
+  out.e = std::max(center.rho, 0.0);
+  out.f = center.z;
   completeProfile(out);
   return out;
 }

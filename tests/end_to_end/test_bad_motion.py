@@ -122,7 +122,18 @@ class BadMotion(ArelemCase):
             fault = self.fault(*mode, *circle, "TLON,GOFWD/L1,ON,3,INTOF,C1")
             self.assertEqual((fault["code"], fault["legacy"]), ("E0546", "724"))
             self.assertTrue(fault["message"].startswith("only 2 of 3 positions ON check surface `C1`"), fault["message"])
-            self.assertAlmostEqual(float(re.search(r"at \(([\d.]+),", fault["message"])[1]), 23, delta=0.01)
+            self.assertAlmostEqual(float(re.search(r"at \(([\d.]+),", fault["message"])[1]), 23, delta=0.001)
+
+    def test_a_tool_that_stands_there_already(self):
+        # TO x = 5 twice: from x = 4.5 on the next position is PAST, at 5.5, and the message says why.
+        fault = self.fault(*self.LINES, "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TO,L2", "GOFWD/L1,TO,L2")
+        self.assertFault(fault, "E0546", "724", 0, 1, 5.5, -0.5)
+        self.assertIn("stands at it at the start", json.dumps(fault))
+
+    def test_words_that_go_along_a_path_square_to_the_one_given(self):
+        fault = self.fault(*self.LINES, "FROM/3,-3,0", "INDIRV/0,1,0", "GO/TO,L1", "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(fault, "E0507", "505", 3, -0.5, 0, 90)
+        self.assertIn("GOLFT and GORGT go along the path", json.dumps(fault))
 
     def test_check_surface_along_the_path(self):
         fault = self.fault(*self.LINES, "FROM/0,-.5,0", "INDIRV/1,0,0", "TLRGT,GOFWD/L1,TO,L1")

@@ -35,7 +35,7 @@ CANON = {
     "MATRIX": "twelve coefficients by rows; a point p becomes A p + t, t in the last column",
     "SPHERE": "x y z of the center, r",
     "TABCYL": "n intervals, k values behind k, the 3 x 3 matrix of the controlling plane, then u v a b length max min an "
-              "interval and the last u v; the first and last interval are straight",
+              "interval and the last u v; the first and last interval are straight. u v are x y with NOZ, y z with NOX, z x with NOY",
     "POLCON": "jroots, m1 to m12, t, cb, pb, then of each of A B C D L H P the coefficients of d^0 to d^7, then of each that of "
               "the square root of d",
     "RLDSRF": "sub-forms one after another, each with its type code and count",

@@ -57,6 +57,19 @@ TEST(ProfileCheck, EachFaultHasItsCode) {
   }
 }
 
+// e = f = 0: the center is its radius from both lines, and the cutter has no fault.
+TEST(ProfileCheck, ACornerFollowsFromTheOtherValues) {
+  for (const std::vector<double>& values : std::vector<std::vector<double>>{
+           {20, 3, 0, 0, 10, 15, 40}, {20, 3, 0, 0, 30, 0, 40}, {20, 3, 0, 0, 0, 15, 40}}) {
+    EXPECT_EQ(faultOf(values), "");
+    const Profile cutter = *makeProfile(values);
+    const double rim = 10 * cutter.sinAlpha / cutter.cosAlpha;
+    EXPECT_NEAR(cutter.f * cutter.cosAlpha - cutter.e * cutter.sinAlpha, 3, 1e-12);
+    EXPECT_NEAR((10 - cutter.e) * cutter.cosBeta + (cutter.f - rim) * cutter.sinBeta, 3, 1e-12);
+  }
+  EXPECT_EQ(faultOf({2, 1.1, 0, 0, 0, 10, 5}), "E0539");  // no room for it
+}
+
 // Rounded decimals are made exact: the corner's center is its radius from both lines.
 TEST(ProfileCheck, RoundedValuesAreJoined) {
   for (const std::vector<double>& values :
