@@ -1,5 +1,6 @@
 #include "app/certify.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/certify_table.h"
@@ -19,6 +20,10 @@
 namespace arelem::app {
 
 namespace {
+/// Arcs and splines are judged as cut vectors that leave them by half the slack, or by this where
+/// there is none. Part unit.
+constexpr double leastSag = 1e-7;
+
 /// WCORN, whose locations the program gives and no upright tool.
 std::optional<Span> firstCorner(const std::vector<runtime::Action>& actions) {
   for (const runtime::Action& action : actions) {
@@ -43,7 +48,7 @@ bool readPath(ClFile& file,
   reading.dialect = frontend::Dialect::cl;
   Compilation job(reading);
   const auto upright = path::makeUprightStage(records, slack, job.log);
-  const auto chords = path::makeChordStage(*upright, job.log);
+  const auto chords = path::makeChordStage(*upright, job.log, std::max(0.5 * slack, leastSag));
   InPartUnit lengths(part, displayName(file.path()), *chords, job.log);
   bool good = readRecords(job, file, lengths, interrupted);
   upright->finish();

@@ -7,8 +7,10 @@
 namespace arelem::tool {
 
 /// The signed distance of places to the body of a cutter, with its gradient, where it is asked for
-/// again and again. Cutters with a level bottom and tangent corner arc, which is nearly all, are
-/// measured by which of bottom, arc and side is nearest; the others by `distanceTo`.
+/// again and again. The body of a convex cutter with straight sides ends at its top face, which
+/// makes the distance a convex function; sides that widen are open there. Cutters with a level
+/// bottom and tangent corner arc, which is nearly all, are measured by which of bottom, arc and
+/// side is nearest; the others by `distanceTo`.
 class Body {
  public:
   struct Away {
@@ -20,6 +22,7 @@ class Body {
   explicit Body(const Profile& cutter)
       : cutter_(cutter),
         convex_(tool::isConvex(cutter)),
+        closed_(convex_ && cutter.beta == 0.0),
         plain_(isRounded(cutter) && cutter.alpha == 0.0 && cutter.beta >= 0.0),
         sideLength_(std::hypot(cutter.sideEnd.rho - cutter.sideStart.rho,
                                cutter.sideEnd.z - cutter.sideStart.z)) {}
@@ -27,14 +30,21 @@ class Body {
   [[nodiscard]] bool isConvex() const { return convex_; }
   /// Level bottom, tangent arc, sides that do not narrow upwards.
   [[nodiscard]] bool isPlain() const { return plain_; }
+  /// Its top face counts.
+  [[nodiscard]] bool isClosed() const { return closed_; }
   [[nodiscard]] const Profile& cutter() const { return cutter_; }
   [[nodiscard]] Away away(double rho, double z) const;
 
  private:
   [[nodiscard]] Away byProfile(double rho, double z) const;
+  [[nodiscard]] double distance(ProfilePoint place, ProfilePoint& nearest) const;
+  /// Of a place to which the top is the nearest.
+  [[nodiscard]] Away toTop(double rho, double z) const {
+    return {z - cutter_.h, 0.0, 1.0, rho, cutter_.h};
+  }
 
   const Profile& cutter_;
-  bool convex_, plain_;
+  bool convex_, closed_, plain_;
   double sideLength_;
 };
 
@@ -48,12 +58,17 @@ inline Body::Away Body::away(double rho, double z) const {
   }
   const double beside = dx * p.cosBeta - dz * p.sinBeta - p.r;
   if (dx <= 0.0 && (along < 0.0 || -z >= beside)) {
-    return {-z, 0.0, -1.0, rho, 0.0};
+    return closed_ && z - p.h > -z ? toTop(rho, z) : Away{-z, 0.0, -1.0, rho, 0.0};
   }
   if (along >= 0.0) {
-    return {beside, p.cosBeta, -p.sinBeta, rho - beside * p.cosBeta, z + beside * p.sinBeta};
+    return closed_ && z - p.h > beside ? toTop(rho, z)
+                                       : Away{beside, p.cosBeta, -p.sinBeta,
+                                              rho - beside * p.cosBeta, z + beside * p.sinBeta};
   }
   const double length = std::sqrt(dx * dx + dz * dz);
+  if (closed_ && z - p.h > length - p.r) {
+    return toTop(rho, z);
+  }
   const double byRho = dx / length;
   const double byZ = dz / length;
   return {length - p.r, byRho, byZ, p.e + p.r * byRho, p.f + p.r * byZ};

@@ -279,42 +279,6 @@ class Certify(ArelemCase):
             touching, clear = (middle, clear) if code else (touching, middle)
         self.assertGreater(clear, -rows[-1]["part"]["measuredInner"])
 
-    def test_lengths_of_a_file_are_converted_to_the_unit_of_its_program(self):
-        part = self.write("s.apt", "UNITS/MM\n" + SPHERE)
-        self.assertExit(0, "compile", part, "-o", "s.cls")
-        text = (self.folder / "s.cls").read_text()
-
-        def scaled(line, factor):
-            word, _, rest = line.partition(" / ")
-            if word not in ("FROM", "GOTO", "CUTTER", "INTOL", "OUTTOL"):
-                return line
-            return f"{word} / " + ", ".join(repr(float(v) * factor) for v in rest.split(","))
-        inches = "\n".join(scaled(line, 1 / 25.4) for line in text.replace("UNITS / MM", "UNITS / INCHES").splitlines()) + "\n"
-        self.write("inch.cls", inches)
-        for words in (("verify", part, "inch.cls"), ("verify", "inch.cls", "--with", part)):
-            self.assertExit(0, *words)
-            self.assertNotIn("W09", self.err)
-        # The same numbers under another unit are another path.
-        self.write("wrong.cls", text.replace("UNITS / MM", "UNITS / INCHES"))
-        self.assertExit(5, "verify", part, "wrong.cls")
-        self.assertExit(5, "verify", "wrong.cls", "--with", part)
-        # A program without a unit cannot be converted to.
-        self.write("bare.apt", SPHERE)
-        self.assertExit(0, "verify", "bare.apt", "s.cls")
-        self.assertIn("W0917", self.err)
-
-    def test_a_file_for_another_cutter_is_told(self):
-        part = self.write("s.apt", SPHERE)
-        self.assertExit(0, "compile", part, "-o", "s.cls")
-        text = (self.folder / "s.cls").read_text()
-        self.assertExit(0, "verify", part, "s.cls")
-        self.assertNotIn("W0918", self.err)
-        for other in ("CUTTER / 4.0, 1.0", "CUTTER / 2.0"):
-            self.write("t.cls", re.sub("CUTTER / .*", other, text))
-            self.assertExit(0, "verify", part, "t.cls")
-            self.assertIn("t.cls:", self.err)
-            self.assertIn("W0918", self.err)
-
     def test_slack_admits_rounded_files(self):
         self.write("s.apt", SPHERE)
         self.assertExit(0, "s.apt", "-o", "s.cls", "--decimals", "4")
