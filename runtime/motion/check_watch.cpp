@@ -9,9 +9,9 @@
 namespace arelem::motion {
 
 namespace {
-/// Slopes of a gap at most this are rounding: of a stretch that is touched all along.
+/// Slopes of a gap at most this may be rounding: of a stretch that is touched all along.
 /// Dimensionless.
-constexpr double levelSlope = 1e-13;
+constexpr double levelSlope = tolerance::symmetric;
 /// Finest step, as a share of the tolerance band: what is narrower is contact within the tolerance.
 constexpr double fineShare = 0.25;
 /// A tangency passes through its band in a length of the order of sqrt(band); this share of it is

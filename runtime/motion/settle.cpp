@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "ir/space/tolerance.h"
+
 namespace arelem::motion {
 
 namespace {
@@ -170,6 +172,47 @@ Settled closest(const Vec3& start,
     }
   }
   return here;
+}
+
+namespace {
+/// Directions that go with the surfaces wherever these lie: along the first contact normal, square
+/// to it towards the second, and square to both.
+Eigen::Matrix3d frameOf(const Settled& at, std::size_t count) {
+  const Vec3 first = at.contacts[0].normal;
+  Vec3 second = count > 1 ? at.contacts[1].normal : Vec3(first.unitOrthogonal());
+  second -= second.dot(first) * first;
+  second = second.norm() > tolerance::nullDirection ? Vec3(second.normalized())
+                                                    : Vec3(first.unitOrthogonal());
+  Eigen::Matrix3d frame;
+  frame << first, second, first.cross(second);
+  return frame;
+}
+}  // namespace
+
+Settled nearestAround(const Settled& near,
+                      const Vec3& from,
+                      AxisRule& axis,
+                      std::span<const Wanted> wanted,
+                      std::span<const Constraint> constraints) {
+  // In parts of what is missed.
+  constexpr std::array distances{0.25, 1.0, 4.0, 16.0};
+  const Eigen::Matrix3d frame = frameOf(near, wanted.size());
+  Settled best = near;
+  double least = tolerance::farAway;
+  for (const double distance : distances) {
+    for (int cell = 0; cell < 27; ++cell) {
+      const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
+      const Settled found =
+          settle(near.toolEnd + distance * near.worst * (frame * way), axis, wanted, constraints);
+      const double away = (found.toolEnd - from).norm();
+      // Mirror images are equally far: the first one stays.
+      if (found.ok && away < least - tolerance::coincidence) {
+        best = found;
+        least = away;
+      }
+    }
+  }
+  return best;
 }
 
 }  // namespace arelem::motion

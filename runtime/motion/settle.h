@@ -47,4 +47,13 @@ struct Settled {
                               std::span<const Wanted> wanted,
                               std::span<const Constraint> constraints);
 
+/// The position nearest to `from` of those that are found from places around `near`, where the
+/// conditions are missed least; `near` itself where none is found. In a plane of symmetry, or where
+/// a surface bends away and comes back, steps from one place do not lead there.
+[[nodiscard]] Settled nearestAround(const Settled& near,
+                                    const Vec3& from,
+                                    AxisRule& axis,
+                                    std::span<const Wanted> wanted,
+                                    std::span<const Constraint> constraints);
+
 }  // namespace arelem::motion

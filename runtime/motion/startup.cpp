@@ -231,8 +231,9 @@ class Starter {
     if (!found.ok) {
       // From far away or across a kink Newton may miss what there is.
       const Settled near = closest(from, rule_, wanted(false, from), extra);
-      found = settle(near.toolEnd, rule_, wanted(false, near.toolEnd), extra);
-      found = found.ok ? found : near;
+      const auto goals = wanted(false, near.toolEnd);
+      found = settle(near.toolEnd, rule_, goals, extra);
+      found = found.ok ? found : nearestAround(near, from, rule_, goals, extra);
     }
     if (found.ok && !exact_) {
       found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);

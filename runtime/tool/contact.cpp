@@ -100,7 +100,7 @@ Contact contactOf(const surface::Plane& s,
   const ProfilePoint q = reachPoint(cutter, nz);
   const Vec3 across = nz * axis - normal;
   const double length = across.norm();
-  const Vec3 out = length > 0.0 ? Vec3(across / length) : Vec3(Vec3::Zero());
+  const Vec3 out = length > tolerance::rounding ? Vec3(across / length) : Vec3(Vec3::Zero());
   return {side * (s.normal.dot(te) - s.offset) - far, normal, te + q.rho * out + q.z * axis};
 }
 
@@ -124,7 +124,9 @@ Contact contactOf(const surface::Sphere& s,
   const double z = w.dot(axis);
   const Vec3 across = w - z * axis;
   const double rho = across.norm();
-  const Vec3 out = rho > 0.0 ? Vec3(across / rho) : Vec3(axis.unitOrthogonal());
+  // Where the axis goes through the center, what is left of w is rounding of any direction.
+  const bool apart = rho > tolerance::rounding * (1.0 + std::abs(z));
+  const Vec3 out = apart ? Vec3(across / rho) : Vec3(axis.unitOrthogonal());
   ProfilePoint q;
   if (side > 0.0) {
     const double distance = distanceTo(cutter, {rho, z}, q);
