@@ -112,17 +112,6 @@ class StrokeWriter {
     }
   }
 
-  /// On a bent surface the nozzle goes a longer or shorter way than its spray.
-  [[nodiscard]] double nozzleSpeed(const Stroke& s, double length) const {
-    const double d = sprayed_.gun.standOff;
-    const double way = (s.to + d * s.normalTo - s.from - d * s.normalFrom).norm();
-    // Rounded, so that the rounding of places makes no feeds of its own.
-    const bool straight = !(length > 0.0) || std::abs(way / length - 1.0) <= tolerance::similarity;
-    const double speed = straight ? s.speed : std::round(s.speed * way / length * 1e6) / 1e6;
-    const double fastest = sprayed_.gun.speed;
-    return !sprayed_.planar && fastest > 0.0 ? std::min(speed, fastest) : speed;
-  }
-
   void stroke(std::size_t i) {
     const Stroke& s = sprayed_.strokes[i];
     const Vec3 step = s.to - s.from;
@@ -139,8 +128,9 @@ class StrokeWriter {
     }
     if (s.painting) {
       on();
-      feed(nozzleSpeed(s, length));
-      const double closing = last ? std::min(s.speed * sprayed_.gun.leadOff, length) : 0.0;
+      const double speed = sprayed_.nozzleSpeed(s);
+      feed(speed);
+      const double closing = last ? std::min(speed * sprayed_.gun.leadOff, length) : 0.0;
       if (closing > 0.0) {
         goOver(s.to - closing * along, s.normalTo, along);
         off();

@@ -33,7 +33,7 @@ Cost costOf(const PathLengths& path,
             const Prices& prices) {
   Cost cost;
   cost.paintingTime = path.painted / operation.speed;
-  cost.travelingTime = path.unpainted / limits.speed;
+  cost.travelingTime = (path.unpainted - path.runUp) / limits.speed + path.runUpTime;
   cost.used = operation.flow * cost.paintingTime;
   cost.overspray = (1.0 - limits.efficiency) * cost.used;
   const double sticks = limits.efficiency * cost.used;

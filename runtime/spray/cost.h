@@ -40,6 +40,8 @@ struct GunLimits {
 struct PathLengths {
   double painted = 0.0;    ///< X_i, mm
   double unpainted = 0.0;  ///< X_o, mm
+  double runUp = 0.0;      ///< of that with the gun switched on early, at the speed of painting
+  double runUpTime = 0.0;  ///< how long that takes, s
 };
 
 /// The five parts of the process cost, and what they are made of. Source: Bartlett (4.12), (4.14).

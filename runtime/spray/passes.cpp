@@ -38,16 +38,21 @@ std::vector<double> programHeights(const Extent& extent, double interval, const 
   return heights;
 }
 
-void measure(PassPlan& plan) {
+void measure(PassPlan& plan, double runUp) {
   const Pass* before = nullptr;
   for (const Pass& pass : plan.passes) {
+    const double begin =
+        pass.hits.front() - std::copysign(runUp, pass.hits.back() - pass.hits.front());
     if (before != nullptr) {
       plan.lengths.unpainted +=
-          std::hypot(pass.hits.front() - before->hits.back(), pass.height - before->height);
+          std::hypot(begin - before->hits.back(), pass.height - before->height);
     }
+    plan.lengths.unpainted += runUp;
+    plan.lengths.runUp += runUp;
     for (std::size_t i = 1; i < pass.hits.size(); ++i) {
       const double length = std::abs(pass.hits[i] - pass.hits[i - 1]);
       (i % 2 == 1 ? plan.lengths.painted : plan.lengths.unpainted) += length;
+      plan.lengths.runUp += i % 2 == 1 ? 0.0 : std::min(runUp, length);
     }
     before = &pass;
   }
@@ -95,7 +100,7 @@ PassPlan planPasses(const Outline& outline, const PassRules& rules) {
     toRight = !toRight;
     plan.passes.push_back(std::move(pass));
   }
-  measure(plan);
+  measure(plan, rules.runUp);
   return plan;
 }
 

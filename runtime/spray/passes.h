@@ -19,6 +19,7 @@ struct PassRules {
   double inset = 0.0;    ///< c, mm
   StopRule stop = StopRule::strict;
   double sharpest = mitreLimit;  ///< of corners, see SprayedArea
+  double runUp = 0.0;            ///< before a painted piece at its speed, mm
   double shortestGap = 0.0;      ///< a gap below this is painted over, mm (compress_path)
   std::uint64_t mostPasses = arelem::Limits{}.passes;
   static constexpr double mitreLimit = 4.0;

@@ -192,6 +192,7 @@ class Planner {
     task_.sharpest = program ? HUGE_VAL : PassRules::mitreLimit;
     s.sharpest = task_.sharpest;
     task_.shortestGap = task_.limits.speed * (job_.gun.leadOn + job_.gun.leadOff);
+    task_.leadOn = job_.gun.leadOn;
     task_.prices = job_.prices.value_or(Prices{});
     const double own = job_.gun.footprint.across;
     if (job_.sizes || job_.angles) {

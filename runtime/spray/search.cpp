@@ -24,7 +24,8 @@ Trial evaluateTurned(const Task& task, const Outline& outline, double area, doub
   trial.complete = plan.complete;
   trial.lengths = plan.lengths;
   trial.operation = operationFor(task.film, plan.interval, task.limits);
-  trial.cost = costOf(plan.lengths, area, task.film, trial.operation, task.limits, task.prices);
+  trial.lengths.runUpTime = trial.lengths.runUp / trial.operation.speed;
+  trial.cost = costOf(trial.lengths, area, task.film, trial.operation, task.limits, task.prices);
   return trial;
 }
 
@@ -82,6 +83,8 @@ PassRules rulesFor(const Task& task, double across) {
   rules.stop = task.stop;
   rules.sharpest = task.sharpest;
   rules.shortestGap = task.shortestGap;
+  const double interval = 2.0 * across * (1.0 - task.overlap);
+  rules.runUp = task.leadOn * operationFor(task.film, interval, task.limits).speed;
   rules.mostPasses = task.mostPasses;
   return rules;
 }

@@ -18,6 +18,7 @@ struct Task {
   StopRule stop = StopRule::strict;
   double sharpest = PassRules::mitreLimit;
   double shortestGap = 0.0;
+  double leadOn = 0.0;  ///< the gun is switched on so much earlier, s
   std::uint64_t mostPasses = arelem::Limits{}.passes;
   GunLimits limits;
   Prices prices;

@@ -51,6 +51,8 @@ struct Sprayed {
   Trial chosen;                 ///< size, angle, lengths, speed, flow and cost
   std::vector<Trial> trials;    ///< all that the search looked at
   std::vector<Stroke> strokes;  ///< in order, traverses left out
+  /// On a bent surface the nozzle goes a longer or shorter way than its spray; mm/s.
+  [[nodiscard]] double nozzleSpeed(const Stroke& stroke) const;
   /// Where the gun is when a stroke that begins a pass is reached: before it, where the gun is
   /// switched on early.
   [[nodiscard]] GunPose beginOf(const Stroke& stroke) const;

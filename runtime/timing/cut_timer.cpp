@@ -195,6 +195,7 @@ class CutTimer::Path {
     if (motion.kind == cl::Motion::Kind::from || !at_) {
       stop();
       setPlace(motion);
+      rapid_ = false;  // RAPID was for this location
       return;
     }
     const bool continues = motion.kind == cl::Motion::Kind::continuation;

@@ -369,17 +369,6 @@ Vec3 Patch::normal(double u, double v) const {
   return flipped ? Vec3(-n) : n;
 }
 
-double Patch::curvature(double u, double v, bool alongU) const {
-  const double h = tolerance::curvatureStep * (alongU ? u1 - u0 : v1 - v0);
-  const double uc = alongU ? std::clamp(u, u0 + h, u1 - h) : u;
-  const double vc = alongU ? v : std::clamp(v, v0 + h, v1 - h);
-  const auto place = [&](double step) { return alongU ? at(uc + step, vc) : at(uc, vc + step); };
-  const Vec3 first = (place(h) - place(-h)) / (2.0 * h);
-  const Vec3 second = (place(h) - 2.0 * place(0.0) + place(-h)) / (h * h);
-  const double square = first.squaredNorm();
-  return square > 0.0 ? -second.dot(normal(uc, vc)) / square : 0.0;
-}
-
 Result<Patch> patchOf(const Entity& entity, const Limits& limits, double unit) {
   return Builder(entity, limits, unit).run();
 }

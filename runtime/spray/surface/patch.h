@@ -45,9 +45,6 @@ struct Patch {
 
   /// Unit normal r_u x r_v, turned round where flipped.
   [[nodiscard]] Vec3 normal(double u, double v) const;
-  /// The normal curvature (1/mm) of the surface along u (or v), positive where it bends away from
-  /// the normal.
-  [[nodiscard]] double curvature(double u, double v, bool alongU) const;
 };
 
 /// Bounds of the parameters in the units of the part program (lengths) and degrees.

@@ -7,6 +7,7 @@
 #include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/spray/surface/laid_lines.h"
+#include "runtime/spray/surface/radii.h"
 #include "runtime/spray/surface/section_planes.h"
 #include "runtime/spray/surface/spacing.h"
 #include "runtime/spray/surface/traverses.h"
@@ -20,6 +21,19 @@ constexpr double alikeOfMesh = 0.95;    // triangles blur them
 constexpr double piecesOfRadius = 4.0;  // of the footprint, over which a mesh's bend is measured
 constexpr double asFast = 1e-6;         // the rounding of normals makes no nozzle faster
 constexpr double bentMost = 0.95;       // of the way: at its sharpest bends the gun slows down
+
+/// The planes of SECTN, or those of RADIAL through the axis and a place.
+PlaneNormal planesOf(const SurfaceJob& job) {
+  if (const auto* radial = std::get_if<SurfaceJob::Radial>(&job.lines)) {
+    return [r = *radial](const Vec3& place) -> Vec3 {
+      const Vec3 square = r.axis.cross(place - r.place);
+      return square.norm() > tolerance::coincidence ? Vec3(square.normalized())
+                                                    : Vec3(Vec3::Zero());
+    };
+  }
+  return
+      [normal = std::get<SurfaceJob::Parallel>(job.lines).normal](const Vec3&) { return normal; };
+}
 
 class Planner {
  public:
@@ -78,19 +92,17 @@ class Planner {
       hollow_ = std::min(job_.mesh->smallestHollow(sections->planes, piece).value_or(HUGE_VAL),
                          job_.mesh->smallestHollow(planesAcross(job_), piece).value_or(HUGE_VAL));
     } else {
-      const Radii radii = smallestRadii(job_.patch);
+      const Radii radii =
+          way != nullptr ? smallestRadii(job_.patch) : smallestRadii(job_.patch, planesOf(job_));
       hollow_ = radii.hollow.value_or(HUGE_VAL);
-      const bool alongU = way == nullptr || *way == SurfaceJob::Way::alongU;
-      s_.radiusAlong = alongU ? radii.alongU : radii.alongV;
-      s_.radiusAcross = alongU ? radii.alongV : radii.alongU;
+      const bool swap = way != nullptr && *way == SurfaceJob::Way::alongV;
+      s_.radiusAlong = swap ? radii.across : radii.along;
+      s_.radiusAcross = swap ? radii.along : radii.across;
     }
     const double along = s_.radiusAlong.value_or(HUGE_VAL);
     const double across = s_.radiusAcross.value_or(HUGE_VAL);
-    if (way != nullptr && along < alike * across) {
-      s_.advice = fmt::format("{} would run where the surface bends less",
-                              *way == SurfaceJob::Way::alongU ? "VLINES" : "ULINES");
-    } else if (job_.mesh && along < alikeOfMesh * across) {
-      s_.advice = "sections square to these would run where the surface bends less";
+    if (along < (job_.mesh ? alikeOfMesh : alike) * across) {
+      s_.advice = fmt::format("{} would run where the surface bends less", otherLines());
     }
     const double smallest = std::min(along, across);
     if (job_.checkRadius && smallest < job_.gun.footprint.across) {
@@ -98,6 +110,15 @@ class Planner {
           .withHelp("a smaller stand-off makes the footprint smaller; MINRAD, OFF sprays anyway");
     }
     return std::nullopt;
+  }
+
+  /// Those that run across the lines of the job.
+  [[nodiscard]] std::string_view otherLines() const {
+    if (const auto* way = std::get_if<SurfaceJob::Way>(&job_.lines)) {
+      return *way == SurfaceJob::Way::alongU ? "VLINES" : "ULINES";
+    }
+    return std::holds_alternative<SurfaceJob::Radial>(job_.lines) ? "sections square to the axis"
+                                                                  : "sections square to these";
   }
 
   /// In a hollow the nozzle must not reach the middle: behind it the other wall is near, and the
@@ -252,6 +273,13 @@ class Planner {
         }
       }
     }
+    for (const Stroke& stroke : s_.strokes) {
+      if (stroke.newPass) {
+        chosen.lengths.runUp += s_.nozzleSpeed(stroke) * job_.gun.leadOn;
+        chosen.lengths.runUpTime += job_.gun.leadOn;
+      }
+    }
+    chosen.lengths.unpainted += chosen.lengths.runUp;
     if (auto failure = goRound(s_, job_, walls_ ? &*walls_ : nullptr)) {
       return failure;
     }

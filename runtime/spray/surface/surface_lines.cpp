@@ -9,7 +9,7 @@
 namespace arelem::spray {
 
 namespace {
-constexpr int samples = 64;  // of a parameter, for lengths, areas and radii
+constexpr int samples = 64;  // of a parameter, for lengths and areas
 constexpr int deepest = 20;  // halvings of a line
 
 double between(double from, double to, double share) {
@@ -163,33 +163,6 @@ double areaOf(const Patch& patch) {
     }
   }
   return area;
-}
-
-Radii smallestRadii(const Patch& patch) {
-  double alongU = 0.0;
-  double alongV = 0.0;
-  double hollow = 0.0;
-  const auto share = [](int i) {
-    return std::clamp(i / double{samples}, tolerance::rimMargin, 1.0 - tolerance::rimMargin);
-  };
-  for (int i = 0; i <= samples; ++i) {
-    for (int k = 0; k <= samples; ++k) {
-      const double u = between(patch.u0, patch.u1, share(i));
-      const double v = between(patch.v0, patch.v1, share(k));
-      if (!patch.keeps(u, v)) {
-        continue;
-      }
-      const double bendU = patch.curvature(u, v, true);
-      const double bendV = patch.curvature(u, v, false);
-      alongU = std::max(alongU, std::abs(bendU));
-      alongV = std::max(alongV, std::abs(bendV));
-      hollow = std::max({hollow, -bendU, -bendV});
-    }
-  }
-  const auto radius = [](double curvature) {
-    return curvature > tolerance::flat ? std::optional(1.0 / curvature) : std::nullopt;
-  };
-  return {radius(alongU), radius(alongV), radius(hollow)};
 }
 
 double pointsNeeded(const Patch& patch, const Layout& layout) {

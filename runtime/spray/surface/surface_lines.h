@@ -46,13 +46,6 @@ struct LineSet {
 /// Adds a line, begun at the end that is nearer to where the one before ended.
 void appendToAndFro(std::vector<SurfaceLine>& lines, SurfaceLine line);
 
-/// Smallest radius of curvature along u and along v, and the smaller of both where the surface
-/// bends towards the normal; none where flat. mm. Sampled over the patch.
-struct Radii {
-  std::optional<double> alongU, alongV, hollow;
-};
-[[nodiscard]] Radii smallestRadii(const Patch& patch);
-
 /// Whether the surface comes back to where it began along u (or v).
 [[nodiscard]] bool closesAlong(const Patch& patch, bool alongU);
 /// Area of the patch, mm2.

@@ -7,6 +7,7 @@
 #include "runtime/geometry/tabulated_cylinder.h"
 #include "runtime/spray/surface/kept.h"
 #include "runtime/spray/surface/patch_grid.h"
+#include "runtime/spray/surface/radii.h"
 #include "runtime/spray/surface/surface_job.h"
 
 namespace arelem::spray {
@@ -46,12 +47,12 @@ TEST(Patches, AreasAndRadii) {
   const Patch half = patch(cylinder, Limits4{0, 180, 0, 400});
   EXPECT_NEAR(areaOf(half), M_PI * 100 * 400, 20.0);
   Radii radii = smallestRadii(half);
-  EXPECT_NEAR(*radii.alongU, 100.0, 1e-3);
-  EXPECT_FALSE(radii.alongV.has_value());
+  EXPECT_NEAR(*radii.along, 100.0, 1e-3);
+  EXPECT_FALSE(radii.across.has_value());
   radii = smallestRadii(patch(torus));
-  EXPECT_NEAR(*radii.alongV, 50.0, 1e-3);
-  EXPECT_NEAR(*radii.alongU, 150.0, 1e-3);  // at the inner circle; 250 at the outer
-  EXPECT_NEAR(*smallestRadii(patch(sphere)).alongV, 75.0, 1e-3);
+  EXPECT_NEAR(*radii.across, 50.0, 1e-3);
+  EXPECT_NEAR(*radii.along, 150.0, 1e-3);  // at the inner circle; 250 at the outer
+  EXPECT_NEAR(*smallestRadii(patch(sphere)).across, 75.0, 1e-3);
   const Patch frustum = patch(cone, Limits4{0, 360, 100, 300});
   EXPECT_NEAR(areaOf(frustum), M_PI * std::sin(0.5) * (90000.0 - 10000.0), 150.0);
 }
@@ -248,8 +249,8 @@ TEST(SurfaceLines, RadiiAtTheRimCount) {
   p.u1 = 90.0;
   p.v0 = 100.0;
   p.v1 = 400.0;
-  ASSERT_TRUE(smallestRadii(p).alongU.has_value());
-  EXPECT_NEAR(*smallestRadii(p).alongU, 100.0, 0.4);
+  ASSERT_TRUE(smallestRadii(p).along.has_value());
+  EXPECT_NEAR(*smallestRadii(p).along, 100.0, 0.4);
 }
 
 SurfaceJob job(Patch p) {
