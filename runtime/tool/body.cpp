@@ -12,7 +12,7 @@ constexpr double touching = 1e-11;
 double Body::distance(ProfilePoint place, ProfilePoint& nearest) const {
   const double distance = distanceTo(cutter_, place, nearest);
   const double above = place.z - cutter_.h;
-  if (closed_ && (above >= 0.0 ? place.rho <= cutter_.sideEnd.rho : above > distance)) {
+  if (convex_ && (above >= 0.0 ? place.rho <= cutter_.sideEnd.rho : above > distance)) {
     nearest = {place.rho, cutter_.h};
     return above;
   }

@@ -22,7 +22,6 @@ class Body {
   explicit Body(const Profile& cutter)
       : cutter_(cutter),
         convex_(tool::isConvex(cutter)),
-        closed_(convex_ && cutter.beta == 0.0),
         plain_(isRounded(cutter) && cutter.alpha == 0.0 && cutter.beta >= 0.0),
         sideLength_(std::hypot(cutter.sideEnd.rho - cutter.sideStart.rho,
                                cutter.sideEnd.z - cutter.sideStart.z)) {}
@@ -30,8 +29,6 @@ class Body {
   [[nodiscard]] bool isConvex() const { return convex_; }
   /// Level bottom, tangent arc, sides that do not narrow upwards.
   [[nodiscard]] bool isPlain() const { return plain_; }
-  /// Its top face counts.
-  [[nodiscard]] bool isClosed() const { return closed_; }
   [[nodiscard]] const Profile& cutter() const { return cutter_; }
   [[nodiscard]] Away away(double rho, double z) const;
 
@@ -44,7 +41,7 @@ class Body {
   }
 
   const Profile& cutter_;
-  bool convex_, closed_, plain_;
+  bool convex_, plain_;
   double sideLength_;
 };
 
@@ -58,15 +55,15 @@ inline Body::Away Body::away(double rho, double z) const {
   }
   const double beside = dx * p.cosBeta - dz * p.sinBeta - p.r;
   if (dx <= 0.0 && (along < 0.0 || -z >= beside)) {
-    return closed_ && z - p.h > -z ? toTop(rho, z) : Away{-z, 0.0, -1.0, rho, 0.0};
+    return z - p.h > -z ? toTop(rho, z) : Away{-z, 0.0, -1.0, rho, 0.0};
   }
   if (along >= 0.0) {
-    return closed_ && z - p.h > beside ? toTop(rho, z)
-                                       : Away{beside, p.cosBeta, -p.sinBeta,
-                                              rho - beside * p.cosBeta, z + beside * p.sinBeta};
+    return z - p.h > beside ? toTop(rho, z)
+                            : Away{beside, p.cosBeta, -p.sinBeta, rho - beside * p.cosBeta,
+                                   z + beside * p.sinBeta};
   }
   const double length = std::sqrt(dx * dx + dz * dz);
-  if (closed_ && z - p.h > length - p.r) {
+  if (z - p.h > length - p.r) {
     return toTop(rho, z);
   }
   const double byRho = dx / length;

@@ -212,7 +212,7 @@ class ContactDescent {
       if constexpr (surface::Turning<S>) {
         const double steps = std::abs(angle) * (1.0 + bent);
         if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep) {
-          finishCircle(q.rho, angle, slope, curvature, turning, tangent);
+          finishCircle(q.rho, angle, slope, turning, tangent);
           noteTurns(-turning / curvature, turnedBefore);
           break;
         }
@@ -235,12 +235,8 @@ class ContactDescent {
 
   /// The last step of Newton, by what is known of the surface where it begins: the distance to the
   /// second order, its gradient to the first.
-  void finishCircle(double rho,
-                    double angle,
-                    double slope,
-                    double curvature,
-                    const Vec3& turning,
-                    const Vec3& tangent) {
+  void finishCircle(
+      double rho, double angle, double slope, const Vec3& turning, const Vec3& tangent) {
     const Vec3 turned = unitOf(search_.toward + angle * tangent);
     last_.at += rho * (turned - search_.toward);
     search_.toward = turned;

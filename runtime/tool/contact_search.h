@@ -48,9 +48,9 @@ class ContactSearch {
     }
     descent_.begin();
     const Contact local = descent_.nearestPiece();
-    const bool proven = convex
-                            ? supports(local)
-                            : bottomIsProven(local, descent_.onCorner()) && shankIsClear(local.gap);
+    const bool proven =
+        (convex && supports(local)) ||
+        (!search_.convex && bottomIsProven(local, descent_.onCorner()) && shankIsClear(local.gap));
     if (proven || leads(local) ||
         SectionProof<S>(surface_, side_, cutter_, te_, axis_, search_.hint).holds(local)) {
       return local;
@@ -88,8 +88,9 @@ class ContactSearch {
     if (known > 0.0 && (middle - search_.convexAt).norm() + radius <= known) {
       return search_.convexRadius > 0.0;
     }
+    auto hint = search_.hint;
     const surface::Bends bends =
-        surface_.bends(middle, surface_.foot(middle, search_.hint), roomy * radius);
+        surface_.bends(middle, surface_.foot(middle, hint), roomy * radius);
     const bool convex = side_ > 0.0 ? bends.low >= 0.0 : bends.high <= 0.0;
     search_.convexAt = middle;
     search_.convexRadius = convex ? roomy * radius : -roomy * radius;

@@ -19,7 +19,6 @@ class PlacedBody {
 
   [[nodiscard]] const Profile& cutter() const { return body_.cutter(); }
   [[nodiscard]] bool isConvex() const { return body_.isConvex(); }
-  [[nodiscard]] bool isClosed() const { return body_.isClosed(); }
   [[nodiscard]] bool isPlain() const { return body_.isPlain(); }
   [[nodiscard]] const Vec3& te() const { return te_; }
   [[nodiscard]] const Vec3& axis() const { return axis_; }

@@ -148,7 +148,7 @@ Support levelled(const Support& a, const Support& b, const Vec3& along) {
 /// The place of a plane that is deepest inside the cutter, where that is more than its corner is
 /// round: by symmetry it lies in the plane of axis and normal. The least of a convex function by
 /// golden sections. It may be a kink, where the bottom is as far as the side.
-Deepest deepestOf(const PlacedBody& body, const Facet& t, const PlaneContact& plane) {
+Deepest deepestOf(const PlacedBody& body, const Facet& t, const Vec3& normal) {
   constexpr double golden = 0.6180339887498949;
   const Vec3 start = body.te() - t.up.dot(body.te() - t.a) * t.up;
   const Vec3 across = body.axis() - t.up.dot(body.axis()) * t.up;
@@ -160,12 +160,6 @@ Deepest deepestOf(const PlacedBody& body, const Facet& t, const PlaneContact& pl
   const auto at = [&](double s) { return body.distance(placeAt(s)); };
   double high = body.cutter().h + body.cutter().maxRadius();
   double low = -high;
-  // Sides that widen are deepest right below their top, above which the cutter is no more.
-  const double room =
-      (body.cutter().h - body.axis().dot(start - body.te()) - touching) / std::max(steep, touching);
-  const bool open = !body.isClosed() && room < high;
-  high = open ? std::max(low, room) : high;
-  const double top = high;
   double x1 = high - golden * (high - low);
   double x2 = low + golden * (high - low);
   double f1 = at(x1);
@@ -188,19 +182,13 @@ Deepest deepestOf(const PlacedBody& body, const Facet& t, const PlaneContact& pl
   const double middle = 0.5 * (low + high);
   const Vec3 place = placeAt(middle);
   // Their slopes have different signs there, whether it is a kink or smooth.
-  const double beside = std::min(besideDeepest * body.cutter().maxRadius(), top - middle);
-  const Vec3 before = placeAt(middle - besideDeepest * body.cutter().maxRadius());
+  const double beside = besideDeepest * body.cutter().maxRadius();
+  const Vec3 before = placeAt(middle - beside);
   const Vec3 behind = placeAt(middle + beside);
   const Support below = levelled(Support::at(before, body.away(before)),
                                  Support::at(behind, body.away(behind)), along);
   Deepest deepest{place, contactBy(body.away(place), below, t)};
-  deepest.contact.normal = plane.normal;
-  const double rate = deepest.contact.gap / plane.gap;
-  if (open && room - 0.5 * (low + high) <= 2.0 * touching && rate <= 1.0) {
-    // The rim of the top is nearer to the plane than that by this share, wherever it is.
-    deepest.contact.low = deepest.contact.gap;
-    deepest.contact.slope = rate * plane.normal;
-  }
+  deepest.contact.normal = normal;
   return deepest;
 }
 
@@ -361,7 +349,7 @@ TriangleGap gapOf(const PlacedBody& body, const Facet& t, double enough) {
     }
   } else if (body.isConvex()) {
     const auto cut = cutEdge(body, t, plane, falls);
-    const Deepest deepest = cut ? *cut : deepestOf(body, t, plane);
+    const Deepest deepest = cut ? *cut : deepestOf(body, t, plane.normal);
     if (deepest.contact.gap > enough || isInside(t, deepest.place)) {
       return deepest.contact;
     }
