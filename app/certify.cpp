@@ -1,9 +1,11 @@
 #include "app/certify.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/certify_table.h"
 #include "app/cl_input.h"
+#include "app/in_part_unit.h"
 #include "app/pipeline.h"
 #include "app/source_file.h"
 #include "app/stopwatch.h"
@@ -18,6 +20,10 @@
 namespace arelem::app {
 
 namespace {
+/// Arcs and splines are judged as cut vectors that leave them by half the slack, or by this where
+/// there is none. Part unit.
+constexpr double leastSag = 1e-7;
+
 /// WCORN, whose locations the program gives and no upright tool.
 std::optional<Span> firstCorner(const std::vector<runtime::Action>& actions) {
   for (const runtime::Action& action : actions) {
@@ -29,9 +35,10 @@ std::optional<Span> firstCorner(const std::vector<runtime::Action>& actions) {
   return std::nullopt;
 }
 
-/// Hands the records of a CL file to the certificate, its arcs and splines as cut vectors and its
-/// swarf sections upright. False when it cannot be read.
+/// Hands the records of a CL file to the certificate, in the unit of the program, its arcs and
+/// splines as cut vectors and its swarf sections upright. False when it cannot be read.
 bool readPath(ClFile& file,
+              const PartFacts& part,
               double slack,
               const Settings& settings,
               cl::RecordSink& records,
@@ -41,8 +48,9 @@ bool readPath(ClFile& file,
   reading.dialect = frontend::Dialect::cl;
   Compilation job(reading);
   const auto upright = path::makeUprightStage(records, slack, job.log);
-  const auto chords = path::makeChordStage(*upright, job.log);
-  bool good = readRecords(job, file, *chords, interrupted);
+  const auto chords = path::makeChordStage(*upright, job.log, std::max(0.5 * slack, leastSag));
+  InPartUnit lengths(part, displayName(file.path()), *chords, job.log);
+  bool good = readRecords(job, file, lengths, interrupted);
   upright->finish();
   good = good && job.log.errors() == 0;
   job.log.print(job.sources, job.main, settings);
@@ -92,7 +100,8 @@ ExitCode certify(const CertifyRequest& request,
             "the file the path is proven as it was before the tool was tilted";
         job.log.accept(std::move(refusal));
       } else {
-        whole = readPath(*file, request.slack, settings, *certificate, interrupted, exit);
+        whole = readPath(*file, partFactsOf(job.evaluation.actions), request.slack, settings,
+                         *certificate, interrupted, exit);
       }
       const bool judged = !corner || request.path.empty();
       if (judged && (whole || job.log.errors() > 0)) {

@@ -15,9 +15,9 @@
 #include "app/output_set.h"
 #include "app/path_options.h"
 #include "app/pipeline.h"
+#include "app/progress_bar.h"
 #include "app/report.h"
 #include "app/source_file.h"
-#include "app/progress_bar.h"
 #include "app/stopwatch.h"
 #include "app/trace.h"
 #include "app/worker.h"
@@ -292,7 +292,9 @@ void compileInto(OutputSet& outputs,
     rewrite(job, outputs, plan, *file, options, interrupted);
   } else if (Result<std::string> text = file->text(); !text) {
     job.log.accept(text.takeFailure());
-  } else if (load(job, plan.input, *std::move(text), interrupted) && evaluate(job, interrupted)) {
+  } else if (load(job, plan.input, *std::move(text), interrupted) &&
+             evaluateInPieces(job, interrupted)) {
+    job.keepsFacts = !plan.report.empty();
     produce(job, outputs, plan, options, interrupted);
   }
 }

@@ -17,6 +17,7 @@
 #include "runtime/path/smoother.h"
 #include "runtime/path/swarf.h"
 #include "runtime/path/transform.h"
+#include "runtime/pieces.h"
 
 namespace arelem::app {
 
@@ -85,6 +86,78 @@ bool evaluate(Compilation& job, const InterruptFlag& interrupted, bool history) 
   return good;
 }
 
+namespace {
+/// What is rewritten over the whole program needs all actions at once.
+bool needsAll(const std::vector<runtime::Action>& actions) {
+  return path::overridesFeeds(actions) || path::firstSwarf(actions).has_value() ||
+         path::needsChords(actions);
+}
+
+bool isText(const Compilation& job) {
+  return job.program.dialect == spell(frontend::Dialect::cl);
+}
+
+/// For an evaluation that was done before: files are known, progress and definitions told.
+runtime::Options onceMore(Compilation& job, const InterruptFlag& interrupted) {
+  runtime::Options options;
+  options.limits = job.settings.limits;
+  options.interrupted = &interrupted;
+  options.files = dataFiles(job);
+  options.files.opened = nullptr;
+  return options;
+}
+
+/// Section 2, of long programs piece by piece beside a second evaluation: that takes less time than
+/// the motions, and less memory than their actions.
+void run(Compilation& job,
+         const runtime::Options& options,
+         cl::RecordSink& records,
+         const InterruptFlag& interrupted) {
+  runtime::Execution execution(options, records, job.log);
+  if (job.inPieces) {
+    CollectingSink told;
+    const runtime::Options again = onceMore(job, interrupted);
+    const runtime::Evaluation last = runtime::evaluateInPieces(
+        job.program, again, told, [&execution](std::vector<runtime::Action>& actions) {
+          execution.feed(actions);
+          actions.clear();
+        });
+    execution.feed(last.actions);
+  } else {
+    execution.feed(job.evaluation.actions);
+  }
+  job.motion = execution.finish();
+}
+}  // namespace
+
+bool evaluateInPieces(Compilation& job, const InterruptFlag& interrupted) {
+  if (isText(job)) {
+    return evaluate(job, interrupted);
+  }
+  const Stopwatch watch(job.seconds.evaluate);
+  bool whole = false;
+  const runtime::Options options{job.settings.limits, &interrupted, dataFiles(job), false,
+                                 job.progress,        job.defined};
+  job.evaluation = runtime::evaluateInPieces(job.program, options, job.log,
+                                             [&](std::vector<runtime::Action>& actions) {
+                                               whole = whole || needsAll(actions);
+                                               if (!whole) {
+                                                 job.inPieces = true;
+                                                 actions.clear();
+                                               }
+                                             });
+  const bool good = job.evaluation.complete && job.log.errors() == 0 && !interrupted;
+  if (good) {
+    warnOfFilms(job);
+  }
+  if (good && job.inPieces && (whole || needsAll(job.evaluation.actions))) {
+    CollectingSink told;
+    job.evaluation = runtime::evaluate(job.program, onceMore(job, interrupted), told);
+    job.inPieces = false;
+  }
+  return good && !interrupted;
+}
+
 bool execute(Compilation& job,
              cl::RecordSink& records,
              const InterruptFlag& interrupted,
@@ -94,7 +167,7 @@ bool execute(Compilation& job,
       path::makeTransformer(records, job.log, job.settings.limits, &interrupted);
   const auto starts = path::makeArcStart(*transformer);
   const auto smoother = path::makeSmoother(*starts, job.log, &interrupted);
-  const bool text = job.program.dialect == spell(frontend::Dialect::cl);
+  const bool text = isText(job);
   const std::vector<runtime::Action>& actions = job.evaluation.actions;
   cl::RecordSink* first = smoother.get();
   std::unique_ptr<path::SwarfStage> tilted;
@@ -122,7 +195,8 @@ bool execute(Compilation& job,
   }
   runtime::Options options{job.settings.limits, &interrupted, {}, false, {}, {}, false};
   options.axesFollow = text;
-  job.motion = runtime::execute(actions, options, *first, job.log);
+  options.keepsFacts = job.keepsFacts;
+  run(job, options, *first, interrupted);
   if (feeds) {
     feeds->finish();
   }

@@ -29,6 +29,8 @@ struct Compilation {
   backend::tape::Codes codes;  ///< of tapes that are read or written
   ir::Program program;
   runtime::Evaluation evaluation;
+  bool inPieces = false;   ///< its actions are only the last: `execute` evaluates again
+  bool keepsFacts = true;  ///< of each motion; without, only those under DEBUG
   runtime::MotionOutcome motion;
   std::vector<path::SmoothFact> smoothed;
   std::optional<timing::TimeTable> time;  ///< of the summary; none where it was not asked for
@@ -52,6 +54,9 @@ struct Compilation {
 [[nodiscard]] bool evaluate(Compilation& job,
                             const InterruptFlag& interrupted,
                             bool history = false);
+
+/// The same for `execute` alone: the actions of long programs are not kept.
+[[nodiscard]] bool evaluateInPieces(Compilation& job, const InterruptFlag& interrupted);
 
 /// Sections 2 and 3: cutter-location records, transformed, go to `records`.
 /// False when a motion failed; the records are then incomplete. With `upright` swarf sections

@@ -6,6 +6,7 @@
 #include "app/certify.h"
 #include "app/code_file.h"
 #include "app/command.h"
+#include "app/in_part_unit.h"
 #include "app/machine.h"
 #include "app/number_check.h"
 #include "app/options.h"
@@ -41,6 +42,7 @@ bool pathOfText(Compilation& job,
 bool pathOfOutput(const std::string& file,
                   std::string bytes,
                   const Settings& settings,
+                  const PartFacts& part,
                   Path& path,
                   const InterruptFlag& interrupted,
                   ExitCode& result) {
@@ -48,14 +50,15 @@ bool pathOfOutput(const std::string& file,
   reading.dialect = frontend::Dialect::cl;
   Compilation job(reading);
   bool good = false;
+  InPartUnit lengths(part, displayName(file), path, job.log);
   if (objectionToText(file, bytes)) {
     job.main = job.sources.add(displayName(file), "");
     std::istringstream in(std::move(bytes));
     good = readCodes(job) &&
-           backend::readTape(in, path, job.log, settings.limits, job.codes).complete &&
+           backend::readTape(in, lengths, job.log, settings.limits, job.codes).complete &&
            job.log.errors() == 0;
   } else {
-    good = pathOfText(job, file, std::move(bytes), path, nullptr, interrupted);
+    good = pathOfText(job, file, std::move(bytes), lengths, nullptr, interrupted);
   }
   job.log.print(job.sources, job.main, settings);
   result = worse(result, job.log.exitCode());
@@ -94,7 +97,8 @@ std::optional<std::size_t> compared(const WithRequest& request,
                        request.allowed, job.log);
   }
   Path found;
-  if (!pathOfOutput(request.output, std::move(bytes), job.settings, found, interrupted, result)) {
+  if (!pathOfOutput(request.output, std::move(bytes), job.settings,
+                    partFactsOf(job.evaluation.actions), found, interrupted, result)) {
     return std::nullopt;
   }
   std::optional<Diagnostic> difference =

@@ -21,8 +21,9 @@ class Association {
   /// without statement numbers: there a motion ends at its check surface, and runs need not begin.
   void begin(std::optional<int> isn, bool withAxis);
   /// The next location. Without axis the program's counts. Those of a motion along surfaces are
-  /// judged at once, and kept only for the copies of an INDEX.
-  void add(const Location& location, bool withAxis);
+  /// judged at once, and kept only for the copies of an INDEX. `onCurve`: a place on an arc or
+  /// spline of the file before its end, with which no statement ends.
+  void add(const Location& location, bool withAxis, bool onCurve);
   /// The run is complete.
   void end();
   /// After the last run: what is left of the program must put out nothing.
@@ -40,6 +41,10 @@ class Association {
   void judge(const runtime::Action& action, const Run& run);
   void judgeLocate(const runtime::Action& action, const runtime::Locate& locate, const Run& run);
   void judgeStartup(const runtime::Action& action, const runtime::Startup& startup, const Run& run);
+  struct Held {
+    Location location;
+    bool withAxis = false, onCurve = false;
+  };
   /// What the locations that come belong to.
   struct Taking {
     const runtime::Action* action = nullptr;  ///< null: the copies of a COPY, or no statement
@@ -53,9 +58,21 @@ class Association {
     std::optional<Location> last;  ///< where there is no proof
     std::optional<spline::CubicSpline> curve;
     std::optional<SplineWalk> walk;  ///< along the curve
+    std::vector<Held> held;          ///< locations that stray from the surfaces of the motion
 
     [[nodiscard]] bool counts() const { return copy || action != nullptr; }
   };
+  /// Of a file without statement numbers: a location that leaves drive or part surface is either
+  /// displaced, and others come back to them, or the motion has ended before it, beside its check
+  /// surface. Which it is those behind it tell; it is kept until then.
+  [[nodiscard]] bool holdsBack(const Held& next);
+  /// True where the next statement, GOTO or GODLTA, leads there.
+  [[nodiscard]] bool isNext(const Vec3& place) const;
+  void take(const Held& next);
+  /// The motion ended before the locations that are held back.
+  void release();
+  void close();
+  [[nodiscard]] Location placed(const Location& location);
   void beginFollow(const runtime::Follow& follow);
   void addFollow(const Location& location);
   void endFollow();

@@ -63,6 +63,7 @@ struct Box {
   double s, halfS;
   Turn angle, halfAngle;
   double share, halfShare;
+  surface::Bends bends;  ///< of the distance all over a box that contains it
 };
 
 struct BodyResult {
@@ -92,9 +93,9 @@ class BodySearch {
     steady_ = baseAt(0.5 * (from + to));
     const Turn half = widest_ > 0.0 ? Turn{pi, -1.0, 0.0} : Turn{};
     boxes_.push_back(
-        {0.5 * (from + to), 0.5 * (to - from), {}, half, 0.5, length_ > 0.0 ? 0.5 : 0.0});
+        {0.5 * (from + to), 0.5 * (to - from), {}, half, 0.5, length_ > 0.0 ? 0.5 : 0.0, {}});
     while (!boxes_.empty()) {
-      const Box box = boxes_.back();
+      Box box = boxes_.back();
       boxes_.pop_back();
       const double gap = measure(box);
       if (gap < result.sample) {
@@ -146,7 +147,7 @@ class BodySearch {
 
   /// Lower bound of the gap over the box, from the measured one at its center: the cheapest that
   /// reaches `aim`, or the best.
-  double bound(const Box& box, double gap, double aim) {
+  double bound(Box& box, double gap, double aim) {
     const double moved = chord_->length() * box.halfS;
     const double turned = chord_->turn() * box.halfS;
     // How far a point of the box is from its center: on the cutter, and in all.
@@ -157,13 +158,26 @@ class BodySearch {
     if (best >= aim) {
       return best;
     }
-    const surface::Bends bends = surface::bendsOf(surface_, point_, foot_, away, hint_);
-    const double low = side_ > 0.0 ? bends.low : -bends.high;
-    if (std::isfinite(low)) {
-      best = std::max(best, gap + tilt(box, turned, onCutter) + 0.5 * low * away * away);
+    const double plane = gap + tilt(box, turned, onCutter);
+    const double squared = 0.5 * away * away;
+    const auto bend = [&] {
+      const surface::Bends& b = box.bends;
+      return side_ > 0.0 ? b : surface::Bends{-b.high, -b.low};
+    };
+    if (std::isfinite(bend().low)) {
+      best = std::max(best, plane + bend().low * squared);
     }
-    const double high = side_ > 0.0 ? bends.high : -bends.low;
-    if (best < aim && std::isfinite(high) && !(low >= 0.0)) {
+    // No bound is better than what the distance reaches at most where the plane is lowest.
+    if (best >= aim || plane + std::max(0.0, bend().high) * squared < aim) {
+      return best;
+    }
+    box.bends = surface::both(box.bends, surface::bendsOf(surface_, point_, foot_, away, hint_));
+    const auto [low, high] = bend();
+    if (std::isfinite(low)) {
+      best = std::max(best, plane + low * squared);
+    }
+    // Corners lose what the distance may bend up, the plane at the center what it may bend down.
+    if (best < aim && high < -low) {
       best = std::max(best, fromCorners(box, high));
     }
     return best;

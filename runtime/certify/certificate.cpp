@@ -27,14 +27,14 @@ class PathCertificate final : public Certificate {
       association_.begin(record.isn, motion->withAxis);
       isn_ = record.isn;
     }
-    for (std::size_t i = 0; i + motion->stride() <= motion->coordinates.size();
-         i += motion->stride()) {
+    const std::size_t stride = motion->stride();
+    for (std::size_t i = 0; i + stride <= motion->coordinates.size(); i += stride) {
       const double* c = motion->coordinates.data() + i;
       Location l{{c[0], c[1], c[2]}, Vec3::UnitZ()};
       if (motion->withAxis) {
         l.axis = Vec3(c[3], c[4], c[5]).normalized();
       }
-      association_.add(l, motion->withAxis);
+      association_.add(l, motion->withAxis, i + 2 * stride <= motion->coordinates.size());
     }
   }
 

@@ -64,15 +64,19 @@ class CoreGap {
   [[nodiscard]] Range over(const Node& a, const Node& b) const {
     return between(a, b, b.s - a.s, bySpeed(bends(a, b), speed_, aside_), speed_);
   }
-  /// The same where the normal is to keep a component of at least `least` along the axis: without
-  /// upper bound where that is not certain.
+  /// The same where the normal is to keep a component of at least `least` along the axis. Where
+  /// that is not certain (near the axis of a cone around the tool) the places of the ball that
+  /// touch at both ends bound the gap from above, as far as they move.
   [[nodiscard]] Range overBelow(const Node& a, const Node& b, double least) const {
     const double h = b.s - a.s;
     const Curving c = bends(a, b);
     Range range = between(a, b, h, bySpeed(c, speed_, aside_), speed_);
     const double turn = std::max(std::abs(c.least), std::abs(c.most)) * speed_ + chord_->turn();
     const double lowest = std::min(a.normal.dot(a.axis), b.normal.dot(b.axis)) - 0.5 * turn * h;
-    range.high = lowest >= least ? range.high : unbounded;
+    if (lowest < least) {
+      const double rate = speed_ + chord_->turn() * core_.ball;
+      range.high = 0.5 * (a.high + b.high + rate * h);
+    }
     return range;
   }
 

@@ -57,6 +57,21 @@ GuideTask FollowProof::partTask() const {
   return task;
 }
 
+bool FollowProof::strays(const Location& at) const {
+  for (const GuideStream* guide : {&drive_, &part_}) {
+    const GuideTask& task = guide->task();
+    const double most = 2.0 * bandOf(task) + task.startSlack + task.allowed.slack;
+    const auto isOff = [&](double side) {
+      const Relation relation{task.cutter, side, task.thick};
+      return std::abs(touch(task.surface.surface, relation, at, task.allowed).high) > most;
+    };
+    if (isOff(1.0) && (task.cutter == nullptr || isOff(-1.0))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void FollowProof::add(const Location& next) {
   if (interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed)) {
     return;

@@ -17,6 +17,9 @@ class FollowProof {
               const InterruptFlag* interrupted);
 
   void add(const Location& next);
+  /// True where the tool is at none of the sides of drive or part surface, by more than another
+  /// band.
+  [[nodiscard]] bool strays(const Location& at) const;
   [[nodiscard]] const PathEnd& end() const { return end_; }
   [[nodiscard]] std::uint64_t cutVectors() const { return cutVectors_; }
 

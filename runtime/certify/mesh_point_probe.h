@@ -6,14 +6,15 @@
 
 namespace arelem::certify {
 
-/// A tool end against a mesh. The distance to each triangle is a convex function of the place, so
-/// the chords of the distances to two of them bound the depth and the height alike. Where all
-/// triangles that may be the nearest one have a part of the way on the same side of their planes,
-/// it is on that side: the normal at an edge or a corner is a sum of theirs with positive weights.
-/// And there no nearest triangle is nearer than its plane.
+/// A tool end, or a tool without size, against a mesh. The distance to each triangle is a convex
+/// function of the place, so the chords of the distances to two of them bound the depth and the
+/// height alike. Where all triangles that may be the nearest one have a part of the way on the same
+/// side of their planes, it is on that side: the normal at an edge or a corner is a sum of theirs
+/// with positive weights. And there no nearest triangle is nearer than its plane.
 class MeshPointProbe final : public Probe {
  public:
-  MeshPointProbe(surface::Mesh mesh, double side) : mesh_(std::move(mesh)), side_(side) {}
+  MeshPointProbe(surface::Mesh mesh, double side, double thick)
+      : mesh_(std::move(mesh)), side_(side), thick_(thick) {}
 
   void take(const Chord& chord) override { chord_ = chord; }
   Node resume(const Node& previous) override { return turned(previous, chord_); }
@@ -26,7 +27,7 @@ class MeshPointProbe final : public Probe {
     n.foot = mesh_.foot(n.point, hint_);
     n.triangle = static_cast<std::size_t>(hint_.triangle);
     n.normal = side_ * n.foot.normal;
-    n.high = n.low = side_ * n.foot.distance;
+    n.high = n.low = side_ * n.foot.distance - thick_;
     n.slope = n.normal.dot(chord_.step());
     return n;
   }
@@ -38,8 +39,8 @@ class MeshPointProbe final : public Probe {
     // Beside an open edge, level with it, a place counts as above it.
     const bool isAbove = side_ > 0.0 ? near.lowest >= 0.0 : near.lowest > 0.0;
     const bool isBelow = side_ > 0.0 ? near.highest < 0.0 : near.highest <= 0.0;
-    result.low = isAbove ? std::min(far, std::max(near.lowest, near.least)) : -far;
-    result.high = isBelow ? -std::min(far, std::max(-near.highest, near.least)) : far;
+    result.low = (isAbove ? std::min(far, std::max(near.lowest, near.least)) : -far) - thick_;
+    result.high = (isBelow ? -std::min(far, std::max(-near.highest, near.least)) : far) - thick_;
     return result;
   }
   void settle(Node&, double) override {}
@@ -62,8 +63,8 @@ class MeshPointProbe final : public Probe {
   /// No place of the way is farther from the mesh than this: below the chords of the distances to
   /// the two nearest triangles.
   [[nodiscard]] double farthest(const Node& a, const Node& b) const {
-    const double ownAtA = std::abs(a.high);
-    const double ownAtB = std::abs(b.high);
+    const double ownAtA = std::abs(a.foot.distance);
+    const double ownAtB = std::abs(b.foot.distance);
     if (a.triangle == b.triangle) {
       return std::max(ownAtA, ownAtB);
     }
@@ -84,7 +85,7 @@ class MeshPointProbe final : public Probe {
   [[nodiscard]] Near around(const Node& a, const Node& b, double reach) const;
 
   surface::Mesh mesh_;
-  double side_;
+  double side_, thick_;
   Chord chord_;
   surface::Mesh::Hint hint_;
 };

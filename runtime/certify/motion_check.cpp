@@ -140,7 +140,7 @@ void MotionCheck::judgeHand(const Modal& modal,
                             const GuideFigures& drive,
                             const Vec3& step,
                             const Vec3& axis) {
-  if (!modal.driveRelation) {
+  if (!modal.driveRelation || options_.own) {  // of our own path W0501 tells
     return;
   }
   const double q = step.normalized().cross(Vec3(-drive.result.firstNormal)).dot(axis);

@@ -7,7 +7,7 @@
 namespace arelem::certify {
 
 namespace {
-/// The tool end alone: relation ON, and tools without size.
+/// The tool end alone: relation ON.
 template <surface::Surface S>
 class PointProbe final : public Probe {
  public:
@@ -108,12 +108,14 @@ class ClosedProbe final : public Probe {
 std::unique_ptr<Probe> makeProbe(const surface::AnySurface& any, const Relation& relation) {
   return std::visit(
       [&]<class S>(const S& s) -> std::unique_ptr<Probe> {
-        if (relation.cutter == nullptr) {
-          if constexpr (std::is_same_v<S, surface::Mesh>) {
-            return std::make_unique<MeshPointProbe>(s, relation.side);
+        Relation point = relation;
+        point.thick = relation.cutter == nullptr ? 0.0 : relation.thick;
+        if constexpr (std::is_same_v<S, surface::Mesh>) {
+          if (relation.cutter == nullptr || relation.cutter->isPoint()) {
+            return std::make_unique<MeshPointProbe>(s, point.side, point.thick);
           }
-          Relation point = relation;
-          point.thick = 0.0;
+        }
+        if (relation.cutter == nullptr) {
           return std::make_unique<PointProbe<S>>(s, point);
         }
         if constexpr (std::is_same_v<S, surface::Mesh>) {

@@ -1,4 +1,6 @@
 // The locations of a file, one by one, to the statements that they belong to.
+#include <utility>
+
 #include "ir/diag/verify.h"
 #include "runtime/certify/association.h"
 
@@ -6,6 +8,11 @@ namespace arelem::certify {
 
 using runtime::Action;
 using runtime::Follow;
+
+namespace {
+/// Locations that may stray before the motion counts as ended before them.
+constexpr std::size_t mostHeld = 1000;
+}  // namespace
 
 void Association::begin(std::optional<int> isn, bool withAxis) {
   Taking& t = taking_.emplace();
@@ -33,29 +40,99 @@ void Association::begin(std::optional<int> isn, bool withAxis) {
   }
 }
 
-void Association::add(const Location& location, bool withAxis) {
+void Association::add(const Location& location, bool withAxis, bool onCurve) {
   if (!taking_) {
     begin(std::nullopt, withAxis);
+  }
+  const Held next{location, withAxis, onCurve};
+  if (!holdsBack(next)) {
+    take(next);
+  }
+}
+
+bool Association::holdsBack(const Held& next) {
+  Taking& t = *taking_;
+  if (t.numbered || t.copy || t.follow == nullptr || !t.proof || t.proof->cutVectors() == 0) {
+    return false;
+  }
+  PathEnd there = t.proof->end();
+  there.moveTo(placed(order_.programmed(next.location)));
+  bool met = false;
+  for (std::size_t g = 0; g < t.goals.size() && !met; ++g) {
+    met = check_.missed(modal_, t.goals[g], g, there, t.drive->surface) == 0.0;
+  }
+  const bool strays = t.proof->strays(there.place());
+  if (strays && t.held.empty() && isNext(there.place().toolEnd)) {
+    close();
+    add(next.location, next.withAxis, next.onCurve);
+    return true;
+  }
+  if (met || !strays) {
+    for (const Held& before : std::exchange(t.held, {})) {
+      take(before);
+    }
+    return false;
+  }
+  t.held.push_back(next);
+  if (t.held.size() >= mostHeld) {
+    release();
+  }
+  return true;
+}
+
+bool Association::isNext(const Vec3& place) const {
+  const auto* locate =
+      index_ < actions_.size() ? std::get_if<runtime::Locate>(&actions_[index_].body) : nullptr;
+  if (locate == nullptr || !modal_.output) {
+    return false;
+  }
+  Vec3 wanted = locate->point;
+  if (locate->word == Word::GODLTA) {
+    wanted =
+        taking_->proof->end().place().toolEnd +
+        (locate->axial ? Vec3(*locate->axial * taking_->proof->end().place().axis) : locate->point);
+  }
+  return (place - wanted).norm() <= options_.slack;
+}
+
+void Association::release() {
+  const std::vector<Held> behind = std::exchange(taking_->held, {});
+  close();
+  for (const Held& next : behind) {
+    add(next.location, next.withAxis, next.onCurve);
+  }
+}
+
+void Association::take(const Held& next) {
+  if (!taking_) {
+    begin(std::nullopt, next.withAxis);
   }
   Taking& t = *taking_;
   if (!t.counts()) {
     if (!gaveUp_ && surplus_++ == 0) {
-      firstSurplus_ = location.toolEnd;
+      firstSurplus_ = next.location.toolEnd;
     }
     return;
   }
   if (t.follow == nullptr || t.copy || order_.keeps()) {
-    t.run.locations.push_back(location);
+    t.run.locations.push_back(next.location);
   }
   if (t.follow != nullptr) {
-    addFollow(order_.programmed(location));
+    addFollow(order_.programmed(next.location));
   }
-  if (!t.numbered && complete()) {
-    end();
+  if (!t.numbered && !next.onCurve && complete()) {
+    close();
   }
 }
 
 void Association::end() {
+  while (taking_ && !taking_->held.empty()) {
+    release();
+  }
+  close();
+}
+
+void Association::close() {
   if (!taking_) {
     return;
   }
@@ -117,12 +194,18 @@ void Association::beginFollow(const Follow& follow) {
   }
 }
 
+/// A location with the program's axis where the file has none.
+Location Association::placed(const Location& location) {
+  Location l = location;
+  if (!taking_->run.withAxis) {
+    l.axis = taking_->drive ? modal_.axisAt(l.toolEnd, taking_->drive->surface) : modal_.axis;
+  }
+  return l;
+}
+
 void Association::addFollow(const Location& location) {
   Taking& t = *taking_;
-  Location l = location;
-  if (!t.run.withAxis) {
-    l.axis = t.drive ? modal_.axisAt(l.toolEnd, t.drive->surface) : modal_.axis;
-  }
+  const Location l = placed(location);
   if (t.proof) {
     t.proof->add(l);
   } else if (t.drive) {

@@ -30,9 +30,17 @@ inline Interval operator-(const Interval& a, const Interval& b) {
   return {a.low - b.high, a.high - b.low};
 }
 inline Interval operator*(const Interval& a, const Interval& b) {
-  const auto [low, high] =
-      std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  return {low, high};
+  const double ll = a.low * b.low;
+  const double lh = a.low * b.high;
+  const double hl = a.high * b.low;
+  const double hh = a.high * b.high;
+  return {std::min(std::min(ll, lh), std::min(hl, hh)),
+          std::max(std::max(ll, lh), std::max(hl, hh))};
+}
+inline Interval operator*(double a, const Interval& b) {
+  const double low = a * b.low;
+  const double high = a * b.high;
+  return {std::min(low, high), std::max(low, high)};
 }
 /// `b` must not hold 0.
 inline Interval operator/(const Interval& a, const Interval& b) {

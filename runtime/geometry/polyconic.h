@@ -83,6 +83,20 @@ class Polyconic {
   [[nodiscard]] Jet<T> function(const Coefficients& of, const T& s, Part part) const;
   template <class T>
   [[nodiscard]] Jet<T> shoulder(const T& s, Part part) const;
+  /// How much the middle of a conic weighs.
+  template <class T>
+  [[nodiscard]] Jet<T> weight(const T& s, Part part) const;
+  /// square / sum, where sum = (1 - t)(1 - t) + 2 q t (1 - t) + t t and `square` depends on t
+  /// alone.
+  template <class T>
+  [[nodiscard]] static Jet<T> share(const T& t,
+                                    const Jet<T>& q,
+                                    const T& sum,
+                                    const Jet<T>& square);
+  /// from + a u + c w, where from, a and c depend on s alone.
+  template <class T>
+  [[nodiscard]] static Jet<T> conic(
+      const Jet<T>& from, const Jet<T>& a, const Jet<T>& u, const Jet<T>& c, const Jet<T>& w);
 
   std::array<Coefficients, functions> curves_{};
   Coefficients x_{};
@@ -92,7 +106,7 @@ class Polyconic {
 
 template <class T>
 Jet<T> Polyconic::polynomial(const Coefficients& f, const T& s) {
-  const T two(2.0);
+  constexpr double two = 2.0;
   Jet<T> sum;
   for (std::size_t i = f.count; i-- > 0;) {
     sum.ss = sum.ss * s + two * sum.s;
@@ -133,33 +147,96 @@ Jet<T> Polyconic::shoulder(const T& s, Part part) const {
 }
 
 template <class T>
-std::array<Jet<T>, 3> Polyconic::at(const T& s, const T& t, Part ofS, Part ofT) const {
-  const Jet<T> one(T(1.0));
-  const Jet<T> two(T(2.0));
-  const Jet<T> top = shoulder(s, ofS);
-  const Jet<T> weight = (top - Jet<T>(T(0.5))) / (one - top);
-  Jet<T> along;
-  along.value = t;
-  along.t = T(1.0);
+Jet<T> Polyconic::weight(const T& s, Part part) const {
+  // (P - 1/2) / (1 - P), by one place of P.
+  const Jet<T> top = shoulder(s, part);
+  constexpr double half = 0.5;
+  const T inverse = T(1.0) / (T(1.0) - top.value);
+  const T square = inverse * inverse;
+  Jet<T> q;
+  q.value = half * inverse - T(1.0);
+  q.s = half * top.s * square;
+  q.ss = half * top.ss * square + top.s * top.s * square * inverse;
+  return q;
+}
+
+template <class T>
+Jet<T> Polyconic::share(const T& t, const Jet<T>& q, const T& sum, const Jet<T>& square) {
+  constexpr double two = 2.0;
+  const T zero(0.0);
+  constexpr double four = 4.0;
+  const T rise = four * t - T(two);
+  const T middle = two * t * (T(1.0) - t);
+  const T byS = q.s * middle;
+  const T byT = rise * (T(1.0) - q.value);
+  const T inverse = T(1.0) / sum;
   Jet<T> u;
-  Jet<T> w = one;
+  u.value = square.value * inverse;
+  u.s = (zero - u.value * byS) * inverse;
+  u.t = (square.t - u.value * byT) * inverse;
+  u.ss = (zero - two * u.s * byS - u.value * q.ss * middle) * inverse;
+  u.st = (u.value * q.s * rise - u.s * byT - u.t * byS) * inverse;
+  u.tt = (square.tt - two * u.t * byT - u.value * (four * (T(1.0) - q.value))) * inverse;
+  return u;
+}
+
+template <class T>
+Jet<T> Polyconic::conic(
+    const Jet<T>& from, const Jet<T>& a, const Jet<T>& u, const Jet<T>& c, const Jet<T>& w) {
+  constexpr double two = 2.0;
+  Jet<T> y;
+  y.value = from.value + a.value * u.value + c.value * w.value;
+  y.s = from.s + a.s * u.value + a.value * u.s + c.s * w.value + c.value * w.s;
+  y.t = a.value * u.t + c.value * w.t;
+  y.ss = from.ss + a.ss * u.value + two * a.s * u.s + a.value * u.ss + c.ss * w.value +
+         two * c.s * w.s + c.value * w.ss;
+  y.st = a.s * u.t + a.value * u.st + c.s * w.t + c.value * w.st;
+  y.tt = a.value * u.tt + c.value * w.tt;
+  return y;
+}
+
+template <class T>
+std::array<Jet<T>, 3> Polyconic::at(const T& s, const T& t, Part ofS, Part ofT) const {
+  const T one(1.0);
+  constexpr double two = 2.0;
+  const Jet<T> q = weight(s, ofS);
+  Jet<T> u;
+  Jet<T> w;
+  const auto tangent = [&](Jet<T>& f, const T& way) {
+    f.value = f.value + two * q.value * way;
+    f.s = two * q.s * way;
+    f.t = two * q.value;
+    f.ss = two * q.ss * way;
+    f.st = two * q.s;
+  };
   if (ofT == Part::before) {
-    w = two * weight * along;
+    tangent(w, t);
   } else if (ofT == Part::behind) {
-    u = one + two * weight * (along - one);
+    u.value = w.value = one;
+    tangent(u, t - one);
   } else {
-    const Jet<T> left = one - along;
-    const Jet<T> square = along * along;
-    const Jet<T> middle = two * weight * along * left;
-    const Jet<T> sum = left * left + middle + square;
-    u = square / sum;
-    w = (middle + square) / sum;
+    // u = t t / sum, and w, which begins as u ends, 1 - (1 - t)(1 - t) / sum.
+    const T left = one - t;
+    const T sum = left * left + two * q.value * t * left + t * t;
+    Jet<T> square;
+    square.value = t * t;
+    square.t = two * t;
+    square.tt = two;
+    u = share(t, q, sum, square);
+    square.value = left * left;
+    square.t = T(0.0) - two * left;
+    const Jet<T> v = share(t, q, sum, square);
+    w.value = one - v.value;
+    const T zero(0.0);
+    for (T Jet<T>::*m : {&Jet<T>::s, &Jet<T>::t, &Jet<T>::ss, &Jet<T>::st, &Jet<T>::tt}) {
+      w.*m = zero - v.*m;
+    }
   }
   return {function(x_, s, ofS),
-          function(curves_[l], s, ofS) + function(curves_[a], s, ofS) * u +
-              function(curves_[c], s, ofS) * w,
-          function(curves_[h], s, ofS) + function(curves_[d], s, ofS) * u +
-              function(curves_[b], s, ofS) * w};
+          conic(function(curves_[l], s, ofS), function(curves_[a], s, ofS), u,
+                function(curves_[c], s, ofS), w),
+          conic(function(curves_[h], s, ofS), function(curves_[d], s, ofS), u,
+                function(curves_[b], s, ofS), w)};
 }
 
 /// Where the functions of a POLCON do not make a surface.

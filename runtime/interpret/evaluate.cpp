@@ -9,4 +9,15 @@ Evaluation evaluate(const ir::Program& program, const Options& options, Diagnost
   return result;
 }
 
+Evaluation evaluateInPieces(const ir::Program& program,
+                            const Options& options,
+                            DiagnosticSink& sink,
+                            const PieceCall& piece) {
+  Evaluation result;
+  interpret::Interpreter interpreter(program, options, sink, result);
+  interpreter.handOver(piece);
+  interpreter.run();
+  return result;
+}
+
 }  // namespace arelem::runtime

@@ -32,6 +32,13 @@ Interpreter::Interpreter(const ir::Program& program,
   findTargets();
 }
 
+void Interpreter::handOver(const PieceCall& piece) {
+  const bool hasTargets = std::ranges::any_of(isTarget_, [](const std::vector<bool>& targets) {
+    return std::ranges::find(targets, true) != targets.end();
+  });
+  state_.piece = hasTargets ? PieceCall() : piece;
+}
+
 void Interpreter::findTargets() {
   for (const ir::Block& block : state_.program.blocks) {
     std::vector<bool>& targets = isTarget_.emplace_back(block.statements.size());

@@ -13,6 +13,8 @@ class Interpreter {
               DiagnosticSink& sink,
               Evaluation& out);
   void run();
+  /// Hands finished actions over, where no motion goes on at a label.
+  void handOver(const PieceCall& piece);
 
  private:
   struct Frame {

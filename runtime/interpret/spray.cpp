@@ -228,13 +228,15 @@ void setLines(spray::SurfaceJob& job, const SprayWords& words, double unit) {
 
 /// Where the tool stands, mm, as far as the statements before tell: at a place of FROM or GOTO.
 std::optional<spray::GunPose> standing(const State& state) {
-  const double unit = state.context.millimeters;
+  const auto placeOf = [unit = state.context.millimeters](const Locate& locate) {
+    const bool known = locate.word != Word::GODLTA;
+    const Vec3 axis = locate.axis.value_or(Vec3::Zero());
+    return known ? std::optional(spray::GunPose{locate.point * unit, axis.normalized()})
+                 : std::nullopt;
+  };
   for (auto action = state.out.actions.rbegin(); action != state.out.actions.rend(); ++action) {
     if (const auto* locate = std::get_if<Locate>(&action->body)) {
-      const bool known = locate->word != Word::GODLTA;
-      const Vec3 axis = locate->axis.value_or(Vec3::Zero());
-      return known ? std::optional(spray::GunPose{locate->point * unit, axis.normalized()})
-                   : std::nullopt;
+      return placeOf(*locate);
     }
     if (std::holds_alternative<FollowSpline>(action->body) ||
         std::holds_alternative<Startup>(action->body) ||
@@ -243,7 +245,7 @@ std::optional<spray::GunPose> standing(const State& state) {
       return std::nullopt;
     }
   }
-  return std::nullopt;
+  return state.before ? placeOf(*state.before) : std::nullopt;
 }
 
 void spraySurface(State& state, const SprayWords& words) {

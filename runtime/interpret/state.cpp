@@ -160,6 +160,28 @@ void State::warnOfSystem() {
   }
 }
 
+/// No action looks over FROM, GOTO or GODLTA but CUTTER.
+void State::handOver() {
+  const Action::Body& last = out.actions.back().body;
+  if (const auto* parameter = std::get_if<Parameter>(&last)) {
+    newCutter_ = newCutter_ || parameter->word == Word::CUTTER;
+  } else if (std::holds_alternative<Startup>(last) || std::holds_alternative<Follow>(last) ||
+             std::holds_alternative<Pocket>(last)) {
+    newCutter_ = false;
+  }
+  const auto* place = std::get_if<Locate>(&last);
+  if (place == nullptr || newCutter_ || out.actions.size() < pieceSize) {
+    return;
+  }
+  before = *place;
+  handed_ += out.actions.size();
+  piece(out.actions);
+  if (!out.actions.empty()) {
+    handed_ -= out.actions.size();
+    piece = nullptr;
+  }
+}
+
 void State::tooManyActions() {
   if (!stopped) {
     report(diagnose(statement->span, diag::LimitRecords, options.limits.records));

@@ -10,7 +10,7 @@
 #include "runtime/define/define.h"
 #include "runtime/interpret/store.h"
 #include "runtime/interpret/systems.h"
-#include "runtime/run.h"
+#include "runtime/pieces.h"
 
 namespace arelem::runtime::interpret {
 
@@ -33,7 +33,9 @@ class State {
 
   const ir::Statement* statement = nullptr;  ///< the one being executed
   std::shared_ptr<const CallChain> calls;
-  bool stopped = false;  ///< a limit or an interrupt ended the run
+  bool stopped = false;          ///< a limit or an interrupt ended the run
+  PieceCall piece;               ///< empty where all actions are kept
+  std::optional<Locate> before;  ///< with which the last piece ended
 
   /// Reports with the active CALLs. The same kind at the same place is reported once, so that a
   /// loop does not repeat it for every turn.
@@ -44,7 +46,7 @@ class State {
 
   template <class Body>
   void emit(Body body) {
-    if (out.actions.size() >= options.limits.records) {
+    if (handed_ + out.actions.size() >= options.limits.records) {
       tooManyActions();
       return;
     }
@@ -54,6 +56,9 @@ class State {
     action.cardId = statement->cardId;
     action.calls = calls;
     action.body = std::move(body);
+    if (piece) {
+      handOver();
+    }
   }
 
   /// The place of a name, its subscript evaluated and checked.
@@ -80,12 +85,15 @@ class State {
 
  private:
   void tooManyActions();
+  void handOver();
   [[nodiscard]] bool assignedSomewhere(ir::SymbolId symbol);
 
   DiagnosticSink& sink_;
   std::set<std::pair<const DiagRow*, Span>> reported_;
   std::vector<bool> assigned_;  // by symbol; empty until first needed
   const ir::Statement* implied_ = nullptr;
+  std::size_t handed_ = 0;  // actions that pieces took away
+  bool newCutter_ = false;  // CUTTER is judged by the motions behind it
   std::set<std::string> warnedSystems_;
 };
 

@@ -260,10 +260,22 @@ void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks
         }
         (opens(middle) == first ? low : high) = middle;
       }
-      const tool::Contact c = field->at(s.at(low), s.axisAt(low));
-      const bool agrees = c.normal.dot(guide.at(s.at(low), s.axisAt(low)).normal) > agreeing;
-      if (agrees && (!parallel_ || std::abs(c.gap) < std::abs(parallel_->gap))) {
-        parallel_ = {c.gap, s.at(low)};
+      const Vec3 place = s.at(low);
+      const tool::Contact c = field->at(place, s.axisAt(low));
+      const tool::Contact g = guide.at(place, s.axisAt(low));
+      if (c.normal.dot(g.normal) <= agreeing) {
+        continue;
+      }
+      // A tool between two surfaces that face each other is not what touches: these are as far
+      // apart as the place on the guide is from the check surface.
+      const Vec3 on =
+          guide.flat() ? Vec3(place - (place - g.point).dot(g.normal) * g.normal) : g.point;
+      const surface::Foot foot = footOn(surface_.surface, on);
+      const double apart =
+          foot.normal.dot(g.normal) < 0.0 ? std::abs(foot.distance) : foot.distance;
+      const double gap = std::abs(c.gap) <= std::abs(apart) ? c.gap : apart;
+      if (!parallel_ || std::abs(gap) < std::abs(parallel_->gap)) {
+        parallel_ = {gap, place};
       }
     }
   }

@@ -112,23 +112,33 @@ class Planner {
       return onField(s.surface, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
     }
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
-    if (std::holds_alternative<surface::Mesh>(s.surface)) {
+    if (std::holds_alternative<surface::Mesh>(s.surface) && !tool.cutter->isPoint()) {
       return makeField(s.surface, sideAlongAxis(s), tool);  // its gap is the same on both sides
     }
     // The cutter reaches at least as far as its rim, where the gap on the other side begins.
     const double rim = rimDistance(s, *tool.cutter);
     const double likely = rim < 0.0 ? -1.0 : 1.0;
     auto near = makeField(s.surface, likely, tool);
-    const double gapNear = std::abs(near->at(state_.toolEnd, state_.axis).gap);
-    if (gapNear + tolerance::sameSide < std::abs(rim) + tool.thick) {
+    const double gapNear = near->at(state_.toolEnd, state_.axis).gap;
+    if (std::abs(gapNear) + tolerance::sameSide < std::abs(rim) + tool.thick) {
       return near;
     }
     auto far = makeField(s.surface, -likely, tool);
-    const double gapFar = std::abs(far->at(state_.toolEnd, state_.axis).gap);
-    if (std::abs(gapNear - gapFar) <= tolerance::sameSide) {
+    const double gapFar = far->at(state_.toolEnd, state_.axis).gap;
+    double apart = std::abs(gapFar) - std::abs(gapNear);
+    if (std::abs(apart) <= tolerance::sameSide) {
+      // A tool without size is on the side that keeps the tolerance.
+      apart = outside(role, gapFar) - outside(role, gapNear);
+    }
+    if (std::abs(apart) <= tolerance::sameSide) {
       return sideAlongAxis(s) == likely ? std::move(near) : std::move(far);
     }
-    return gapNear < gapFar ? std::move(near) : std::move(far);
+    return apart > 0.0 ? std::move(near) : std::move(far);
+  }
+
+  /// How far a gap is outside the band.
+  [[nodiscard]] double outside(Role role, double gap) const {
+    return std::max({0.0, -state_.inner[role] - gap, gap - state_.outer[role]});
   }
 
   /// Signed distance of one place of the upper rim of the cutter.

@@ -12,7 +12,7 @@ void Facts::add(const runtime::Action& action,
   ++outcome_.motions;
   outcome_.cutVectors += cutVectors;
   outcome_.length += length;
-  if (!keepsEach_) {
+  if (!keepsEach_ && !traced_) {
     return;
   }
   runtime::MotionFact f;

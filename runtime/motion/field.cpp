@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/certify/mesh_point_probe.h"
 #include "runtime/certify/mesh_probe.h"
 #include "runtime/certify/prove.h"
 #include "runtime/tool/rounded.h"
@@ -41,14 +42,18 @@ Judgement judged(certify::Probe& probe, const certify::Chord& chord, double inne
 template <surface::Surface S>
 class OnField final : public Field {
  public:
-  OnField(S s, double side) : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side) {}
+  /// `thick`: of a tool without size.
+  OnField(S s, double side, double thick)
+      : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side), thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3&) override {
-    return tool::pointContact(surface_, side_, toolEnd, hint_);
+    tool::Contact c = tool::pointContact(surface_, side_, toolEnd, hint_);
+    c.gap -= thick_;
+    return c;
   }
   Judgement judge(const certify::Chord& chord, double inner, double outer) override {
     if constexpr (hasFaces<S>) {
       if (!probe_) {
-        probe_ = certify::makeProbe(surface_, {nullptr, side_, 0.0});
+        probe_ = std::make_unique<certify::MeshPointProbe>(surface_, side_, thick_);
       }
       return judged(*probe_, chord, inner, outer);
     }
@@ -57,7 +62,7 @@ class OnField final : public Field {
 
  private:
   S surface_;
-  double side_;
+  double side_, thick_;
   typename S::Hint hint_{};
   std::unique_ptr<certify::Probe> probe_;
 };
@@ -124,7 +129,11 @@ std::unique_ptr<Field> makeField(const surface::AnySurface& any, double side, To
   return std::visit(
       [&]<class S>(const S& s) -> std::unique_ptr<Field> {
         if (tool.cutter == nullptr) {
-          return std::make_unique<OnField<S>>(s, side);
+          return std::make_unique<OnField<S>>(s, side, 0.0);
+        }
+        // A line has no depth in a mesh: of a tool without size the end counts.
+        if (hasFaces<S> && tool.cutter->isPoint()) {
+          return std::make_unique<OnField<S>>(s, side, tool.thick);
         }
         return std::make_unique<CutterField<S>>(s, side, *tool.cutter, tool.thick);
       },

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/tolerance.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/zero.h"
 
@@ -45,6 +46,19 @@ double signal(Path& path, const PathPoint& p, const CheckWatch::Hit& hit, double
   return hit.touch ? slopeAlong(c, p.toolEnd, p.tangent, path.spinAt(p)) - hit.level
                    : c.gap - checkRest;
 }
+/// The way that is left from where the slope is that of the hit to where it is 0, by the change of
+/// the slope up to there: behind it may be a stretch of no slope.
+template <class Measure>
+double toLevel(const Measure& measure, const CheckWatch::Hit& hit, double s) {
+  if (!hit.touch || hit.level == 0.0) {
+    return 0.0;
+  }
+  constexpr double back = tolerance::coincidence;
+  const auto before = measure(s - back);
+  const double rate = before ? -*before / back : 0.0;
+  const double way = rate != 0.0 ? -hit.level / rate : 0.0;
+  return way >= 0.0 && way <= back ? way : 0.0;
+}
 }  // namespace
 
 std::optional<PathPoint> meet(Path& path,
@@ -65,7 +79,7 @@ std::optional<PathPoint> meet(Path& path,
       return p ? std::optional(signal(path, *p, sought, checkRest)) : std::nullopt;
     };
     const auto s = zeroBetween(measure, hit.low, hit.high);
-    return s ? place(*s) : std::nullopt;
+    return s ? place(*s + toLevel(measure, sought, *s)) : std::nullopt;
   };
   CheckWatch::Hit touch = hit;
   touch.touch = true;

@@ -196,7 +196,7 @@ class ChordFit {
 
  private:
   /// Nodes that a cubic foretells but for this share of the band are smooth.
-  static constexpr double smoothShare = 2.5e-4;
+  static constexpr double smoothShare = 2e-3;
   /// Of kinks that no cubic foretells what is left of the band may be this share of it.
   static constexpr double kinkShare = 1e-4;
   static constexpr int deepest = 12;

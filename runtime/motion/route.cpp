@@ -38,8 +38,18 @@ bool isPlaneRoute(const State& state,
          (check == nullptr || isUpright(*check));
 }
 
+namespace {
+/// Where the surface does not curve (a leaning cylinder met by the shank, a plane by a tool whose
+/// axis follows it) rounding must not choose the edge of the band: contact normals that turn by
+/// less than this over the probe do not turn.
+constexpr double levelTurn = 1e-9;
+}  // namespace
+
 double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
+  const auto unlessLevel = [&](double curvature) {
+    return std::abs(curvature) <= levelTurn / step ? 0.0 : curvature;
+  };
   if (!axis.isFixed()) {
     // The contact may jump round the cutter as the axis turns, and its normal with it: three gaps
     // tell how the gap bends, over a way that rounding leaves enough of.
@@ -48,13 +58,13 @@ double curvatureAlong(
       const Vec3 place = toolEnd + along * t;
       return field.at(place, axis.at(place)).gap;
     };
-    return (gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way);
+    return unlessLevel((gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way));
   }
   const Vec3 ahead = toolEnd + step * t;
   const Vec3 behind = toolEnd - step * t;
   const Vec3 change =
       field.at(ahead, axis.at(ahead)).normal - field.at(behind, axis.at(behind)).normal;
-  return change.dot(t) / (2.0 * step);
+  return unlessLevel(change.dot(t) / (2.0 * step));
 }
 
 namespace {
@@ -62,10 +72,6 @@ namespace {
 double probe(double band) {
   return 0.01 * std::sqrt(band);
 }
-
-/// Where the surface does not curve (a leaning cylinder met by the shank) rounding must not choose
-/// the edge: contact normals that turn by less than this over the probe do not turn.
-constexpr double levelTurn = 1e-9;
 
 double restOf(double curvature, double inner, double outer) {
   const double band = inner + outer;

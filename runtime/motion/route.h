@@ -31,7 +31,7 @@ namespace arelem::motion {
                                   bool exact);
 
 /// Curvature of the field's zero surface along the unit tangent t, by a difference of contact
-/// normals; positive where it bends away from the tool.
+/// normals; positive where it bends away from the tool, 0 where it is no more than rounding.
 [[nodiscard]] double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step);
 

@@ -25,7 +25,8 @@ constexpr double mostSteps = 1e6;
 
 class Stage : public ChordStage {
  public:
-  Stage(cl::RecordSink& next, DiagnosticSink& sink) : next_(next), sink_(sink) {}
+  Stage(cl::RecordSink& next, DiagnosticSink& sink, std::optional<double> sag)
+      : next_(next), sink_(sink), sag_(sag) {}
 
   void accept(const cl::Record& record) override {
     if (const auto* motion = std::get_if<cl::Motion>(&record.body)) {
@@ -49,6 +50,9 @@ class Stage : public ChordStage {
 
  private:
   [[nodiscard]] double band() const {
+    if (sag_) {
+      return *sag_;
+    }
     const double both = inner_ + outer_;
     return both > 0.0 ? both : tolerance::defaultOutside;
   }
@@ -123,7 +127,7 @@ class Stage : public ChordStage {
     chords.coordinates.clear();
     const Vec3 axis = motion.withAxis ? Vec3(&motion.coordinates[3]) : Vec3(Vec3::UnitZ());
     for (std::size_t k = 0; k < points.size(); ++k) {
-      if (chords.coordinates.size() + chords.stride() > numbersPerRecord) {
+      if (!sag_ && chords.coordinates.size() + chords.stride() > numbersPerRecord) {
         next_.accept(out);
         chords.coordinates.clear();
         chords.kind = cl::Motion::Kind::continuation;
@@ -141,6 +145,7 @@ class Stage : public ChordStage {
 
   cl::RecordSink& next_;
   DiagnosticSink& sink_;
+  std::optional<double> sag_;
   ClSpline spline_;
   CycleWatch cycle_;
   std::optional<cl::SurfaceValue> circle_;
@@ -151,8 +156,10 @@ class Stage : public ChordStage {
 };
 }  // namespace
 
-std::unique_ptr<ChordStage> makeChordStage(cl::RecordSink& next, DiagnosticSink& sink) {
-  return std::make_unique<Stage>(next, sink);
+std::unique_ptr<ChordStage> makeChordStage(cl::RecordSink& next,
+                                           DiagnosticSink& sink,
+                                           std::optional<double> sag) {
+  return std::make_unique<Stage>(next, sink, sag);
 }
 
 }  // namespace arelem::path

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
@@ -13,7 +14,10 @@ namespace arelem::path {
 class ChordStage : public cl::RecordSink {};
 
 /// Errors of splines (knots that do not rise) go to `sink`; the spline is then left out.
+/// `sag`, for what must judge the curve itself: the vectors leave it by at most that, part units,
+/// whatever the tolerances, and those of one curve are one record.
 [[nodiscard]] std::unique_ptr<ChordStage> makeChordStage(cl::RecordSink& next,
-                                                         DiagnosticSink& sink);
+                                                         DiagnosticSink& sink,
+                                                         std::optional<double> sag = std::nullopt);
 
 }  // namespace arelem::path

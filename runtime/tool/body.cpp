@@ -9,10 +9,20 @@ namespace {
 constexpr double touching = 1e-11;
 }  // namespace
 
+double Body::distance(ProfilePoint place, ProfilePoint& nearest) const {
+  const double distance = distanceTo(cutter_, place, nearest);
+  const double above = place.z - cutter_.h;
+  if (convex_ && (above >= 0.0 ? place.rho <= cutter_.sideEnd.rho : above > distance)) {
+    nearest = {place.rho, cutter_.h};
+    return above;
+  }
+  return distance;
+}
+
 Body::Away Body::byProfile(double rho, double z) const {
   ProfilePoint q;
   Away result;
-  result.distance = distanceTo(cutter_, {rho, z}, q);
+  result.distance = distance({rho, z}, q);
   result.onRho = q.rho;
   result.onZ = q.z;
   result.byRho = rho - q.rho;
@@ -21,10 +31,8 @@ Body::Away Body::byProfile(double rho, double z) const {
     // The direction in which the distance grows, from places around.
     ProfilePoint ignored;
     const double h = 1e-6 * (1.0 + cutter_.maxRadius());
-    result.byRho = distanceTo(cutter_, {rho + h, z}, ignored) -
-                   distanceTo(cutter_, {std::max(rho - h, 0.0), z}, ignored);
-    result.byZ =
-        distanceTo(cutter_, {rho, z + h}, ignored) - distanceTo(cutter_, {rho, z - h}, ignored);
+    result.byRho = distance({rho + h, z}, ignored) - distance({std::max(rho - h, 0.0), z}, ignored);
+    result.byZ = distance({rho, z + h}, ignored) - distance({rho, z - h}, ignored);
   } else if (result.distance < 0.0) {
     result.byRho = -result.byRho;
     result.byZ = -result.byZ;

@@ -7,8 +7,10 @@
 namespace arelem::tool {
 
 /// The signed distance of places to the body of a cutter, with its gradient, where it is asked for
-/// again and again. Cutters with a level bottom and tangent corner arc, which is nearly all, are
-/// measured by which of bottom, arc and side is nearest; the others by `distanceTo`.
+/// again and again. The body of a convex cutter with straight sides ends at its top face, which
+/// makes the distance a convex function; sides that widen are open there. Cutters with a level
+/// bottom and tangent corner arc, which is nearly all, are measured by which of bottom, arc and
+/// side is nearest; the others by `distanceTo`.
 class Body {
  public:
   struct Away {
@@ -32,6 +34,11 @@ class Body {
 
  private:
   [[nodiscard]] Away byProfile(double rho, double z) const;
+  [[nodiscard]] double distance(ProfilePoint place, ProfilePoint& nearest) const;
+  /// Of a place to which the top is the nearest.
+  [[nodiscard]] Away toTop(double rho, double z) const {
+    return {z - cutter_.h, 0.0, 1.0, rho, cutter_.h};
+  }
 
   const Profile& cutter_;
   bool convex_, plain_;
@@ -48,12 +55,17 @@ inline Body::Away Body::away(double rho, double z) const {
   }
   const double beside = dx * p.cosBeta - dz * p.sinBeta - p.r;
   if (dx <= 0.0 && (along < 0.0 || -z >= beside)) {
-    return {-z, 0.0, -1.0, rho, 0.0};
+    return z - p.h > -z ? toTop(rho, z) : Away{-z, 0.0, -1.0, rho, 0.0};
   }
   if (along >= 0.0) {
-    return {beside, p.cosBeta, -p.sinBeta, rho - beside * p.cosBeta, z + beside * p.sinBeta};
+    return z - p.h > beside ? toTop(rho, z)
+                            : Away{beside, p.cosBeta, -p.sinBeta, rho - beside * p.cosBeta,
+                                   z + beside * p.sinBeta};
   }
   const double length = std::sqrt(dx * dx + dz * dz);
+  if (z - p.h > length - p.r) {
+    return toTop(rho, z);
+  }
   const double byRho = dx / length;
   const double byZ = dz / length;
   return {length - p.r, byRho, byZ, p.e + p.r * byRho, p.f + p.r * byZ};

@@ -19,9 +19,13 @@ struct LastContact {
   Hint hint{};
   bool valid = false;
   bool convex = false;              ///< side * distance is a convex function of the place
+  Vec3 convexAt = Vec3::Zero();     ///< or was looked at here, and is one within the radius, or
+  double convexRadius = 0.0;        ///< is not within minus that
   Vec3 toward = Vec3::UnitX();      ///< direction of the contact about the axis, when the
   Vec3 towardAt = Vec3::Zero();     ///< tool was there, and
   Vec3 towardTurns = Vec3::Zero();  ///< its turn about the axis by the way of the tool
+  Vec3 turnsAlong = Vec3::Zero();   ///< the way there from the contact before, and
+  Vec3 turnsChange = Vec3::Zero();  ///< the change of the turn on it, over its square
   bool onDisc = false;              ///< it was inside a level bottom, with the foot there:
   Vec3 discFoot = Vec3::Zero();
   double bound = 0.0, boundRadius = -1.0;  ///< of the bend towards the cutter, around:

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "runtime/tool/contact.h"
+#include "runtime/tool/small_turn.h"
 
 /// Descents to a local minimum of side * distance over a piece of the cutter. Private to
 /// runtime/tool.
@@ -28,7 +29,9 @@ class ContactDescent {
     }
     double angle = 0.0;
     if constexpr (surface::Turning<S>) {
-      angle = search_.towardTurns.dot(te_ - search_.towardAt);
+      const Vec3 way = te_ - search_.towardAt;
+      angle = search_.towardTurns.dot(way) +
+              0.5 * way.dot(search_.turnsAlong) * search_.turnsChange.dot(way);
     }
     const bool foretold = angle != 0.0 && std::abs(angle) <= largestForetold;
     turnTo(foretold ? Vec3(search_.toward + angle * axis_.cross(search_.toward)) : search_.toward);
@@ -98,8 +101,12 @@ class ContactDescent {
   }
   void turnTo(const Vec3& toward) {
     const Vec3 across = toward - toward.dot(axis_) * axis_;
-    const double length = across.norm();
-    search_.toward = length > smallestTurn ? Vec3(across / length) : axis_.unitOrthogonal();
+    const double squared = across.squaredNorm();
+    if (squared > smallestTurn * smallestTurn) {
+      search_.toward = across / std::sqrt(squared);
+    } else {
+      search_.toward = axis_.unitOrthogonal();
+    }
   }
   /// side * distance of a point of the cutter.
   double valueAt(ProfilePoint q, const Vec3& toward) {
@@ -116,11 +123,8 @@ class ContactDescent {
   static constexpr double unseenStep = 1e-11;
   /// Newton's error after a turn this small is its square, and that of the distance the square of
   /// that. Radians.
-  static constexpr double smallTurn = 1e-6;
+  static constexpr double settledTurn = 1e-6;
   static constexpr double smallestTurn = 1e-15;
-  /// Up to here the series of sine and cosine, and of the root next to 1, are exact. Radians.
-  static constexpr double seriesTurn = 0.03;
-  static constexpr double seriesRoot = 5e-5;
   static constexpr double largestTurn = 1.0;
   /// How often Newton may be held on the rim of the disc.
   static constexpr int mostClipped = 3;
@@ -154,24 +158,9 @@ class ContactDescent {
     }
   };
 
-  /// A small turn about the axis, by the series of sine and cosine.
   void turnBy(double angle) {
-    if (std::abs(angle) > seriesTurn) {
-      turnTo(direction(angle));
-      return;
-    }
-    const double a = angle * angle;
-    const double cosine = 1.0 - a / 2.0 * (1.0 - a / 12.0 * (1.0 - a / 30.0 * (1.0 - a / 56.0)));
-    const double sine = angle * (1.0 - a / 6.0 * (1.0 - a / 20.0 * (1.0 - a / 42.0)));
-    search_.toward = cosine * search_.toward + sine * axis_.cross(search_.toward);
-  }
-  /// The unit vector along one of nearly that length: where it is near enough the series of the
-  /// root is exact, without root and quotient.
-  [[nodiscard]] static Vec3 nearlyUnit(const Vec3& v) {
-    const double over = v.squaredNorm() - 1.0;
-    return std::abs(over) <= seriesRoot
-               ? Vec3(v * (1.0 - over * (0.5 - over * (0.375 - over * 0.3125))))
-               : Vec3(v / std::sqrt(1.0 + over));
+    const auto turned = smallTurn(search_.toward, axis_, angle);
+    turned ? void(search_.toward = *turned) : turnTo(direction(angle));
   }
 
   Sample sample(const Vec3& at) {
@@ -203,6 +192,7 @@ class ContactDescent {
   /// Least distance over the circle of a profile point, by Newton on the angle.
   Contact alongCircle(ProfilePoint q, double ball) {
     last_ = sample(place(q));
+    const Vec3 turnedBefore = search_.towardTurns;
     search_.towardTurns = Vec3::Zero();
     if (q.rho == 0.0) {
       return result(ball);
@@ -222,11 +212,12 @@ class ContactDescent {
       if constexpr (surface::Turning<S>) {
         const double steps = std::abs(angle) * (1.0 + bent);
         if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep) {
-          finishCircle(q.rho, angle, slope, curvature, turning, tangent);
+          finishCircle(q.rho, angle, slope, turning, tangent);
+          noteTurns(-turning / curvature, turnedBefore);
           break;
         }
       }
-      if (std::abs(slope) <= levelSlope && curvature < -smallTurn) {
+      if (std::abs(slope) <= levelSlope && curvature < -settledTurn) {
         angle = kick;
       }
       bracket.note(turned, slope);
@@ -235,7 +226,7 @@ class ContactDescent {
       turned = next;
       turnBy(angle);
       last_ = sample(place(q));
-      if (std::abs(angle) <= (newton ? smallTurn : smallestTurn)) {
+      if (std::abs(angle) <= (newton ? settledTurn : smallestTurn)) {
         break;
       }
     }
@@ -243,22 +234,29 @@ class ContactDescent {
   }
 
   /// The last step of Newton, by what is known of the surface where it begins: the distance to the
-  /// second order, its gradient to the first. And how the contact will turn as the tool goes on.
-  void finishCircle(double rho,
-                    double angle,
-                    double slope,
-                    double curvature,
-                    const Vec3& turning,
-                    const Vec3& tangent) {
-    const Vec3 turned = nearlyUnit(search_.toward + angle * tangent);
+  /// second order, its gradient to the first.
+  void finishCircle(
+      double rho, double angle, double slope, const Vec3& turning, const Vec3& tangent) {
+    const Vec3 turned = unitOf(search_.toward + angle * tangent);
     last_.at += rho * (turned - search_.toward);
     search_.toward = turned;
-    search_.towardAt = te_;
-    search_.towardTurns = -turning / curvature;
     last_.foot.distance += side_ * 0.5 * rho * angle * slope;
     last_.gradient += rho * angle * turning;
-    last_.gradient = nearlyUnit(last_.gradient);
+    last_.gradient = unitOf(last_.gradient);
     last_.foot.normal = side_ * last_.gradient;
+  }
+
+  /// How the contact turns about the axis as the tool goes on, and how that changes on the way.
+  void noteTurns(const Vec3& turns, const Vec3& before) {
+    const Vec3 way = te_ - search_.towardAt;
+    const double squared = way.squaredNorm();
+    if (squared > smallMove * smallMove) {
+      const bool known = !before.isZero(0.0);
+      search_.turnsAlong = way;
+      search_.turnsChange = known ? Vec3((turns - before) / squared) : Vec3(Vec3::Zero());
+    }
+    search_.towardAt = te_;
+    search_.towardTurns = turns;
   }
 
   /// The curvature of side * distance over the plane of a level bottom.

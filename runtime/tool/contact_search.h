@@ -31,14 +31,15 @@ class ContactSearch {
         descent_(s, sign, cutter, te, axis, search) {}
 
   Contact run() {
+    const bool convex = search_.convex || isConvexAround();
     if (search_.valid && isRoundBall(cutter_)) {
       const Contact ball = descent_.ofBall();
       const bool below = ball.normal.dot(axis_) >= cutter_.sinBeta;
-      if (below && (search_.convex || (bottomIsProven(ball, true) && shankIsClear(ball.gap)))) {
+      if (below && (convex || (bottomIsProven(ball, true) && shankIsClear(ball.gap)))) {
         return ball;
       }
     }
-    if (search_.onDisc && search_.convex) {
+    if (search_.onDisc && convex) {
       const Contact level = descent_.onDiscAgain();
       if (search_.onDisc && supports(level)) {
         return level;
@@ -47,9 +48,9 @@ class ContactSearch {
     }
     descent_.begin();
     const Contact local = descent_.nearestPiece();
-    const bool proven = search_.convex
-                            ? supports(local)
-                            : bottomIsProven(local, descent_.onCorner()) && shankIsClear(local.gap);
+    const bool proven =
+        (convex && supports(local)) ||
+        (!search_.convex && bottomIsProven(local, descent_.onCorner()) && shankIsClear(local.gap));
     if (proven || leads(local) ||
         SectionProof<S>(surface_, side_, cutter_, te_, axis_, search_.hint).holds(local)) {
       return local;
@@ -63,6 +64,8 @@ class ContactSearch {
   static constexpr double lowShare = 1.5;
   /// Growth of the pieces in which the shank above is proven.
   static constexpr double growth = 1.6;
+  /// Convexity is looked for in a ball so many times as large as the cutter's.
+  static constexpr double roomy = 2.0;
   /// A bound of the bend is asked for so much more than is needed, to serve the next contacts; less
   /// where that is not known.
   static constexpr std::array reserves{1.5, 1.15, 1.0};
@@ -73,6 +76,26 @@ class ContactSearch {
   static constexpr double trustedShare = 0.5;
 
   // ---- proofs -----------------------------------------------------------------------------------
+
+  /// True where the distance bends away from the cutter all over a ball that holds it: the outside
+  /// of a torus. What is found holds until the tool leaves the place.
+  [[nodiscard]] bool isConvexAround() {
+    const double low = std::min(0.0, cutter_.f - cutter_.r);
+    const double across = std::max(cutter_.maxRadius(), cutter_.e + cutter_.r);
+    const double radius = std::sqrt(across * across + 0.25 * (cutter_.h - low) * (cutter_.h - low));
+    const Vec3 middle = te_ + 0.5 * (cutter_.h + low) * axis_;
+    const double known = std::abs(search_.convexRadius);
+    if (known > 0.0 && (middle - search_.convexAt).norm() + radius <= known) {
+      return search_.convexRadius > 0.0;
+    }
+    auto hint = search_.hint;
+    const surface::Bends bends =
+        surface_.bends(middle, surface_.foot(middle, hint), roomy * radius);
+    const bool convex = side_ > 0.0 ? bends.low >= 0.0 : bends.high <= 0.0;
+    search_.convexAt = middle;
+    search_.convexRadius = convex ? roomy * radius : -roomy * radius;
+    return convex;
+  }
 
   /// True where the cutter lies before the plane through the contact square to its normal; a convex
   /// distance lies above the distance from that plane.

@@ -95,7 +95,7 @@ class NearTriangles::List {
   Body body_;
   double arm_;  ///< from the tool end to the farthest place of the cutter
   std::vector<Candidate> near_;
-  bool valid_ = false;
+  bool seen_ = false, valid_ = false;
   Vec3 from_ = Vec3::Zero(), to_ = Vec3::Zero(), axis_ = Vec3::UnitZ();
   double ceiling_ = 0.0;
   double ahead_;  ///< length of the piece of way that is looked at next
@@ -206,6 +206,11 @@ TriangleGap NearTriangles::List::scan(const PlacedBody& body, std::size_t& trian
 
 TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::size_t& triangle) {
   if (!body_.isConvex()) {
+    return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, shape_.tree, triangle);
+  }
+  if (!seen_) {
+    // Many look at one place only.
+    seen_ = true;
     return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, shape_.tree, triangle);
   }
   const PlacedBody body(body_, te, axis);

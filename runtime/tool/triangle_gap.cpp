@@ -21,6 +21,9 @@ constexpr int edgeSteps = 60;
 constexpr double placeOnEdge = 1e-12;
 /// Slope of the distance along an edge that counts as its least place. Dimensionless.
 constexpr double flatEdge = 1e-12;
+/// Slopes beside the deepest place of a plane are looked at this far from it, as a share of the
+/// cutter's radius: farther than golden sections may miss it.
+constexpr double besideDeepest = 1e-6;
 /// Against a ring and other hollow bodies edges are searched in parts.
 constexpr int hollowParts = 8;
 /// Golden sections of the length of a cutter: they end at 1e-12 of it.
@@ -130,30 +133,33 @@ TriangleGap contactBy(const Away& a, const Support& below, const Facet& t) {
   return {a.distance, -a.gradient, a.onCutter, below.base + t.lowest(below.slope), -below.slope};
 }
 
+/// A plane below the signed distance that is level along a line, from two whose slopes along it
+/// have different signs.
+Support levelled(const Support& a, const Support& b, const Vec3& along) {
+  const double atA = a.slope.dot(along);
+  const double atB = b.slope.dot(along);
+  if (atA * atB >= 0.0) {
+    return std::abs(atA) <= std::abs(atB) ? a : b;
+  }
+  const double share = atB / (atB - atA);
+  return {share * a.base + (1.0 - share) * b.base, share * a.slope + (1.0 - share) * b.slope};
+}
+
 /// The place of a plane that is deepest inside the cutter, where that is more than its corner is
 /// round: by symmetry it lies in the plane of axis and normal. The least of a convex function by
-/// golden sections.
+/// golden sections. It may be a kink, where the bottom is as far as the side.
 Deepest deepestOf(const PlacedBody& body, const Facet& t, const Vec3& normal) {
   constexpr double golden = 0.6180339887498949;
-  const auto contact = [&](const Vec3& place) {
-    const Away a = body.away(place);
-    Deepest deepest{place, contactBy(a, Support::at(place, a), t)};
-    deepest.contact.normal = normal;
-    return deepest;
-  };
   const Vec3 start = body.te() - t.up.dot(body.te() - t.a) * t.up;
   const Vec3 across = body.axis() - t.up.dot(body.axis()) * t.up;
   const double steep = across.norm();
-  if (steep <= tolerance::rounding) {
-    return contact(start);
-  }
-  const Vec3 along = across / steep;
-  const auto at = [&](double s) { return body.distance(start + s * along); };
+  // To a level plane all directions are alike: the slopes on two sides of the axis.
+  const Vec3 along =
+      steep > tolerance::rounding ? Vec3(across / steep) : Vec3(t.up.unitOrthogonal());
+  const auto placeAt = [&](double s) -> Vec3 { return start + s * along; };
+  const auto at = [&](double s) { return body.distance(placeAt(s)); };
   double high = body.cutter().h + body.cutter().maxRadius();
   double low = -high;
-  // Above its top the cutter is no more: sides that widen are deepest right below it.
-  const double room = body.cutter().h - body.axis().dot(start - body.te()) - touching;
-  high = std::max(low, std::min(high, room / steep));
   double x1 = high - golden * (high - low);
   double x2 = low + golden * (high - low);
   double f1 = at(x1);
@@ -173,7 +179,17 @@ Deepest deepestOf(const PlacedBody& body, const Facet& t, const Vec3& normal) {
       f2 = at(x2);
     }
   }
-  return contact(start + 0.5 * (low + high) * along);
+  const double middle = 0.5 * (low + high);
+  const Vec3 place = placeAt(middle);
+  // Their slopes have different signs there, whether it is a kink or smooth.
+  const double beside = besideDeepest * body.cutter().maxRadius();
+  const Vec3 before = placeAt(middle - beside);
+  const Vec3 behind = placeAt(middle + beside);
+  const Support below = levelled(Support::at(before, body.away(before)),
+                                 Support::at(behind, body.away(behind)), along);
+  Deepest deepest{place, contactBy(body.away(place), below, t)};
+  deepest.contact.normal = normal;
+  return deepest;
 }
 
 /// A place on an edge, as a share of it.
@@ -269,10 +285,7 @@ class EdgeSearch {
   [[nodiscard]] TriangleGap between(const OnEdge& low,
                                     const OnEdge& high,
                                     const Away& nearest) const {
-    const double range = high.slope - low.slope;
-    const double share = range > 0.0 ? high.slope / range : 1.0;
-    const Support below{share * low.below.base + (1.0 - share) * high.below.base,
-                        share * low.below.slope + (1.0 - share) * high.below.slope};
+    const Support below = levelled(low.below, high.below, edge_);
     TriangleGap result = contactBy(nearest, below, triangle_);
     const double length = below.slope.norm();
     if (length > tolerance::nullDirection) {

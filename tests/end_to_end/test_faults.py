@@ -105,7 +105,7 @@ class LimitsAndFaults(ArelemCase):
                 self.assertEqual((self.folder / "o.cls").read_text(), "old")
 
     def test_out_of_memory(self):
-        self.write("a.apt", "LOOPST\nI=0\nA)I=I+1\nGOTO/I,0,0\nJUMPTO/A\nLOOPND\nFINI\n")
+        self.write("a.apt", "RESERV/P,5000000\nLOOPST\nI=0\nA)I=I+1\nP(I)=POINT/I,0,0\nJUMPTO/A\nLOOPND\nFINI\n")
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (300 << 20, 300 << 20))
         self.assertExit(7, "a.apt", preexec=limit)
         self.assertIn("out of memory", self.err)

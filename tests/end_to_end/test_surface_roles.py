@@ -237,9 +237,9 @@ class SurfaceRoles(ArelemCase):
 
 
 def add_tests():
-    # Each kind meets one cutter, all kinds together all of them; the tip of a cone meets all.
-    pairs = [(kind, CUTTERS[(i + 1) % len(CUTTERS)] if kind != "MESH OFF" else CUTTERS[1]) for i, kind in enumerate(KINDS)]
-    for kind, cutter in pairs + [("tip of a cone", c) for c in CUTTERS]:
+    # Each kind meets one cutter, all kinds together all of them; the tip of a cone and a mesh meet all.
+    pairs = [(kind, CUTTERS[(i + 1) % len(CUTTERS)]) for i, kind in enumerate(KINDS)]
+    for kind, cutter in pairs + [(kind, c) for kind in ("tip of a cone", "MESH OFF") for c in CUTTERS]:
         def test(self, kind=kind, cutter=cutter):
             self.check_kind(kind, cutter)
         name = "".join(c if c.isalnum() else "_" for c in f"{kind} {cutter}").lower()

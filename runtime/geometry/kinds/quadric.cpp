@@ -167,7 +167,12 @@ Foot Quadric::foot(const Vec3& p, Hint& hint) const {
   const FootCurve curve{axes_.transpose() * p, roots_, alongAxes_, constant_};
   double multiplier = 0.0;
   if (hint.valid && hint.half > 0.0) {
-    multiplier = 0.5 * (curve.place - hint.foot).dot(hint.normal) / hint.half;
+    // The surface falls away from the tangent plane by t.Q t / |grad F|.
+    const Vec3 way = curve.place - hint.foot;
+    const double up = way.dot(hint.normal);
+    const Vec3 t = way - up * hint.normal;
+    const double fallen = 0.5 * t.dot(roots_.cwiseProduct(t)) / hint.half;
+    multiplier = 0.5 * (up + fallen) / hint.half;
   }
   const auto found = curve.follow(multiplier);
   if (found) {

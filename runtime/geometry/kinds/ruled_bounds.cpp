@@ -12,12 +12,6 @@ namespace {
 /// are at most this many times as long as straight ones.
 constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
-
-/// Both ranges; none where one of them is not known.
-std::optional<Bends> hull(const std::optional<Bends>& a, const std::optional<Bends>& b) {
-  return a && b ? std::optional(Bends{std::min(a->low, b->low), std::max(a->high, b->high)})
-                : std::nullopt;
-}
 }  // namespace
 
 /// Over the places within `reach`, by way of the parameters there.
@@ -67,19 +61,17 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
   }
   const Vec3 normal = across / area;
   const double turned = 2.0 * changeArea / (2.0 * area - changeArea);
-  constexpr double none = std::numeric_limits<double>::infinity();
   const auto along = [&](const RuledCurve& curve, const CurveRange& range, double weight) {
     const double middle = normal.dot(curve.heading());
-    Bends part{none, -none};
+    Bends part = nothing;
     for (const double n : {weight * (middle - turned), weight * (middle + turned)}) {
       part.low = std::min({part.low, n * range.low, n * range.high});
       part.high = std::max({part.high, n * range.low, n * range.high});
     }
     return part;
   };
-  // At each g the two curves count by their weights, which are linear. Along the ruling nothing
-  // bends.
-  Bends bent{0.0, 0.0};
+  // At each g the two curves count by their weights, which are linear.
+  Bends bent = nothing;
   for (const double at : {g - halfG, g + halfG}) {
     const Bends ofA = along(first_, a, 1.0 - at);
     const Bends ofB = along(second_, b, at);
@@ -88,14 +80,57 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
   const double twisted = std::abs(normal.dot(s.byFG)) + twistChange + turned * s.byFG.norm();
   const double byUnitF = (longG + changeG) / (area - changeArea);
   const double byUnitG = (longF + changeF) / (area - changeArea);
-  const double mixed = 2.0 * twisted * byUnitF * byUnitG;
-  return Bounded{{-bent.high * byUnitF * byUnitF - mixed, -bent.low * byUnitF * byUnitF + mixed},
+  // The most of 2 twisted x y - bending x^2 over the shares x of byF and y of byG in a unit vector:
+  // along the ruling nothing bends, and a sheet that bends one way bends little the other way.
+  const auto most = [&](double bending) {
+    const double x = bending > 0.0 ? std::min(byUnitF, twisted * byUnitG / bending) : byUnitF;
+    return std::max(0.0, x * (2.0 * twisted * byUnitG - bending * x));
+  };
+  return Bounded{{-most(-bent.high), most(bent.low)},
                  std::max(byUnitF / longG, byUnitG / longF) * area};
 }
 
-Ruled::Sheet::Row Ruled::Sheet::rulingsAbout(double f, double half) const {
+void Ruled::Sheet::makeRows() {
+  const int count = std::max(1, static_cast<int>((high_ - low_) * rowsOfASpan));
+  if (!(low_ < high_)) {
+    return;
+  }
+  const auto evenly = [&](double from, double to, int number) {
+    for (int i = 0; i < number; ++i) {
+      rows_.push_back(
+          rowBetween(from + (to - from) * i / number, from + (to - from) * (i + 1) / number));
+    }
+  };
+  evenly(low_ - reachOfACurve, low_, rowsBeside);
+  evenly(low_, high_, count);
+  evenly(high_, high_ + reachOfACurve, rowsBeside);
+  int halved = 0;
+  for (int depth = 0; depth < deepestRow; ++depth) {
+    std::vector<Row> finer;
+    for (const Row& row : rows_) {
+      if (row.isKnown() || halved >= mostRowsHalved) {
+        finer.push_back(row);
+        continue;
+      }
+      ++halved;
+      const double middle = 0.5 * (row.low + row.high);
+      finer.push_back(rowBetween(row.low, middle));
+      finer.push_back(rowBetween(middle, row.high));
+    }
+    rows_.swap(finer);
+  }
+  for (std::size_t i = 0; i + rowsOfABlock <= rows_.size(); i += rowsOfABlock) {
+    blocks_.push_back(blockFrom(i));
+  }
+}
+
+Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
+  const double f = 0.5 * (low + high);
+  const double half = 0.5 * (high - low);
   const SheetPlace middle = at(f, 0.0);
   Row row;
+  row.low = low;
+  row.high = high;
   row.from = middle.place;
   row.along = middle.byG;
   const auto a = range(first_, f, half);
@@ -107,8 +142,10 @@ Ruled::Sheet::Row Ruled::Sheet::rulingsAbout(double f, double half) const {
   return row;
 }
 
-Ruled::Sheet::Row Ruled::Sheet::rowAbout(double f, double half) const {
-  Row row = rulingsAbout(f, half);
+Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
+  Row row = rulingsBetween(low, high);
+  const double f = 0.5 * (low + high);
+  const double half = 0.5 * (high - low);
   const auto a = range(first_, f, half);
   const auto b = range(second_, f, half);
   if (!a || !b) {
@@ -125,9 +162,7 @@ Ruled::Sheet::Row Ruled::Sheet::rowAbout(double f, double half) const {
 }
 
 Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
-  const double width = (high_ - low_) / static_cast<double>(rows_.size());
-  const double half = 0.5 * width * rowsOfABlock;
-  Row block = rulingsAbout(low_ + width * static_cast<double>(row) + half, half);
+  Row block = rulingsBetween(rows_[row].low, rows_[row + rowsOfABlock - 1].high);
   block.cells = rows_[row].cells;
   for (std::size_t i = row + 1; i < row + rowsOfABlock; ++i) {
     for (std::size_t k = 0; k < cellsOfARow; ++k) {
@@ -175,13 +210,14 @@ bool Ruled::Sheet::widenBy(const Row& row,
 /// is not: beyond the last row nothing is known.
 std::optional<Bends> Ruled::Sheet::curvaturesInCells(double f, double g, double reach) const {
   const auto count = static_cast<int>(rows_.size());
-  if (count == 0 || !(f > low_ && f < high_)) {
+  if (count == 0 || !(f > rows_.front().low && f < rows_.back().high)) {
     return std::nullopt;
   }
-  constexpr double none = std::numeric_limits<double>::infinity();
   const Vec3 place = at(f, g).place;
-  const int middle = std::min(static_cast<int>((f - low_) / (high_ - low_) * count), count - 1);
-  std::optional<Bends> all(Bends{none, -none});
+  const auto here = std::partition_point(rows_.begin(), rows_.end(),
+                                         [&](const Row& row) { return row.high < f; });
+  const int middle = std::min(static_cast<int>(here - rows_.begin()), count - 1);
+  std::optional<Bends> all(nothing);
   for (const int way : {-1, 1}) {
     int i = way < 0 ? middle : middle + 1;
     for (;;) {

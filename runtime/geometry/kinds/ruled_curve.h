@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -32,6 +33,9 @@ inline constexpr double onCurve = 4e-15;
 inline constexpr double secondOfUnit = 784.0;
 /// Bounds over more polynomials than this are made of those of the carrier.
 inline constexpr double mostSpans = 8.0;
+/// How often a span may be halved, and how many may be.
+inline constexpr int deepestSpan = 6;
+inline constexpr std::size_t mostHalvings = 128;
 /// Share of a polynomial's range of fractions by which a range may leave the last.
 inline constexpr double sameFraction = 1e-9;
 
@@ -46,6 +50,16 @@ struct CurveRange {
   double low = 0.0, high = 0.0;  ///< of the second derivative along the heading
   [[nodiscard]] double second() const { return std::max(-low, high); }
 };
+
+/// The range of no values.
+inline constexpr Bends nothing{std::numeric_limits<double>::infinity(),
+                               -std::numeric_limits<double>::infinity()};
+/// Both ranges; none where one of them is not known.
+[[nodiscard]] inline std::optional<Bends> hull(const std::optional<Bends>& a,
+                                               const std::optional<Bends>& b) {
+  return a && b ? std::optional(Bends{std::min(a->low, b->low), std::max(a->high, b->high)})
+                : std::nullopt;
+}
 
 /// One section curve on its carrier surface.
 class RuledCurve {
@@ -94,8 +108,8 @@ class RuledCurve {
     if (spans_.empty()) {
       return section_.isPoint();
     }
-    const std::size_t number = spanAt(inSpans(f1));
-    return number == spanAt(inSpans(f2)) && spans_[number].good;
+    const Span* span = partAt(f1).span;
+    return span->good && span == partAt(f2).span;
   }
 
   /// Within [low, high].
@@ -139,17 +153,36 @@ class RuledCurve {
     std::array<double, curveTerms> terms{};
     double off = 0.0;  ///< largest difference from the curve
     bool good = false;
+    std::size_t halves = 0;  ///< the first of the two spans over its halves, if it was halved
   };
 
-  /// Heights over even fractions.
+  /// Heights over even fractions; spans over which no polynomial stands for the curve are halved.
   void tabulate() {
-    const int count = std::max(1, static_cast<int>((high_ - low_) * spansOfACurve));
     if (!(high_ > low_)) {
       return;
     }
-    for (int i = 0; i < count; ++i) {
-      spans_.push_back(
-          spanOver(low_ + (high_ - low_) * i / count, low_ + (high_ - low_) * (i + 1) / count));
+    even_ = static_cast<std::size_t>(std::max(1.0, (high_ - low_) * spansOfACurve));
+    struct Bad {
+      std::size_t span;
+      double from, to;
+      int depth;
+    };
+    std::vector<Bad> bad;
+    const auto add = [&](double from, double to, int depth) {
+      spans_.push_back(spanOver(from, to));
+      if (!spans_.back().good && depth < deepestSpan) {
+        bad.push_back({spans_.size() - 1, from, to, depth});
+      }
+    };
+    const double width = (high_ - low_) / static_cast<double>(even_);
+    for (std::size_t i = 0; i < even_; ++i) {
+      add(low_ + width * static_cast<double>(i), low_ + width * static_cast<double>(i + 1), 0);
+    }
+    for (std::size_t i = 0; i < std::min(bad.size(), mostHalvings); ++i) {
+      const Bad b = bad[i];
+      spans_[b.span].halves = spans_.size();
+      add(b.from, 0.5 * (b.from + b.to), b.depth + 1);
+      add(0.5 * (b.from + b.to), b.to, b.depth + 1);
     }
   }
   [[nodiscard]] std::optional<double> heightAt(double f) const {
@@ -216,52 +249,69 @@ class RuledCurve {
     }
     return {value, slope, 2.0 * half};
   }
-  /// The polynomial that holds at f, by its number; `x` is f in numbers of polynomials.
-  [[nodiscard]] std::size_t spanAt(double x) const {
-    return static_cast<std::size_t>(
-        std::clamp(std::floor(x), 0.0, static_cast<double>(spans_.size() - 1)));
-  }
-  [[nodiscard]] double inSpans(double f) const {
-    return (f - low_) / (high_ - low_) * static_cast<double>(spans_.size());
+  /// The span that holds at a fraction, with the place in it and how t grows with the fraction.
+  struct Part {
+    const Span* span;
+    double t, byF;
+  };
+  [[nodiscard]] Part partAt(double f) const {
+    const auto count = static_cast<double>(even_);
+    const double x = (f - low_) / (high_ - low_) * count;
+    const double number = std::clamp(std::floor(x), 0.0, count - 1.0);
+    Part part{&spans_[static_cast<std::size_t>(number)], 2.0 * (x - number) - 1.0,
+              2.0 * count / (high_ - low_)};
+    while (!part.span->good && part.span->halves != 0) {
+      const bool upper = part.t > 0.0;
+      part = {&spans_[part.span->halves + (upper ? 1 : 0)], 2.0 * part.t + (upper ? -1.0 : 1.0),
+              2.0 * part.byF};
+    }
+    return part;
   }
   [[nodiscard]] std::optional<CurvePlace> fromTable(double f) const {
     if (spans_.empty()) {
       return std::nullopt;
     }
-    const double x = inSpans(f);
-    const std::size_t number = spanAt(x);
-    const Span& span = spans_[number];
-    if (!span.good) {
+    const Part part = partAt(f);
+    if (!part.span->good) {
       return std::nullopt;
     }
-    const double byF = 2.0 * static_cast<double>(spans_.size()) / (high_ - low_);
-    const std::array<double, 3> v = valueOf(span, 2.0 * (x - static_cast<double>(number)) - 1.0);
+    const std::array<double, 3> v = valueOf(*part.span, part.t);
     return CurvePlace{section_.base(f) + v[0] * section_.heading,
-                      section_.finish - section_.start + byF * v[1] * section_.heading,
-                      byF * byF * v[2] * section_.heading};
+                      section_.finish - section_.start + part.byF * v[1] * section_.heading,
+                      part.byF * part.byF * v[2] * section_.heading};
   }
 
   /// The range of the second derivative along the heading between two fractions, all of them where
   /// polynomials stand for the curve. None elsewhere, or where there are many.
   [[nodiscard]] std::optional<Bends> secondsFromTable(double from, double to) const {
-    const auto count = static_cast<double>(spans_.size());
+    const auto count = static_cast<double>(even_);
     const double byF = 2.0 * count / (high_ - low_);
     const double first = (from - low_) * 0.5 * byF;
     const double last = (to - low_) * 0.5 * byF;
     if (!(first >= -sameFraction && last <= count + sameFraction && last - first <= mostSpans)) {
       return std::nullopt;
     }
-    Bends all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    std::optional<Bends> all(nothing);
     for (double i = std::max(0.0, std::floor(first)); i < std::min(last, count); ++i) {
-      const Span& span = spans_[static_cast<std::size_t>(i)];
-      if (!span.good) {
-        return std::nullopt;
-      }
-      const Bends part = secondsOf(span, std::max(-1.0, 2.0 * (first - i) - 1.0),
-                                   std::min(1.0, 2.0 * (last - i) - 1.0));
-      all = {std::min(all.low, part.low), std::max(all.high, part.high)};
+      all = hull(all, secondsOver(spans_[static_cast<std::size_t>(i)], 2.0 * (first - i) - 1.0,
+                                  2.0 * (last - i) - 1.0));
     }
-    return Bends{byF * byF * all.low, byF * byF * all.high};
+    return all ? std::optional(Bends{byF * byF * all->low, byF * byF * all->high}) : std::nullopt;
+  }
+  /// The same for the part of a span with t in [from, to], by its t. None where the curve is not
+  /// known there.
+  [[nodiscard]] std::optional<Bends> secondsOver(const Span& span, double from, double to) const {
+    from = std::max(from, -1.0);
+    to = std::min(to, 1.0);
+    if (from > to) {
+      return nothing;
+    }
+    if (span.good || span.halves == 0) {
+      return span.good ? std::optional(secondsOf(span, from, to)) : std::nullopt;
+    }
+    const auto all = hull(secondsOver(spans_[span.halves], 2.0 * from + 1.0, 2.0 * to + 1.0),
+                          secondsOver(spans_[span.halves + 1], 2.0 * from - 1.0, 2.0 * to - 1.0));
+    return all ? std::optional(Bends{4.0 * all->low, 4.0 * all->high}) : std::nullopt;
   }
   /// The range of the second derivative by t: its value in the middle and the most it changes, and
   /// what the polynomial may be off.
@@ -325,6 +375,7 @@ class RuledCurve {
   std::unique_ptr<AnySurface> carrier_;
   double low_ = 0.0, high_ = 1.0;
   std::vector<Span> spans_;
+  std::size_t even_ = 0;  ///< number of those that were not made by halving
 };
 
 }  // namespace arelem::surface

@@ -15,6 +15,11 @@ namespace arelem::surface {
 /// each for each distance of the curves, from one of those before the first to one behind the last.
 inline constexpr int rowsOfASpan = 128;
 inline constexpr int rowsOfABlock = 8;
+/// Rows of which not all cells between the curves are known are halved, so often and so many.
+inline constexpr int deepestRow = 6;
+inline constexpr int mostRowsHalved = 512;
+/// Rows over the tangents of the curves on each side.
+inline constexpr int rowsBeside = 16;
 inline constexpr int cellsOfARuling = 4;
 inline constexpr int rulingsBeside = 1;
 inline constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
@@ -31,14 +36,7 @@ class Ruled::Sheet {
       const double f = low_ + (high_ - low_) * i / (count - 1);
       rulings_.push_back({f, first_.at(f).place, second_.at(f).place});
     }
-    const int rows = std::max(1, static_cast<int>((high_ - low_) * rowsOfASpan));
-    for (int i = 0; i < rows && low_ < high_; ++i) {
-      rows_.push_back(
-          rowAbout(low_ + (high_ - low_) * (i + 0.5) / rows, 0.5 * (high_ - low_) / rows));
-    }
-    for (std::size_t i = 0; i + rowsOfABlock <= rows_.size(); i += rowsOfABlock) {
-      blocks_.push_back(blockFrom(i));
-    }
+    makeRows();
   }
 
   [[nodiscard]] SheetPlace at(double f, double g) const {
@@ -94,19 +92,28 @@ class Ruled::Sheet {
   };
   /// The rulings about one, and what is known of them between those beside the curves.
   struct Row {
+    double low = 0.0, high = 0.0;                    ///< fractions
     Vec3 from = Vec3::Zero(), along = Vec3::Zero();  ///< of the ruling in the middle
     /// How far the others are from it on the curves.
     double first = std::numeric_limits<double>::infinity(), second = first;
     std::array<std::optional<Bends>, cellsOfARow> cells;
+
+    /// Between the curves.
+    [[nodiscard]] bool isKnown() const {
+      const auto begin = cells.begin() + cellsOfARuling * rulingsBeside;
+      return std::all_of(begin, begin + cellsOfARuling,
+                         [](const auto& c) { return c.has_value(); });
+    }
   };
   struct Bounded {
     Bends curvatures;
     double stretch = 1.0;  ///< ways along the sheet over straight ones
   };
 
+  void makeRows();
   /// Without cells yet.
-  [[nodiscard]] Row rulingsAbout(double f, double half) const;
-  [[nodiscard]] Row rowAbout(double f, double half) const;
+  [[nodiscard]] Row rulingsBetween(double low, double high) const;
+  [[nodiscard]] Row rowBetween(double low, double high) const;
   /// The rows from one on as one.
   [[nodiscard]] Row blockFrom(std::size_t row) const;
   [[nodiscard]] std::optional<Bends> curvaturesInCells(double f, double g, double reach) const;
@@ -132,7 +139,16 @@ class Ruled::Sheet {
                                                 double half) const {
     const double from = std::max(f - half, low_);
     const double to = std::min(f + half, high_);
-    return from < to ? curve.range(0.5 * (from + to), 0.5 * (to - from)) : CurveRange{};
+    if (!(from < to)) {
+      const auto& ends = f < 0.5 * (low_ + high_) ? atLow_ : atHigh_;
+      return CurveRange{ends[&curve == &first_ ? 0 : 1].first.norm(), 0.0, 0.0};
+    }
+    auto inside = curve.range(0.5 * (from + to), 0.5 * (to - from));
+    if (inside && (from > f - half || to < f + half)) {
+      inside->low = std::min(inside->low, 0.0);
+      inside->high = std::max(inside->high, 0.0);
+    }
+    return inside;
   }
   static CurvePlace onTangent(const CurvePlace& end, double beyond) {
     return {end.place + beyond * end.first, end.first, Vec3::Zero()};

@@ -12,7 +12,7 @@ using Piece = TabulatedCylinder::Piece;
 constexpr int newtonLimit = 40;
 /// A step of Newton that is smaller than this share of the piece is the last: the next would be
 /// about its square.
-constexpr double lastStep = 1e-7;
+constexpr double lastStep = 1e-5;
 /// Parts of a piece that are looked at one by one.
 constexpr int parts = 4;
 /// A place between two feet on a graph that rises by at most 45 degrees is farther off than they
@@ -198,16 +198,19 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
   const double ny = 1.0 / norm;
   const double dx = q.x - best.x;
   const double dy = q.y - height(p, best.x);
-  const double sign = dx * nx + dy * ny < 0.0 ? -1.0 : 1.0;
-  const double distance = std::sqrt(best.squared);
-  const bool atFoot = distance > 1e-9 * (1.0 + p.length);
-  // Away from the curve the exact gradient is the direction from the foot; on it, the curve's
-  // normal.
-  const double gx = atFoot ? sign * dx / distance : nx;
-  const double gy = atFoot ? sign * dy / distance : ny;
+  const double across = dx * nx + dy * ny;
+  const double length = std::sqrt(best.squared);
+  // At an end of a piece, which may be a corner, the exact gradient is the direction from the foot;
+  // elsewhere it is the curve's normal, and what Newton left of the foot's place counts by its
+  // square only.
+  const bool atEnd = best.x == low(p) || best.x == high(p);
+  const bool fromFoot = atEnd && length > 1e-9 * (1.0 + p.length);
+  const double distance = fromFoot ? std::copysign(length, across) : across;
+  const double gx = fromFoot ? dx / distance : nx;
+  const double gy = fromFoot ? dy / distance : ny;
   const double gu = gx * p.dirU - gy * p.dirV;
   const double gv = gx * p.dirV + gy * p.dirU;
-  return {sign * distance, gu * curve.u + gv * curve.v};
+  return {distance, gu * curve.u + gv * curve.v};
 }
 
 double TabulatedCylinder::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {

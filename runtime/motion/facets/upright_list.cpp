@@ -8,6 +8,8 @@ namespace arelem::motion {
 namespace {
 /// Normals that bound heights are not nearer to level than this, as a sine.
 constexpr double mostLevel = 0.97;
+/// Triangles within this share of the cutter's radius are covered by it.
+constexpr double covered = 0.98;
 
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 /// Own normals of triangles that are nearer to level tell little.
@@ -25,25 +27,53 @@ UprightList::UprightList(const FacetTask& task, const tool::UprightProfile& prof
     : task_(task),
       profile_(profile),
       across_(task.section.up.cross(task.section.along)),
-      radius_(task.cutter->maxRadius() + std::max(task.low, 0.0)) {}
+      upright_(task.section.up == Vec3::UnitZ()),
+      radius_(task.cutter->maxRadius() + std::max(task.low, 0.0)),
+      flattest_(profile.r > 0.0         ? std::min(mostLevel, profile.cosBeta)
+                : profile.sinBeta > 0.0 ? profile.cosBeta
+                                        : 0.0) {}
 
 bool UprightList::Own::isBelow(const Way& way) const {
-  return first > way.to.s || last < way.from.s || motion::isBelow(lines[0], way) ||
-         motion::isBelow(lines[1], way);
+  return motion::isBelow(lines[0], way) || motion::isBelow(lines[1], way);
 }
 
-/// No place of a triangle is nearer to the section than its nearest corner's y says.
-void UprightList::setRange(Own& own) const {
+/// Where the circle around the cutter, which moves along s, comes to the triangle and leaves it: at
+/// corners, or as a tangent of edges. Triangles that it covers need no range.
+void UprightList::setRange(Own& own, double middle, double half) const {
   const auto& c = own.facet.corners;
-  const double left = std::max({c[0].y(), c[1].y(), c[2].y()});
-  const double right = std::min({c[0].y(), c[1].y(), c[2].y()});
-  const double beside = std::max({-left, right, 0.0});
-  const double half = std::sqrt(std::max(0.0, radius_ * radius_ - beside * beside));
-  own.first = beside > radius_ ? -nowhere : std::min({c[0].x(), c[1].x(), c[2].x()}) - half;
-  own.last = beside > radius_ ? nowhere : std::max({c[0].x(), c[1].x(), c[2].x()}) + half;
+  const double inside = covered * covered * radius_ * radius_;
+  const bool covers = std::all_of(c.begin(), c.end(), [&](const Vec3& corner) {
+    const double x = std::abs(corner.x() - middle) + half;
+    return x * x + corner.y() * corner.y() <= inside;
+  });
+  own.first = covers ? nowhere : -nowhere;
+  own.last = -own.first;
+  for (std::size_t k = 0; k < 3 && !covers; ++k) {
+    const Vec3& from = c[k];
+    const double chord = radius_ * radius_ - from.y() * from.y();
+    if (chord >= 0.0) {
+      own.first = std::min(own.first, from.x() - std::sqrt(chord));
+      own.last = std::max(own.last, from.x() + std::sqrt(chord));
+    }
+    const Vec3 edge = c[(k + 1) % 3] - from;
+    const double reach = radius_ / std::sqrt(edge.x() * edge.x() + edge.y() * edge.y());
+    const double beside = edge.y() < 0.0 ? reach * edge.x() : -reach * edge.x();
+    const double ahead = (beside - from.y()) / edge.y();
+    if (ahead >= 0.0 && ahead <= 1.0) {
+      own.first = std::min(own.first, from.x() + ahead * edge.x() - reach * std::abs(edge.y()));
+    }
+    const double behind = (-beside - from.y()) / edge.y();
+    if (behind >= 0.0 && behind <= 1.0) {
+      own.last = std::max(own.last, from.x() + behind * edge.x() + reach * std::abs(edge.y()));
+    }
+  }
 }
 
 Vec3 UprightList::turned(const Vec3& d) const {
+  if (upright_) {
+    return {task_.section.along.x() * d.x() + task_.section.along.y() * d.y(),
+            across_.x() * d.x() + across_.y() * d.y(), d.z()};
+  }
   return {task_.section.along.dot(d), across_.dot(d), task_.section.up.dot(d)};
 }
 
@@ -52,24 +82,25 @@ Vec3 UprightList::local(const Vec3& place) const {
 }
 
 /// The normal with which the cutter would touch a place there, seen from its axis.
-Vec3 UprightList::normalTowards(double x, double y) const {
-  const double rho = std::sqrt(x * x + y * y);
-  const double beyond = rho - profile_.e;
-  const double flattest = std::min(mostLevel, profile_.cosBeta);
-  if (beyond <= 0.0 || (profile_.r == 0.0 && profile_.sinBeta <= 0.0)) {
-    return Vec3::UnitZ();
+UprightList::Normal UprightList::normalTowards(double x, double y) const {
+  const double squared = x * x + y * y;
+  if (squared <= profile_.e * profile_.e || flattest_ <= 0.0) {
+    return {};
   }
-  const double nxy = beyond < profile_.r * flattest ? beyond / profile_.r : flattest;
-  return {-nxy * x / rho, -nxy * y / rho, std::sqrt(1.0 - nxy * nxy)};
+  const double rho = std::sqrt(squared);
+  const double beyond = rho - profile_.e;
+  const double nxy = beyond < profile_.r * flattest_ ? beyond / profile_.r : flattest_;
+  const double share = -nxy / rho;
+  return {{share * x, share * y, std::sqrt(1.0 - nxy * nxy)}, nxy};
 }
 
-UprightList::Line UprightList::lineOf(double most, const Vec3& n) const {
-  const double nxy = std::sqrt(n.x() * n.x() + n.y() * n.y());
-  return {(most + profile_.support(n.z(), nxy)) / n.z(), -n.x() / n.z()};
+UprightList::Line UprightList::lineOf(double most, const Normal& n) const {
+  const double rise = 1.0 / n.n.z();
+  return {(most + profile_.support(n.n.z(), n.nxy)) * rise, -n.n.x() * rise};
 }
 
 UprightList::Line UprightList::line(std::uint32_t index, const Vec3& normal) const {
-  return lineOf(greatest(all_[index].facet, normal), normal);
+  return lineOf(greatest(all_[index].facet, normal), Normal::of(normal));
 }
 
 double UprightList::known(std::uint32_t index, double s) const {
@@ -79,8 +110,8 @@ double UprightList::known(std::uint32_t index, double s) const {
 /// For the normal with which the cutter at s would touch the middle of a triangle.
 UprightList::Line UprightList::lineTowards(const tool::UprightFacet& f, double s) const {
   const Vec3 middle = (f.corners[0] + f.corners[1] + f.corners[2]) / 3.0;
-  const Vec3 n = normalTowards(middle.x() - s, middle.y());
-  return lineOf(greatest(f, n), n);
+  const Normal n = normalTowards(middle.x() - s, middle.y());
+  return lineOf(greatest(f, n.n), n);
 }
 
 /// Takes the triangles that the line for one normal does not exclude.
@@ -92,53 +123,83 @@ class UprightList::Collect {
         middle_(0.5 * (way.from.s + way.to.s)),
         half_(0.5 * (way.to.s - way.from.s)),
         lowest_(std::min(way.from.z, way.to.z) - way.slab + list.profile_.f - list.profile_.r),
-        limit_(limit) {
-    shares_.row(0) = list.task_.section.along.cwiseAbs();
-    shares_.row(1) = list.across_.cwiseAbs();
-    shares_.row(2) = list.task_.section.up.cwiseAbs();
-  }
+        from_(way.from.z - way.slab),
+        to_(way.to.z - way.slab),
+        limit_(limit),
+        upright_(list.upright_) {}
 
   bool enters(const Vec3& center, const Vec3& half) {
-    const Vec3 c = list_.local(center);
-    const Vec3 h = shares_ * half;
-    const double x = c.x() - middle_;
-    const double ahead = std::max(std::abs(x) - h.x() - half_, 0.0);
-    const double beside = std::max(std::abs(c.y()) - h.y(), 0.0);
-    if (full || c.z() + h.z() < lowest_ ||
-        ahead * ahead + beside * beside > list_.radius_ * list_.radius_) {
+    const Section& section = list_.task_.section;
+    const Vec3 w = center - section.origin;
+    const Vec3& u = section.along;
+    const Vec3& v = list_.across_;
+    const double z = upright_ ? w.z() : section.up.dot(w);
+    const double hz = upright_ ? half.z() : section.up.cwiseAbs().dot(half);
+    if (full || z + hz < lowest_) {
       return false;
     }
-    const Vec3 n = list_.normalTowards(x, c.y());
-    return !isBelow(list_.lineOf(n.dot(c) + n.cwiseAbs().dot(h), n), way_);
+    const double y = upright_ ? v.x() * w.x() + v.y() * w.y() : v.dot(w);
+    const double hy =
+        upright_ ? std::abs(v.x()) * half.x() + std::abs(v.y()) * half.y() : v.cwiseAbs().dot(half);
+    const double beside = std::abs(y) - hy;
+    if (beside > list_.radius_) {
+      return false;
+    }
+    const double x = (upright_ ? u.x() * w.x() + u.y() * w.y() : u.dot(w)) - middle_;
+    const double hx =
+        upright_ ? std::abs(u.x()) * half.x() + std::abs(u.y()) * half.y() : u.cwiseAbs().dot(half);
+    const double ahead = std::abs(x) - hx - half_;
+    if (ahead > list_.radius_) {
+      return false;
+    }
+    const Normal n = list_.normalTowards(x, y);
+    return mayTouch(n, n.n.x() * x + n.n.y() * y + n.n.z() * z + std::abs(n.n.x()) * hx +
+                           std::abs(n.n.y()) * hy + n.n.z() * hz);
   }
   void visit(std::size_t i) {
     if (full) {
       return;
     }
     const surface::MeshShape& shape = list_.task_.mesh->shape();
+    own_.facet.corners = {list_.local(shape.mesh.corner(i, 0)),
+                          list_.local(shape.mesh.corner(i, 1)),
+                          list_.local(shape.mesh.corner(i, 2))};
+    const auto& c = own_.facet.corners;
+    const Normal n = list_.normalTowards((c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle_,
+                                         (c[0].y() + c[1].y() + c[2].y()) / 3.0);
+    const double most = greatest(own_.facet, n.n);
+    if (!mayTouch(n, most - n.n.x() * middle_)) {
+      return;
+    }
     const Vec3 up = list_.turned(shape.normals[i]);
-    Own own;
-    own.number = static_cast<std::uint32_t>(i);
-    own.facet = {{list_.local(shape.mesh.corner(i, 0)), list_.local(shape.mesh.corner(i, 1)),
-                  list_.local(shape.mesh.corner(i, 2))},
-                 up.z() < 0.0 ? Vec3(-up) : up};
-    list_.setRange(own);
-    own.lines[0] = list_.lineTowards(own.facet, middle_);
-    own.lines[1] = own.facet.up.z() < usefulRise
-                       ? own.lines[0]
-                       : list_.lineOf(greatest(own.facet, own.facet.up), own.facet.up);
-    if (!own.isBelow(way_)) {
-      list_.all_.push_back(own);
+    own_.number = static_cast<std::uint32_t>(i);
+    own_.facet.up = up.z() < 0.0 ? Vec3(-up) : up;
+    own_.lines[0] = list_.lineOf(most, n);
+    own_.lines[1] = own_.lines[0];
+    if (own_.facet.up.z() >= usefulRise) {
+      own_.lines[1] = list_.lineOf(greatest(own_.facet, own_.facet.up), Normal::of(own_.facet.up));
+    }
+    if (!own_.isBelow(way_)) {
+      list_.all_.push_back(own_);
       full = list_.all_.size() >= limit_;
     }
   }
 
  private:
+  /// Whether the line for a normal is anywhere above the slab. `most`: how far places reach along
+  /// the normal, from the middle of the way.
+  [[nodiscard]] bool mayTouch(const Normal& n, double most) const {
+    const double reach = most + list_.profile_.support(n.n.z(), n.nxy);
+    const double turn = n.n.x() * half_;
+    return reach + turn >= from_ * n.n.z() || reach - turn >= to_ * n.n.z();
+  }
+
   UprightList& list_;
   const Way& way_;
-  double middle_, half_, lowest_;
+  double middle_, half_, lowest_, from_, to_;
   std::size_t limit_;
-  Eigen::Matrix3d shares_;
+  bool upright_;
+  Own own_;
 
  public:
   bool full = false;
@@ -160,7 +221,8 @@ void UprightList::focus(const Way& way) {
     Own& own = all_[i];
     if (!own.isBelow(way)) {
       own.lines[0] = lineTowards(own.facet, middle);
-      if (!own.isBelow(way)) {
+      setRange(own, middle, 0.5 * (way.to.s - way.from.s));
+      if (!own.isBelow(way) && own.first <= way.to.s && own.last >= way.from.s) {
         near_.push_back(i);
       }
     }

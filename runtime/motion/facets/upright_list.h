@@ -59,21 +59,29 @@ class UprightList {
 
     [[nodiscard]] bool isBelow(const Way& way) const;
   };
+  /// A unit normal with how far it leans.
+  struct Normal {
+    Vec3 n = Vec3::UnitZ();
+    double nxy = 0.0;
+
+    static Normal of(const Vec3& n) { return {n, std::sqrt(n.x() * n.x() + n.y() * n.y())}; }
+  };
   class Collect;
 
   [[nodiscard]] Vec3 local(const Vec3& place) const;
   [[nodiscard]] Vec3 turned(const Vec3& direction) const;
-  [[nodiscard]] Vec3 normalTowards(double x, double y) const;
-  [[nodiscard]] Line lineOf(double most, const Vec3& normal) const;
+  [[nodiscard]] Normal normalTowards(double x, double y) const;
+  [[nodiscard]] Line lineOf(double most, const Normal& normal) const;
   [[nodiscard]] Line lineTowards(const tool::UprightFacet& facet, double s) const;
-  void setRange(Own& own) const;
+  void setRange(Own& own, double middle, double half) const;
   void sweep(const Vec3& normal);
   void fill();
 
   const FacetTask task_;
   tool::UprightProfile profile_;
   Vec3 across_;
-  double radius_;
+  bool upright_;  ///< up is z
+  double radius_, flattest_;
   std::vector<Own> all_;
   std::vector<std::uint32_t> near_;
   /// Coordinates of the near triangles' corners, one after the other for each of nine.

@@ -56,16 +56,18 @@ TEST(Ruled, SaddleBendsAlongItsDiagonals) {
   EXPECT_NEAR(s.bend({0, 0, 0}, foot, Vec3(1, 0, 0), hint), 0.0, 1e-12);
 }
 
+/// Of the cylinder of radius 12 along y, 10 below it.
+SectionCurve cylinderArc(double y) {
+  SectionCurve curve;
+  curve.surface.type = EntityType::cylinder;
+  curve.surface.canon = {0, 0, -10, 0, 1, 0, 12};
+  curve.start = {-4, y, 0};
+  curve.finish = {4, y, 0};
+  return curve;
+}
+
 TEST(Ruled, EqualSectionsOfACylinderAreTheCylinder) {
-  const auto arc = [](double y) {
-    SectionCurve curve;
-    curve.surface.type = EntityType::cylinder;
-    curve.surface.canon = {0, 0, -10, 0, 1, 0, 12};
-    curve.start = {-4, y, 0};
-    curve.finish = {4, y, 0};
-    return curve;
-  };
-  const Ruled s({arc(-3), arc(3)});
+  const Ruled s({cylinderArc(-3), cylinderArc(3)});
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> angle(-0.6, 0.6), height(-5, 5), off(-2, 2);
   for (int i = 0; i < 300; ++i) {
@@ -81,6 +83,50 @@ TEST(Ruled, EqualSectionsOfACylinderAreTheCylinder) {
     EXPECT_NEAR(s.bend(p, foot, across, hint) * sense, 1.0 / (12 + d), 1e-9);
     EXPECT_NEAR(s.bend(p, foot, Vec3::UnitY(), hint), 0.0, 1e-12);
   }
+}
+
+TEST(Ruled, TheCylinderBendsOneWayAsMuchAsItsRadiusSays) {
+  // Proofs live on how narrow these bounds are: the curvature is 1/12 across and 0 along.
+  const Ruled s({cylinderArc(-3), cylinderArc(3)});
+  for (const double a : {-0.2, 0.0, 0.15}) {
+    for (const double y : {-4.0, 0.0, 3.5}) {
+      const Vec3 normal(std::sin(a), 0, std::cos(a));
+      const Vec3 on = Vec3(0, y, -10) + 12 * normal;
+      Ruled::Hint hint{};
+      Foot foot = s.foot(on, hint);
+      Bends bends = s.bends(on, foot, 0.5, hint);
+      if (foot.normal.dot(normal) < 0.0) {
+        bends = {-bends.high, -bends.low};
+      }
+      EXPECT_GE(bends.low, -1e-6) << a << ' ' << y;
+      EXPECT_GE(bends.high, 1.0 / 12) << a << ' ' << y;
+      EXPECT_LE(bends.high, 1.05 / (12 - 0.5)) << a << ' ' << y;
+    }
+  }
+}
+
+TEST(Ruled, IsKnownWhereItsCurvesAreSteepAndBeyondThem) {
+  // Up to 74 degrees from the top of the cylinder, and on the tangent behind the end.
+  SectionCurve arc = cylinderArc(-3);
+  arc.start.x() = -12;
+  arc.finish.x() = 12;
+  SectionCurve other = arc;
+  other.start.y() = other.finish.y() = 3;
+  arc.start.z() = arc.finish.z() = other.start.z() = other.finish.z() = -10;
+  const Ruled s({arc, other});
+  for (const double a : {0.0, 1.0, 1.3}) {
+    const Vec3 on = Vec3(12 * std::sin(a), 0.5, 12 * std::cos(a) - 10);
+    Ruled::Hint hint{};
+    const Foot foot = s.foot(on, hint);
+    EXPECT_NEAR(foot.distance, 0.0, 1e-9) << a;
+    const Bends bends = s.bends(on, foot, 0.05, hint);
+    EXPECT_TRUE(std::isfinite(bends.low) && std::isfinite(bends.high)) << a;
+  }
+  Ruled::Hint hint{};
+  const Vec3 beyond(12, 0.5, -20);
+  const Foot foot = s.foot(beyond, hint);
+  const Bends bends = s.bends(beyond, foot, 0.05, hint);
+  EXPECT_TRUE(std::isfinite(bends.low) && std::isfinite(bends.high));
 }
 
 TEST(Ruled, AConeFromACircleToAPoint) {

@@ -102,6 +102,51 @@ TEST(Contact, CylinderAgainstBruteForce) {
       },
       1.0, 20);
 }
+TEST(Contact, CylinderAcrossTheAxisByPencil) {
+  const Profile flat = *makeProfile(std::vector<double>{2.0, 0.0});
+  const auto touch = [&](double radius, double side, const Vec3& te) {
+    const surface::Cylinder s{{0, 0, 0}, Vec3::UnitY(), radius};
+    Search<surface::Cylinder> search;
+    return contact(s, side, flat, te, Vec3::UnitZ(), search);
+  };
+  const Contact rim = touch(5.0, 1.0, {4, 7, 4});
+  EXPECT_NEAR(rim.gap, 0.0, 1e-14);
+  EXPECT_LT((rim.normal - Vec3(0.6, 0.0, 0.8)).norm(), 1e-14);
+  EXPECT_LT((rim.point - Vec3(3, 7, 4)).norm(), 1e-14);
+  const Contact crest = touch(5.0, 1.0, {0.5, 0, 5.25});
+  EXPECT_NEAR(crest.gap, 0.25, 1e-14);
+  EXPECT_LT((crest.normal - Vec3::UnitZ()).norm(), 1e-14);
+  EXPECT_LT((crest.point - Vec3(0, 0, 5.25)).norm(), 1e-14);
+  const Contact hollow = touch(13.0, -1.0, {4, 0, -12});
+  EXPECT_NEAR(hollow.gap, 0.0, 1e-14);
+  EXPECT_LT((hollow.normal - Vec3(-5, 0, 12) / 13).norm(), 1e-14);
+  EXPECT_LT((hollow.point - Vec3(5, 0, -12)).norm(), 1e-14);
+}
+
+/// The closed form and the search, for which the axis leans by next to nothing.
+TEST(Contact, CylinderAcrossTheAxisIsTheLimitOfOneThatLeans) {
+  std::mt19937_64 engine(11);
+  const auto in = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(engine);
+  };
+  for (int i = 0; i < 200; ++i) {
+    const double angle = in(0, 3);
+    const Vec3 along(std::cos(angle), std::sin(angle), 0);
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    const surface::Cylinder square{{0, 0, side > 0 ? -6.0 : 6.0}, along, 7.0};
+    surface::Cylinder leaning = square;
+    leaning.axis = (along + 1e-10 * Vec3::UnitZ()).normalized();
+    for (const auto& values : cutters) {
+      const Profile cutter = *makeProfile(values);
+      const Vec3 te(in(-3, 3), in(-3, 3), side > 0 ? in(0.5, 3) : in(0.5, 1.5));
+      Search<surface::Cylinder> first, second;
+      const Contact a = contact(square, side, cutter, te, Vec3::UnitZ(), first);
+      const Contact b = contact(leaning, side, cutter, te, Vec3::UnitZ(), second);
+      EXPECT_NEAR(a.gap, b.gap, 1e-8) << i << " cutter " << values.size() << " side " << side;
+      EXPECT_NEAR(a.normal.norm(), 1.0, 1e-13);
+    }
+  }
+}
 TEST(Contact, ConeAgainstBruteForce) {
   compare<surface::Cone>(
       [](auto in) {

@@ -139,9 +139,66 @@ TEST(NearTriangles, TheGapLiesAboveItsTangent) {
   }
 }
 
+/// A triangle of a plane through `place`, so large that no border of it is near.
+std::array<Vec3, 3> around(const Vec3& place, const Vec3& normal) {
+  const Vec3 u = normal.unitOrthogonal();
+  const Vec3 v = normal.cross(u);
+  return {place + 90.0 * u, place - 50.0 * u + 80.0 * v, place - 50.0 * u - 80.0 * v};
+}
+
+TEST(NearTriangles, TheTangentTouchesTheGapInsideACutterToo) {
+  // Walls that lean over the cutter are deepest at its top, planes below a drill on its axis.
+  Random random(6);
+  const double lean = std::atan(1.0) / 5.625;  // 8 degrees
+  const double center = 0.4 - 0.1 * (1.0 - std::sin(lean)) / std::cos(lean);
+  const std::vector<std::vector<double>> all = {{0.75},
+                                                {0.75, 0.375},
+                                                {1.0, 0.1875},
+                                                {0.8, 0.1, center, 0.1, 0, 8, 4},
+                                                {0.75, 0, 0.375, 0.2253227321353351, 31, 0, 4}};
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 normal = random.vector(1.0).normalized();
+    for (const auto& values : all) {
+      const Profile cutter = *makeProfile(values);
+      const Body body(cutter);
+      const PlacedBody placed(body, Vec3::Zero(), Vec3::UnitZ());
+      const double deep = random.in(0.0, 0.02);
+      const auto corners = around((deep - reach(cutter, normal.z())) * normal, normal);
+      const Facet plane = Facet::of(corners[0], corners[1], corners[2]);
+      const TriangleGap gap = gapOf(placed, plane);
+      EXPECT_LE(gap.gap, 0.0) << i;
+      EXPECT_NEAR(gap.low, gap.gap, 1e-9) << i << " " << normal.z();
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 step = random.vector(0.01);
+        const double there = gapOf(PlacedBody(body, step, Vec3::UnitZ()), plane).gap;
+        EXPECT_GE(there, gap.low + gap.slope.dot(step) - 1e-9) << i << " " << normal.z();
+      }
+    }
+  }
+}
+
+TEST(NearTriangles, DepthIsThatOfTheLargestBallInTheCutter) {
+  // By hand. A level plane 0.01 above the tip of a drill of 31 degrees: a ball about its place on
+  // the axis touches the cone at 0.01 cos 31. A wall that leans over a flat cutter by 30 degrees,
+  // 0.01 behind the rim of its top: r (sin 30 + cos 30) = 0.01.
+  const Profile drill =
+      *makeProfile(std::vector<double>{0.75, 0, 0.375, 0.2253227321353351, 31, 0, 4});
+  const auto level = around({0, 0, 0.01}, Vec3::UnitZ());
+  const PlacedBody tip(Body(drill), Vec3::Zero(), Vec3::UnitZ());
+  EXPECT_NEAR(gapOf(tip, Facet::of(level[0], level[1], level[2])).gap, -0.01 * drill.cosAlpha,
+              1e-9);
+  const Profile flat = *makeProfile(std::vector<double>{1.0, 0, 0.5, 0, 0, 0, 2});
+  const Vec3 over(-std::sqrt(0.75), 0, -0.5);  // from the wall to the cutter
+  const auto wall = around(Vec3(0.5, 0, 2) + 0.01 * over, over);
+  const PlacedBody end(Body(flat), Vec3::Zero(), Vec3::UnitZ());
+  EXPECT_NEAR(gapOf(end, Facet::of(wall[0], wall[1], wall[2])).gap, -0.01 / (0.5 + std::sqrt(0.75)),
+              1e-9);
+}
+
 TEST(NearTriangles, ASideThatWidensIsDeepestInAWallRightBelowItsTop) {
-  // By hand: there the wall is as far inside as the radius exceeds its distance from the axis; the
-  // side leans by 8 degrees. The wall is taller than the cutter.
+  // By hand: there the wall is as far inside, x, as the radius exceeds its distance from the axis;
+  // the side leans by 8 degrees. The wall is taller than the cutter. A ball about a place of the
+  // wall, r below the top, is x cos 8 - r sin 8 from the side: r (1 + sin 8) = x cos 8.
   const double lean = std::atan(1.0) / 5.625;  // 8 degrees
   const double center = 0.4 - 0.1 * (1.0 - std::sin(lean)) / std::cos(lean);
   const Profile cutter = *makeProfile(std::vector<double>{0.8, 0.1, center, 0.1, 0, 8, 4});
@@ -151,7 +208,7 @@ TEST(NearTriangles, ASideThatWidensIsDeepestInAWallRightBelowItsTop) {
   for (const double away : {0.7, 0.5, -0.5, -0.7}) {
     const double inside = cutter.sideEnd.rho - std::abs(away);
     const TriangleGap gap = gapOf(PlacedBody(body, {1 - away, 0, 0}, Vec3::UnitZ()), wall);
-    EXPECT_NEAR(gap.gap, -inside * cutter.cosBeta, 1e-9) << away;
+    EXPECT_NEAR(gap.gap, -inside * cutter.cosBeta / (1.0 + cutter.sinBeta), 1e-9) << away;
   }
 }
 

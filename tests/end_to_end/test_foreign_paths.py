@@ -1,0 +1,92 @@
+"""`arelem verify PART CL` of files that another system may have written: plain CL text, arcs, other units, other cutters."""
+import math
+import re
+import unittest
+
+from arelem_run import ArelemCase
+from test_certify import SPHERE
+
+
+class ForeignPaths(ArelemCase):
+    def test_a_stop_that_was_moved_is_told_as_such_in_plain_text(self):
+        """Without statement numbers a motion goes on to its check surface; where the path leaves its surfaces before, for good, it
+        ended there."""
+        self.write("s.apt", SPHERE)
+        self.assertExit(0, "compile", "s.apt", "--to", "cl", "--decimals", "7")
+        whole = self.out
+        last = [line for line in whole.splitlines() if line.startswith("GOTO")][-2]
+        self.write("s.cls", whole.replace(last, f"GOTO / 5.9, 0.0, {math.sqrt(100 - 5.9 ** 2) - 1:.7f}"))
+        self.assertEqual(self.run_arelem("verify", "s.apt", "s.cls"), 5)
+        self.assertIn("s.apt:12:1: error[E0907]: the motion ends -0.1 from the position ON check surface `L3`", self.err)
+        self.assertEqual(self.err.count("error["), 1, self.err)
+        walls = ("CUTTER/10\nTOLER/.01\nL1=LINE/0,0,100,0\nW=LINE/50,0,50,-100\nL3=LINE/0,-50,100,-50\nFROM/0,-20,0\n"
+                 "GO/TO,L1,TO,(PLANE/0,0,1,0),ON,(LINE/0,0,0,9)\nINDIRV/1,0,0\nTLRGT,GOFWD/L1,TO,W\nGORGT/W,TO,L3\nGOTO/0,0,20\nFINI\n")
+        self.write("w.apt", walls)
+        places = ["FROM/0,-20,0", "GOTO/0,-5,0", "GOTO/45.4,-5,0", "GOTO/45,-45,0", "GOTO/0,0,20", "FINI", ""]
+        self.write("w.cls", "\n".join(places))
+        self.assertEqual(self.run_arelem("verify", "w.apt", "w.cls"), 5)
+        self.assertIn("w.apt:9:1: error[E0907]: the motion ends -0.4 from the position TO check surface `W`", self.err)
+        self.assertIn("w.apt:10:1: error[E0904]: the cutter is 0.4 inside `W` at (45.4, -5, 0) on cut vector 1", self.err)
+        self.assertEqual(self.err.count("error["), 2, self.err)
+        # A place that is displaced between others is none: the motion goes on behind it.
+        places[2:3] = ["GOTO/20,-5,0", "GOTO/30,-4.7,0", "GOTO/45,-5,0"]
+        self.write("w.cls", "\n".join(places))
+        self.assertEqual(self.run_arelem("verify", "w.apt", "w.cls"), 5)
+        self.assertIn("w.apt:9:1: error[E0904]: the cutter is 0.3 inside `L1` at (30, -4.7, 0) on cut vector 2", self.err)
+        self.assertEqual(self.err.count("error["), 1, self.err)
+
+    def test_arcs_of_a_file_are_judged_themselves(self):
+        """A CIRCLE over a sphere of radius 9 with a ball of radius 1: its radius says where in the band of .001 either way it is.
+        In it chords of a whole band would leave the tolerance."""
+        self.write("s.apt", SPHERE)
+
+        def at(radius):
+            z = math.sqrt(radius ** 2 - 36) - 1
+            self.write("s.cls", f"FROM/-8,0,9\nGOTO/-6,0,{z:.9f}\nCIRCLE/0,0,-1,0,1,0,{radius:.9f}\nGOTO/6,0,{z:.9f}\nGOTO/8,0,9\nFINI\n")
+            return self.run_arelem("verify", "s.apt", "s.cls")
+
+        for radius in (10, 9.9991, 10.0009, 9.999, 10.001):
+            self.assertEqual(at(radius), 0, f"{radius} {self.out}{self.err}")
+        for radius, code in ((9.99899, "E0904"), (10.00101, "E0905")):
+            self.assertEqual(at(radius), 5)
+            self.assertIn(f"error[{code}]: the cutter is 0.00101 ", self.err)
+
+    def test_lengths_of_a_file_are_converted_to_the_unit_of_its_program(self):
+        part = self.write("s.apt", "UNITS/MM\n" + SPHERE)
+        self.assertExit(0, "compile", part, "-o", "s.cls")
+        text = (self.folder / "s.cls").read_text()
+
+        def scaled(line, factor):
+            word, _, rest = line.partition(" / ")
+            if word not in ("FROM", "GOTO", "CUTTER", "INTOL", "OUTTOL"):
+                return line
+            return f"{word} / " + ", ".join(repr(float(v) * factor) for v in rest.split(","))
+        inches = "\n".join(scaled(line, 1 / 25.4) for line in text.replace("UNITS / MM", "UNITS / INCHES").splitlines()) + "\n"
+        self.write("inch.cls", inches)
+        for words in (("verify", part, "inch.cls"), ("verify", "inch.cls", "--with", part)):
+            self.assertExit(0, *words)
+            self.assertNotIn("W09", self.err)
+        # The same numbers under another unit are another path.
+        self.write("wrong.cls", text.replace("UNITS / MM", "UNITS / INCHES"))
+        self.assertExit(5, "verify", part, "wrong.cls")
+        self.assertExit(5, "verify", "wrong.cls", "--with", part)
+        # A program without a unit cannot be converted to.
+        self.write("bare.apt", SPHERE)
+        self.assertExit(0, "verify", "bare.apt", "s.cls")
+        self.assertIn("W0917", self.err)
+
+    def test_a_file_for_another_cutter_is_told(self):
+        part = self.write("s.apt", SPHERE)
+        self.assertExit(0, "compile", part, "-o", "s.cls")
+        text = (self.folder / "s.cls").read_text()
+        self.assertExit(0, "verify", part, "s.cls")
+        self.assertNotIn("W0918", self.err)
+        for other in ("CUTTER / 4.0, 1.0", "CUTTER / 2.0"):
+            self.write("t.cls", re.sub("CUTTER / .*", other, text))
+            self.assertExit(0, "verify", part, "t.cls")
+            self.assertIn("t.cls:", self.err)
+            self.assertIn("W0918", self.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
