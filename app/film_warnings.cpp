@@ -6,6 +6,7 @@
 
 #include "ir/diag/render_text.h"
 #include "ir/diag/spray.h"
+#include "runtime/film/map.h"
 #include "runtime/film/surface_map.h"
 
 namespace arelem::app {
@@ -21,15 +22,18 @@ void warnOfFilms(Compilation& job) {
     if (sprayed->planar) {
       continue;
     }
-    const film::Statistics film = film::roughStatistics(*sprayed);
-    const bool uneven = film.astray >= noticedShare;
-    if (!uneven && std::abs(film.mean / film.wanted - 1.0) > noticedMean) {
+    const film::Statistics rough = film::roughStatistics(*sprayed);
+    const bool uneven = rough.astray >= noticedShare;
+    if (!uneven && std::abs(rough.mean / rough.wanted - 1.0) <= noticedMean) {
+      continue;
+    }
+    // What is told has the figures that the report has.
+    const film::Statistics film = film::mapOf(*sprayed, 0.0).statistics;
+    if (!uneven) {
       job.log.accept(diagnose(sprayed->origin, diag::SprayMean, micrometers * film.mean,
                               sprayed->label(), micrometers * film.wanted)
                          .withHelp("PAST sprays over the edges; `arelem spray --film film.png` "
                                    "shows where it lacks"));
-    }
-    if (!uneven) {
       continue;
     }
     job.log.accept(

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <exception>
 #include <filesystem>
@@ -39,11 +40,30 @@ void printHelp(std::ostream& out) {
          "interrupted.\n";
 }
 
+auto commandNamed(const auto& all, const std::string& name) {
+  return std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.name == name; });
+}
+
+/// Flags and `--option=value` may stand before the command. Other options may not: a word behind
+/// them may be their value.
+void commandFirst(std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 4> flags = {"-q", "--quiet", "-v", "--verbose"};
+  const auto command = std::find_if_not(words.begin(), words.end(), [&](const std::string& word) {
+    return std::find(flags.begin(), flags.end(), word) != flags.end() ||
+           (word.starts_with("--") && word.find('=') != std::string::npos);
+  });
+  const auto all = commands();
+  if (command != words.end() && commandNamed(all, *command) != all.end()) {
+    std::rotate(words.begin(), command, command + 1);
+  }
+}
+
 int run(std::vector<std::string> words, InterruptWatch& interrupt) {
   if (words.empty()) {
     printHelp(std::cerr);
     return static_cast<int>(ExitCode::wrongUse);
   }
+  commandFirst(words);
   const std::string first = words.front();
   if (first == "-h" || first == "--help") {
     printHelp(std::cout);
@@ -54,8 +74,7 @@ int run(std::vector<std::string> words, InterruptWatch& interrupt) {
     return static_cast<int>(ExitCode::ok);
   }
   const auto all = commands();
-  const auto named =
-      std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.name == first; });
+  const auto named = commandNamed(all, first);
   if (named == all.end()) {
     return runCompile({std::move(words), interrupt});
   }

@@ -127,8 +127,8 @@ backend::FilmPicture pictureOf(const spray::Sprayed& s, const film::Map& map) {
       1e3 * f.mean, 1e3 * f.smallest, 1e3 * f.largest, 100.0 * f.within10, f.spread.average,
       f.spread.rms, f.spread.largest);
   if (!s.planar) {
-    picture.xName = s.mesh ? "across the mean normal, mm" : "along u, mm";
-    picture.yName = s.mesh ? "up, mm" : "along v, mm";
+    picture.xName = s.mesh ? "across the mean normal, mm" : "along u where longest, mm";
+    picture.yName = s.mesh ? "up, mm" : "along v where longest, mm";
   }
   const auto place = [&](const Vec3& p, const spray::Vec2& uv) -> spray::Vec2 {
     return s.planar ? spray::Vec2((p - s.origin3).dot(s.x), (p - s.origin3).dot(s.y))

@@ -315,6 +315,16 @@ Result<Resolved> regionOfBoundaries(const Arguments& given) {
   return resolved(std::move(boundaries), chord, given.mostCorners());
 }
 
+/// Kinds of entities with their numbers and the line of the first.
+std::string listed(const region::Drawing::Kinds& kinds) {
+  std::vector<std::string> list;
+  for (const auto& [entity, kind] : kinds) {
+    list.push_back(fmt::format("{} {} ({}line {})", kind.count, entity,
+                               kind.count > 1 ? "the first in " : "", kind.line));
+  }
+  return joined(list);
+}
+
 Result<Resolved> regionOfDrawing(const Arguments& given) {
   const std::string& name = given.text(1);
   region::DrawingRules rules;
@@ -334,14 +344,17 @@ Result<Resolved> regionOfDrawing(const Arguments& given) {
   if (!drawing) {
     return drawing.takeFailure();
   }
-  if (!drawing->unusable.empty()) {
-    std::vector<std::string> list;
-    for (const auto& [entity, count] : drawing->unusable) {
-      list.push_back(fmt::format("{} {}", count, entity));
-    }
-    return fail(diag::DrawingEntities, name, joined(list))
-        .withHelp("LAYER, 'name' takes the curves of one layer; the layers are " +
-                  joined(drawing->layers));
+  if (!drawing->useless.empty()) {
+    const bool choice = rules.layer.empty() && drawing->layers.size() > 1;
+    return fail(diag::DrawingEntities, name, listed(drawing->useless))
+        .withHelp(choice ? "LAYER, 'name' takes the curves of one layer; the layers are " +
+                               joined(drawing->layers)
+                         : "put them on another layer than the boundary, and name that of the "
+                           "boundary: LAYER, 'name'; or hide them");
+  }
+  if (!drawing->hidden.empty()) {
+    given.remark(fail(diag::DrawingHidden, name, listed(drawing->hidden))
+                     .withHelp("LAYER, 'name' takes a layer that is off or frozen too"));
   }
   if (drawing->curves.empty()) {
     return fail(diag::DrawingEmpty, name,

@@ -45,7 +45,11 @@ Result<bool> checkCurve(const SectionCurve& curve, int number) {
   for (int i = 0; i <= samples; ++i) {
     const double fraction = static_cast<double>(i) / samples;
     if (!curve.at(fraction)) {
-      return fail(diag::RuledCurveMissed, number, fraction, spell(curve.surface.type));
+      return fail(diag::RuledCurveMissed, number, fraction, spell(curve.surface.type))
+          .withHelp(
+              "a plane that touches the surface, or is the surface, does not cut it: ends "
+              "that lie nearer to each other (an arc of less than half a turn), or another "
+              "vector");
     }
   }
   return true;

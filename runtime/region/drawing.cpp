@@ -6,7 +6,7 @@
 
 #include "ir/diag/spray.h"
 #include "ir/space/tolerance.h"
-#include "runtime/region/drawing_curves.h"
+#include "runtime/region/drawing_blocks.h"
 
 namespace arelem::region {
 
@@ -82,15 +82,62 @@ double unitOf(const std::vector<Group>& groups) {
   return 0.0;
 }
 
+/// What the table of layers says of one.
+struct LayerState {
+  bool off = false, frozen = false;
+};
+using LayerStates = std::map<std::string, LayerState, std::less<>>;
+
+Result<LayerStates> layerStates(const std::vector<DrawingObject>& tables, std::string_view name) {
+  LayerStates states;
+  for (const DrawingObject& object : tables) {
+    if (object.name != "LAYER") {
+      continue;
+    }
+    LayerState& state = states[std::string(object.text(2))];
+    for (const Group& group : object.groups) {
+      if (group.code == 62 || group.code == 70) {
+        const Result<double> value = numberOf(group, name);
+        if (!value) {
+          return value.failure();
+        }
+        (group.code == 62 ? state.off : state.frozen) =
+            group.code == 62 ? *value < 0.0 : (wholeOf(*value) & 1) != 0;
+      }
+    }
+  }
+  return states;
+}
+
 class Reader {
  public:
-  Reader(std::string_view name, const DrawingRules& rules, double scale)
+  Reader(std::string_view name,
+         const DrawingRules& rules,
+         double scale,
+         LayerStates states,
+         DrawingBlocks blocks)
       : name_(name),
         rules_(rules),
         scale_(scale),
-        curves_(name, rules.chord / scale, rules.mostPoints) {}
+        states_(std::move(states)),
+        blocks_(std::move(blocks)) {}
 
   Result<Drawing> run(const std::vector<DrawingObject>& entities) {
+    if (auto failure = takeAll(entities, {}, "0", 0)) {
+      return *std::move(failure);
+    }
+    drawing_.layers.assign(layers_.begin(), layers_.end());
+    return std::move(drawing_);
+  }
+
+ private:
+  using Problem = std::optional<Failure>;
+
+  /// `layer`: that of the INSERT, which entities of its block on layer 0 take.
+  Problem takeAll(const std::vector<DrawingObject>& entities,
+                  const Placement& placement,
+                  const std::string& layer,
+                  int depth) {
     for (std::size_t i = 0; i < entities.size(); ++i) {
       const std::size_t first = i + 1;
       const DrawingObject& entity = entities[i];
@@ -99,61 +146,148 @@ class Reader {
           ++i;
         }
       }
-      if (auto failure = take(entity, std::span(entities).subspan(first, i + 1 - first))) {
-        return *std::move(failure);
+      const std::string own(entity.text(8, "0"));
+      const std::string& on = depth > 0 && own == "0" ? layer : own;
+      const std::span vertices = std::span(entities).subspan(first, i + 1 - first);
+      Problem failure = entity.name == "INSERT" ? insert(entity, placement, on, depth)
+                                                : take(entity, vertices, placement, on, depth);
+      if (failure) {
+        return failure;
       }
     }
-    drawing_.layers.assign(layers_.begin(), layers_.end());
-    return std::move(drawing_);
+    return std::nullopt;
   }
 
- private:
-  std::optional<Failure> take(const DrawingObject& entity,
-                              std::span<const DrawingObject> vertices) {
-    if (entity.name == "SEQEND") {
+  static void count(Drawing::Kinds& kinds, const DrawingObject& entity, std::string_view why) {
+    Drawing::Kind& kind = kinds[fmt::format("{}{}{}", entity.name, why.empty() ? "" : " ", why)];
+    kind.line = kind.count++ == 0 ? entity.line : kind.line;
+  }
+
+  /// Why the drawing does not show an entity, "" where it does.
+  [[nodiscard]] std::string hiddenBy(const DrawingObject& entity, const std::string& layer) const {
+    if (entity.text(67, "0") == "1") {
+      return "in paper space";
+    }
+    if (entity.text(60, "0") == "1") {
+      return "that is invisible";
+    }
+    const auto state = states_.find(layer);
+    if (state == states_.end() || layer == rules_.layer) {
+      return "";
+    }
+    // What a block has on other layers is seen where the layer of its INSERT is off.
+    const bool off = state->second.off && entity.name != "INSERT";
+    return off || state->second.frozen
+               ? fmt::format("on layer `{}`, which is {}", layer, off ? "off" : "frozen")
+               : "";
+  }
+
+  Problem insert(const DrawingObject& entity,
+                 const Placement& placement,
+                 const std::string& layer,
+                 int depth) {
+    if (const std::string why = hiddenBy(entity, layer); !why.empty()) {
+      count(drawing_.hidden, entity, why);
       return std::nullopt;
     }
-    const std::string layer(entity.text(8, "0"));
+    const std::string_view block = entity.text(2);
+    const auto found = blocks_.find(block);
+    if (found == blocks_.end() || depth == deepest) {
+      layers_.insert(layer);
+      if (rules_.layer.empty() || layer == rules_.layer) {
+        count(drawing_.useless, entity,
+              fmt::format("of block `{}`, which {}", block,
+                          depth == deepest ? "lies in too many blocks or in itself"
+                                           : "the drawing does not have"));
+      }
+      return std::nullopt;
+    }
+    const Result<InsertedBlock> inserted = insertedBlock(entity, found->second, name_);
+    if (!inserted) {
+      return inserted.failure();
+    }
+    if (!inserted->level) {
+      count(drawing_.useless, entity, "that is not parallel to the xy plane or has a scale of 0");
+      return std::nullopt;
+    }
+    for (double k = 0.0; k < inserted->rows; ++k) {
+      for (double i = 0.0; i < inserted->columns; ++i) {
+        if (++points_ > rules_.mostPoints) {
+          return tooMany(entity);
+        }
+        if (auto failure = takeAll(found->second.entities, placement.of(inserted->at(i, k)), layer,
+                                   depth + 1)) {
+          return failure;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  Problem take(const DrawingObject& entity,
+               std::span<const DrawingObject> vertices,
+               const Placement& placement,
+               const std::string& layer,
+               int depth) {
+    // ATTDEF in a block is a form for the texts of its INSERT.
+    if (entity.name == "SEQEND" || (depth > 0 && entity.name == "ATTDEF")) {
+      return std::nullopt;
+    }
     layers_.insert(layer);
     if (!rules_.layer.empty() && layer != rules_.layer) {
       return std::nullopt;
     }
-    if (entity.text(67, "0") == "1") {
-      ++drawing_.unusable[std::string(entity.name) + " in paper space"];
+    if (const std::string why = hiddenBy(entity, layer); !why.empty()) {
+      count(drawing_.hidden, entity, why);
       return std::nullopt;
     }
     if (!CurveReader::knows(entity.name)) {
-      ++drawing_.unusable[std::string(entity.name)];
+      count(drawing_.useless, entity, "");
       return std::nullopt;
     }
-    Result<Curve> curve = curves_.read(entity, vertices);
+    const CurveReader curves(name_, rules_.chord / (scale_ * placement.size), rules_.mostPoints);
+    Result<Curve> curve = curves.read(entity, vertices);
     if (!curve) {
       return curve.takeFailure();
     }
-    points_ += curve->points.size();
+    if (!curve->useless.empty()) {
+      count(drawing_.useless, entity, curve->useless);
+      return std::nullopt;
+    }
+    return add(entity, *std::move(curve), placement);
+  }
+
+  Problem add(const DrawingObject& entity, Curve curve, const Placement& placement) {
+    points_ += curve.points.size();
     if (points_ > rules_.mostPoints) {
-      return fail(diag::RegionSize, rules_.mostPoints)
-          .withHelp(fmt::format("`{}` line {}; a larger CHORD makes fewer", name_, entity.line));
+      return tooMany(entity);
     }
-    for (Vec2& p : curve->points) {
-      p *= scale_;
+    for (Vec2& p : curve.points) {
+      p = scale_ * (placement.plane * p);
     }
-    curve->height *= scale_;
+    curve.height = scale_ * placement.height(curve.height);
     if (drawing_.curves.empty()) {
-      drawing_.height = curve->height;
-    } else if (std::abs(curve->height - drawing_.height) > tolerance::drawingJoint) {
-      return fail(diag::DrawingSyntax, name_, entity.line,
-                  fmt::format("{} lies at z = {:.9g}, the curves before it at {:.9g}", entity.name,
-                              curve->height, drawing_.height));
+      drawing_.height = curve.height;
+    } else if (std::abs(curve.height - drawing_.height) > tolerance::drawingJoint) {
+      count(drawing_.useless, entity,
+            fmt::format("at another z than {:.9g}, that of the first curve", drawing_.height));
+      return std::nullopt;
     }
-    drawing_.curves.push_back(*std::move(curve));
+    drawing_.curves.push_back(std::move(curve));
     return std::nullopt;
   }
 
+  [[nodiscard]] Failure tooMany(const DrawingObject& entity) const {
+    return fail(diag::RegionSize, rules_.mostPoints)
+        .withHelp(fmt::format("`{}` line {}; a larger CHORD makes fewer", name_, entity.line));
+  }
+
+  static constexpr int deepest = 16;  // blocks in blocks
   std::string_view name_;
   const DrawingRules& rules_;
   double scale_;
-  CurveReader curves_;
+  LayerStates states_;
+  DrawingBlocks blocks_;
   Drawing drawing_;
   std::set<std::string> layers_;
   std::size_t points_ = 0;
@@ -168,7 +302,13 @@ Result<Drawing> readDrawing(std::string_view text,
     return groups.takeFailure();
   }
   const double unit = unitOf(*groups);
-  return Reader(name, rules, unit > 0.0 ? unit / rules.unit : 1.0)
+  Result<LayerStates> states = layerStates(section(*groups, "TABLES"), name);
+  Result<DrawingBlocks> blocks = blocksOf(section(*groups, "BLOCKS"), name);
+  if (!states || !blocks) {
+    return states ? blocks.takeFailure() : states.takeFailure();
+  }
+  return Reader(name, rules, unit > 0.0 ? unit / rules.unit : 1.0, *std::move(states),
+                *std::move(blocks))
       .run(section(*groups, "ENTITIES"));
 }
 

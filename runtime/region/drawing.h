@@ -18,6 +18,7 @@ struct Curve {
   std::vector<Vec2> points;
   bool closed = false;
   double height = 0.0;  ///< z
+  std::string useless = {};  ///< why it bounds nothing, behind its name; "" where it bounds
 };
 
 struct DrawingRules {
@@ -28,15 +29,25 @@ struct DrawingRules {
 };
 
 struct Drawing {
-  std::vector<Curve> curves;                    ///< of the layer, in units of the part program
-  double height = 0.0;                          ///< their z
-  std::map<std::string, std::size_t> unusable;  ///< entities of the layer that bound nothing
-  std::vector<std::string> layers;              ///< of all entities, sorted
+  /// Entities of one kind: how many, and the line of the first.
+  struct Kind {
+    std::size_t count = 0;
+    std::size_t line = 0;
+  };
+  using Kinds = std::map<std::string, Kind>;
+  std::vector<Curve> curves;        ///< of the layer, in units of the part program
+  double height = 0.0;              ///< their z
+  Kinds useless;                    ///< of the layer, that bound nothing: left out
+  Kinds hidden;                     ///< of the layer, that the drawing does not show: left out
+  std::vector<std::string> layers;  ///< of all entities, sorted
 };
 
-/// Reads LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE (with bulges), ELLIPSE, SPLINE. Lengths are
-/// converted where the drawing states its units ($INSUNITS). All curves must lie in one plane
-/// parallel to xy. `name` is used in messages. Errors: E0367.
+/// Reads LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE (with bulges), ELLIPSE, SPLINE, and these in
+/// blocks that INSERT places (scaled, turned, in rows and columns, one in another). Lengths are
+/// converted where the drawing states its units ($INSUNITS). Curves that lie in no plane parallel
+/// to xy, or in another than the first, are useless. What lies on a layer that is off or frozen,
+/// but for the layer of the rules, in paper space, or is invisible, is hidden. `name` is used in
+/// messages. Errors: E0367, E0393.
 [[nodiscard]] Result<Drawing> readDrawing(std::string_view text,
                                           std::string_view name,
                                           const DrawingRules& rules);
@@ -49,11 +60,7 @@ struct Drawing {
 /// Points of a circular arc from its start angle, counterclockwise for a positive sweep (radians),
 /// both ends included. An arc that needs more than `most` chords has some more than that: it is
 /// refused by their number.
-[[nodiscard]] std::vector<Vec2> arcPoints(const Vec2& center,
-                                          double radius,
-                                          double start,
-                                          double sweep,
-                                          double chord,
-                                          std::size_t most);
+[[nodiscard]] std::vector<Vec2> arcPoints(
+    const Vec2& center, double radius, double start, double sweep, double chord, std::size_t most);
 
 }  // namespace arelem::region

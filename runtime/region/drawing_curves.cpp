@@ -9,6 +9,7 @@
 #include "ir/diag/spray.h"
 #include "ir/space/spray_tolerance.h"
 #include "ir/space/tolerance.h"
+#include "runtime/region/drawing_chords.h"
 #include "runtime/region/drawing_spline.h"
 
 namespace arelem::region {
@@ -17,55 +18,15 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double wholeTurn = 2.0 * std::numbers::pi;
 
-/// Chords of an arc whose middle is at most `chord` off; of more than `most` one more.
-int chordsOf(double radius, double sweep, double chord, std::size_t most) {
-  const double half = std::acos(std::clamp(1.0 - chord / radius, -1.0, 1.0));
-  return static_cast<int>(
-      std::clamp(std::ceil(std::abs(sweep) / std::max(2.0 * half, tolerance::arcStep)),
-                 std::abs(sweep) > 3.0 ? 4.0 : 1.0, static_cast<double>(most) + 1.0));
-}
+constexpr std::string_view notParallel = "that is not parallel to the xy plane";
+constexpr long spatial = 8;  // the flag of a POLYLINE whose vertices have their own z
 
-/// Appends f over (from, to] so finely that chords stay near the curve.
-void refine(const std::function<Vec2(double)>& f,
-            double from,
-            double to,
-            double chord,
-            int depth,
-            std::size_t mostPoints,
-            std::vector<Vec2>& points) {
-  if (points.size() > mostPoints) {
-    return;
-  }
-  const Vec2 a = f(from);
-  const Vec2 b = f(to);
-  double off = 0.0;
-  for (const double t : {0.25, 0.5, 0.75}) {
-    const Vec2 p = f(from + t * (to - from)) - a;
-    const Vec2 d = b - a;
-    const double length = d.norm();
-    off = std::max(off, length > 0.0 ? std::abs(p.x() * d.y() - p.y() * d.x()) / length : p.norm());
-  }
-  if (depth == 0 || off <= chord) {
-    points.push_back(b);
-    return;
-  }
-  const double middle = (from + to) / 2.0;
-  refine(f, from, middle, chord, depth - 1, mostPoints, points);
-  refine(f, middle, to, chord, depth - 1, mostPoints, points);
+Curve useless(std::string_view why) {
+  Curve curve;
+  curve.useless = why;
+  return curve;
 }
-constexpr int deepest = 22;  // finer than any tolerance of a curve that has not too many points
 }  // namespace
-
-std::vector<Vec2> arcPoints(
-    const Vec2& center, double radius, double start, double sweep, double chord, std::size_t most) {
-  const int n = chordsOf(radius, sweep, chord, most);
-  std::vector<Vec2> points;
-  for (int i = 0; i <= n; ++i) {
-    const double angle = start + sweep * i / n;
-    points.push_back(center + radius * Vec2(std::cos(angle), std::sin(angle)));
-  }
-  return points;
-}
 
 bool CurveReader::knows(std::string_view entity) {
   constexpr std::array<std::string_view, 7> known = {"LINE",     "ARC",     "CIRCLE", "LWPOLYLINE",
@@ -113,7 +74,7 @@ Result<Curve> CurveReader::read(const DrawingObject& entity,
     return up.failure();
   }
   if (std::abs(std::abs(*up) - 1.0) > tolerance::similarity) {
-    return wrong(entity, "is not parallel to the xy plane (extrusion direction)");
+    return useless(notParallel);
   }
   Result<Curve> curve = entity.name == "LINE"         ? line(entity)
                         : entity.name == "ELLIPSE"    ? ellipse(entity)
@@ -125,12 +86,15 @@ Result<Curve> CurveReader::read(const DrawingObject& entity,
   // SPLINE are in coordinates of the drawing always.
   const bool own = entity.name == "ARC" || entity.name == "CIRCLE" || entity.name == "LWPOLYLINE" ||
                    entity.name == "POLYLINE";
-  Result<double> z = height(entity);
+  Result<std::optional<double>> z = height(entity, vertices);
   if (!z) {
     return z.takeFailure();
   }
+  if (curve && !*z) {
+    return useless(notParallel);
+  }
   if (curve) {
-    curve->height = own ? *up * *z : *z;
+    curve->height = own ? *up * **z : **z;
   }
   if (curve && !std::all_of(curve->points.begin(), curve->points.end(),
                             [](const Vec2& p) { return p.allFinite(); })) {
@@ -144,29 +108,42 @@ Result<Curve> CurveReader::read(const DrawingObject& entity,
   return curve;
 }
 
-Result<double> CurveReader::height(const DrawingObject& entity) const {
+Result<std::optional<double>> CurveReader::height(const DrawingObject& entity,
+                                                  std::span<const DrawingObject> vertices) const {
   std::vector<double> all;
-  for (const int code : {30, entity.name == "LINE" ? 31 : 30, 38}) {
-    Result<std::vector<double>> list = numbers(entity, code);
+  const auto add = [&](const DrawingObject& object, int code) -> std::optional<Failure> {
+    Result<std::vector<double>> list = numbers(object, code);
     if (!list) {
       return list.takeFailure();
     }
     all.insert(all.end(), list->begin(), list->end());
+    return std::nullopt;
+  };
+  const Result<double> flags = number(entity, 70, 0.0);
+  const bool inSpace = entity.name == "POLYLINE" && flags && (wholeOf(*flags) & spatial) != 0;
+  for (const DrawingObject& vertex : inSpace ? vertices : vertices.first(0)) {
+    if (auto failure = add(vertex, 30)) {
+      return *std::move(failure);
+    }
+  }
+  for (const int code : {30, entity.name == "LINE" ? 31 : 30, 38}) {
+    if (auto failure = inSpace ? std::nullopt : add(entity, code)) {
+      return *std::move(failure);
+    }
   }
   // The end of an ellipse's axis is given from its center.
   Result<double> rise = entity.name == "ELLIPSE" ? number(entity, 31, 0.0) : Result<double>(0.0);
   if (!rise) {
-    return rise;
+    return rise.takeFailure();
   }
   if (all.empty()) {
     all.push_back(0.0);
   }
   const auto [low, high] = std::minmax_element(all.begin(), all.end());
   if (std::abs(*high - *low) + std::abs(*rise) > tolerance::drawingJoint) {
-    return wrong(entity, fmt::format("is not parallel to the xy plane: its z goes from {} to {}",
-                                     *low, *high + std::abs(*rise)));
+    return std::optional<double>();
   }
-  return *low;
+  return std::optional(*low);
 }
 
 Result<Curve> CurveReader::line(const DrawingObject& entity) const {
@@ -195,7 +172,7 @@ Result<Curve> CurveReader::arc(const DrawingObject& entity) const {
     v[i] = *value;
   }
   if (!(v[2] > 0.0)) {
-    return wrong(entity, fmt::format("has the radius {}", v[2]));
+    return useless("without a radius");
   }
   double sweep = std::fmod((v[4] - v[3]) * degree, wholeTurn);
   sweep = whole || sweep <= 0.0 ? sweep + wholeTurn : sweep;
@@ -221,7 +198,7 @@ Result<Curve> CurveReader::ellipse(const DrawingObject& entity) const {
   }
   const Vec2 major(v[2], v[3]);
   if (!(major.norm() > 0.0) || !(v[4] > 0.0)) {
-    return wrong(entity, "has an axis of no length");
+    return useless("with an axis of no length");
   }
   const Result<double> up = number(entity, 230, 1.0);
   const Vec2 minor = v[4] * (*up < 0.0 ? -1.0 : 1.0) * Vec2(-major.y(), major.x());
@@ -233,8 +210,8 @@ Result<Curve> CurveReader::ellipse(const DrawingObject& entity) const {
   };
   Curve curve{{at(v[5])}, whole};
   for (int i = 0; i < 8; ++i) {
-    refine(at, v[5] + sweep * i / 8.0, v[5] + sweep * (i + 1) / 8.0, chord_, deepest, mostPoints_,
-           curve.points);
+    addChords(at, v[5] + sweep * i / 8.0, v[5] + sweep * (i + 1) / 8.0, chord_, mostPoints_,
+              curve.points);
   }
   if (whole) {
     curve.points.pop_back();
@@ -309,8 +286,8 @@ Result<Curve> CurveReader::polyline(const DrawingObject& entity,
     return flags.takeFailure();
   }
   const long bits = wholeOf(*flags);
-  if ((bits & (8 | 16 | 64)) != 0) {
-    return wrong(entity, "is three-dimensional, a grid or a mesh: it bounds nothing");
+  if ((bits & (16 | 64)) != 0) {
+    return useless("that is a grid or a mesh");
   }
   std::vector<Vertex> list;
   for (const DrawingObject& vertex : vertices) {
@@ -363,9 +340,7 @@ Result<Curve> CurveReader::spline(const DrawingObject& entity) const {
     }
   }
   if (const auto fits = numbers(entity, 11); x.empty() && fits && !fits->empty()) {
-    return wrong(entity, fmt::format("has {} fit points and no control points: fit points are not "
-                                     "read, save it with control points or as a polyline",
-                                     fits->size()));
+    return useless("by fit points");
   }
   const bool sizes = x.size() == y.size() && (weights.empty() || weights.size() == x.size()) &&
                      degreeNumber >= 1 && degreeNumber <= 10 &&
@@ -388,8 +363,8 @@ Result<Curve> CurveReader::spline(const DrawingObject& entity) const {
   const std::vector<double> spans = curve.spans();
   Curve result{{curve.at(spans.front())}, false};
   for (std::size_t i = 1; i < spans.size(); ++i) {
-    refine([&curve](double t) { return curve.at(t); }, spans[i - 1], spans[i], chord_, deepest,
-           mostPoints_, result.points);
+    addChords([&curve](double t) { return curve.at(t); }, spans[i - 1], spans[i], chord_,
+              mostPoints_, result.points);
   }
   return result;
 }

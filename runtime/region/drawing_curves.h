@@ -4,7 +4,7 @@
 
 namespace arelem::region {
 
-/// Makes the curve of one entity, in units of the drawing. Errors: E0367.
+/// Makes the curve of one entity, in units of the drawing or block. Errors: E0367.
 class CurveReader {
  public:
   /// `chord` in units of the drawing. A curve of more points than `mostPoints` ends early: it is
@@ -13,7 +13,7 @@ class CurveReader {
       : name_(name), chord_(chord), mostPoints_(mostPoints) {}
 
   [[nodiscard]] static bool knows(std::string_view entity);
-  /// POLYLINE takes its vertices from `vertices`.
+  /// POLYLINE takes its vertices from `vertices`. A curve that bounds nothing tells why.
   [[nodiscard]] Result<Curve> read(const DrawingObject& entity,
                                    std::span<const DrawingObject> vertices) const;
 
@@ -28,8 +28,9 @@ class CurveReader {
                                       std::optional<double> otherwise = std::nullopt) const;
   /// All values of a code, in order.
   [[nodiscard]] Result<std::vector<double>> numbers(const DrawingObject& entity, int code) const;
-  /// The z of an entity, which must be the same all along it.
-  [[nodiscard]] Result<double> height(const DrawingObject& entity) const;
+  /// The z of an entity; none where it is not the same all along it.
+  [[nodiscard]] Result<std::optional<double>> height(const DrawingObject& entity,
+                                                     std::span<const DrawingObject> vertices) const;
   [[nodiscard]] Result<Curve> line(const DrawingObject& entity) const;
   [[nodiscard]] Result<Curve> arc(const DrawingObject& entity) const;
   [[nodiscard]] Result<Curve> ellipse(const DrawingObject& entity) const;

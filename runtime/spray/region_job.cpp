@@ -222,7 +222,7 @@ class Planner {
                                         std::string_view what,
                                         std::uint64_t most,
                                         std::string_view flag) {
-    return fail(diag::SearchSize, size.sizes, size.angles, count, what, most, flag)
+    return fail(diag::SearchSize, size.sizes, size.angles, std::ceil(count), what, most, flag)
         .withHelp("larger steps of HEIGHT and ANGLE make fewer");
   }
 

@@ -147,7 +147,7 @@ class BadInput(ArelemCase):
                 ("open by 3 mm", drawing(line(0, 0, 90, 0), line(90, 0, 90, 80), line(90, 80, 0, 3)), "E0369", ["(0, 0)", "(0, 3)", "3 apart"]),
                 ("three ends", drawing(line(0, 0, 90, 0), line(90, 0, 90, 80), line(90, 80, 0, 0), line(0, 0, 9, 9)), "E0371", ["3 ends", "(0, 0)"]),
                 ("crossing circles", drawing(circle(0, 0, 50), circle(60, 0, 50)), "E0362", ["edge", "meet at ("]),
-                ("texts and blocks", drawing(circle(0, 0, 50), "0\nTEXT\n1\nA\n", "0\nTEXT\n1\nB\n", "0\nINSERT\n2\nB\n"), "E0368", ["1 INSERT, 2 TEXT"]),
+                ("texts and blocks", drawing(circle(0, 0, 50), "0\nTEXT\n1\nA\n", "0\nTEXT\n1\nB\n", "0\nINSERT\n2\nB\n"), "E0368", ["1 INSERT of block `B`, which the drawing does not have (line", "2 TEXT (the first in line"]),
                 ("nothing", drawing(), "E0370", ["no curves"]),
                 ("cut off", drawing(circle(0, 0, 50))[:-20], "E0367", ["line"]),
                 ("not a drawing", "hello\nworld\n", "E0367", ["line 1"])):

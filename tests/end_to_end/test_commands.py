@@ -52,6 +52,19 @@ class WrongUse(ArelemCase):
             self.assertEqual(self.out, "")
             self.assertTrue(self.err)
 
+    def test_flags_may_stand_before_the_command(self):
+        self.write("a.apt", GOOD)
+        self.assertExit(0, "check", "-q", "a.apt")
+        quiet = (self.out, self.err)
+        self.assertExit(0, "-q", "check", "a.apt")
+        self.assertEqual((self.out, self.err), quiet)
+        self.assertExit(0, "--color=never", "--quiet", "geometry", "a.apt", "--json")
+        json.loads(self.out)
+        self.assertExit(0, "-q", "a.apt")  # no command: compiled
+        self.assertIn("FINI", self.out)
+        # What follows an option that has a value may be that value.
+        self.assertExit(2, "--dialect", "check", "a.apt")
+
     def test_mistyped_command_is_taken_for_a_file(self):
         self.assertExit(3, "chekc")
         self.assertIn("chekc", self.err)

@@ -3,6 +3,7 @@
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -69,6 +70,24 @@ for entity in (m.add_xline((0, 0), (1, 0)), m.add_ray((0, 0), (1, 0)), m.add_mli
     entity.dxf.layer = "lines"
 doc.saveas(sys.argv[1])
 '''
+BLOCKS = r'''
+import sys
+import ezdxf
+doc = ezdxf.new("R2010")
+doc.header["$INSUNITS"] = 4
+m = doc.modelspace()
+m.add_lwpolyline([(0, 0), (400, 0), (400, 300), (0, 300)], close=True)
+doc.layers.add("dark").off()
+doc.layers.add("cold").freeze()
+m.add_circle((200, 150), 20, dxfattribs={"layer": "dark"})
+m.add_circle((200, 150), 21, dxfattribs={"layer": "cold"})
+doc.layout("Layout1").add_circle((200, 150), 23)
+doc.blocks.new("hole").add_circle((7, 0), 5)
+doc.blocks.new("holes").add_blockref("hole", (-14, 0), dxfattribs={"xscale": 2, "yscale": 2})
+m.add_blockref("holes", (60, 80), dxfattribs={"xscale": 2, "rotation": 90, "column_count": 2, "row_count": 3,
+                                             "column_spacing": 120, "row_spacing": -130})
+doc.saveas(sys.argv[1])
+'''
 HEIGHTS = r'''
 import sys
 import ezdxf
@@ -108,15 +127,30 @@ class Drawings(ArelemCase):
         made = subprocess.run([drawings(), "-c", OTHERS, str(self.folder / "a.dxf")], capture_output=True, text=True)
         self.assertEqual(made.returncode, 0, made.stderr)
         self.write("part.cls", "old")
-        for layer, listed in (("all", "1 3DFACE, 1 DIMENSION, 1 HATCH, 1 INSERT, 1 MTEXT, 1 POINT, 1 SOLID, 2 TEXT"),
+        for layer, listed in (("all", "1 3DFACE, 1 DIMENSION, 1 HATCH, 1 MTEXT, 1 POINT, 1 SOLID, 2 TEXT"),
                               ("lines", "1 MLINE, 1 RAY, 1 XLINE")):
             with self.subTest(layer):
                 self.write("part.apt", f"UNITS/MM\nG1=GUN/CONE,10,STNDOF,50,SPEED,100\nR1=REGION/DXF,'a.dxf',LAYER,'{layer}'\n"
                                        "SPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
                 self.assertExit(4, "part.apt", "-o", "part.cls")
                 self.assertIn("E0368", self.err)
-                self.assertIn("entities that bound nothing: " + listed, self.err)
+                self.assertIn("entities that cannot bound a region: " + listed, re.sub(r" \([^)]*line \d+\)", "", self.err))
                 self.assertEqual((self.folder / "part.cls").read_text(), "old")
+
+    def test_blocks_and_what_is_hidden(self):
+        """A plate with holes from a block in rows and columns; what is hidden is left out and told."""
+        made = subprocess.run([drawings(), "-c", BLOCKS, str(self.folder / "a.dxf")], capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.write("part.apt", "UNITS/MM\nG1=GUN/CONE,10,STNDOF,50,SPEED,100\n"
+                               "R1=REGION/DXF,'a.dxf',CHORD,.001\nSPRAY/R1,GUN,G1,FILM,.05\nFINI\n")
+        self.assertExit(0, "spray", "part.apt", "--json")
+        one, = json.loads(self.out)
+        # 400 x 300 less 3 x 2 ellipses of half axes 20 and 10, which the block in the block has as circles of radius 5.
+        self.assertEqual(one["holes"], 6)
+        self.assertAlmostEqual(one["area"], 400 * 300 - 6 * math.pi * 200, delta=2)
+        self.assertEqual(self.err.count("W0357"), 1)
+        for listed in ("1 CIRCLE in paper space", "1 CIRCLE on layer `dark`, which is off", "1 CIRCLE on layer `cold`, which is frozen"):
+            self.assertIn(listed, self.err)
 
     def test_heights(self):
         for z, code in ((7, 0), ("slanted", 4)):
@@ -130,7 +164,7 @@ class Drawings(ArelemCase):
                     places = [line.split(",") for line in self.out.splitlines() if "GOTO" in line]
                     self.assertEqual({float(p[2]) for p in places}, {57.0})
                 else:
-                    self.assertIn("LINE is not parallel to the xy plane: its z goes from 0 to 30", self.err)
+                    self.assertIn("2 LINE that is not parallel to the xy plane", self.err)
 
     def test_random_loops(self):
         count = 12

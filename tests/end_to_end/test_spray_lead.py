@@ -14,7 +14,7 @@ AT_ONCE = ("--velocity", "600", "--acceleration", "1e9", "--jerk", "1e15")
 class Lead(ArelemCase):
     def sprayed(self, text):
         self.write("p.apt", text)
-        self.assertExit(0, "-q", "spray", "p.apt", "--json")
+        self.assertExit(0, "spray", "-q", "p.apt", "--json")
         return json.loads(self.out)[0]
 
     def timed(self, text):
@@ -22,10 +22,12 @@ class Lead(ArelemCase):
         self.assertExit(0, "time", "p.apt", "--json", *AT_ONCE)
         return json.loads(self.out)
 
-    def assertSums(self, text, share=1e-3):
-        """The report's times and ways are those of the CL."""
+    def assertSums(self, text, share=1e-3, bent=False):
+        """The report's times, and on flat work its ways, are those of the CL: round a bend the nozzle goes farther than its spray."""
         one, table = self.sprayed(text), self.timed(text)
         self.assertAlmostEqual(one["Ti"] + one["To"], table["total"], delta=share * table["total"])
+        if bent:
+            return one
         length = table["cuttingLength"] + table["rapidLength"]
         self.assertAlmostEqual(one["Xi"] + one["Xo"], length, delta=share * length)
         return one
@@ -67,8 +69,7 @@ class Lead(ArelemCase):
         early = self.assertSums(GUN.format(",LEAD,.1,.05") + lines)
         self.assertEqual(plain["Ti"], early["Ti"])
         self.assertGreater(early["To"], plain["To"] + 0.1 * early["passes"])
-        # On bent lines the gun goes round a little less than straight before the work.
-        self.assertSums(GUN.format(",LEAD,.1,.05") + lines.replace("VLINES", "ULINES"), share=5e-3)
+        self.assertSums(GUN.format(",LEAD,.1,.05") + lines.replace("VLINES", "ULINES"), bent=True)
 
     def test_rapid_is_of_one_location(self):
         """RAPID before the first location of a file is not that of the second."""

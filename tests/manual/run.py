@@ -36,7 +36,7 @@ REASONS = {
     "the command `time`; tests/end_to_end/test_time.py shows it": "E0598 E0396",
     "a file, a folder or a device that cannot be read or written": "E0610 E0611 E0612 E0613 E0701 E0702 E0730 E0731 E0732 E0895",
     "a data file beside the program; tests/unit/runtime/define, geometry and region show them":
-        "E0344 E0345 E0346 E0355 E0367 E0368 E0369 E0370 E0371 E0743",
+        "E0344 E0345 E0346 E0355 E0367 E0368 E0369 E0370 E0371 E0743 W0357",
     "a CL tape; tests/unit/backend and tests/end_to_end show them": "E0602 E0603 E0720 E0721 E0722 E0891 W0604 W0723 W0724 W0725 W0726 W0728 W0729",
     "two files to compare; tests/end_to_end/test_verify.py shows them": "E0901 E0902 E0903 E0920",
     "a path that breaks its program's tolerance; tests/end_to_end/test_certify.py and tests/unit/runtime/certify show them":
