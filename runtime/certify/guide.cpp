@@ -30,19 +30,12 @@ class GuideStream::Proof {
   void add(const Location& next) {
     const Chord chord(last_.toolEnd, next.toolEnd, last_.axis, next.axis);
     probe_->take(chord);
-    node_ = count_ == 0 || anew_ ? probe_->at(0.0) : probe_->resume(node_);
-    anew_ = false;
+    node_ = count_ == 0 ? probe_->at(0.0) : probe_->resume(node_);
     const Allowed allowed = allowedNow();
     Verdict verdict = prove(*probe_, allowed, node_);
     if (!verdict.good() && probe_->widen()) {
       node_ = probe_->at(0.0);
       verdict = prove(*probe_, allowed, node_);
-    }
-    if (const auto across = acrossRulings(chord); across && isUndecided(verdict)) {
-      probe_->take(*across);
-      Node start = probe_->at(0.0);
-      verdict = prove(*probe_, allowed, start);
-      anew_ = true;
     }
     take(verdict, count_, chord);
     last_ = next;
@@ -51,22 +44,6 @@ class GuideStream::Proof {
   [[nodiscard]] const GuideResult& result() const { return result_; }
 
  private:
-  static bool isUndecided(const Verdict& v) {
-    return v.inner == Verdict::State::undecided || v.outer == Verdict::State::undecided;
-  }
-
-  /// Along the lines of a cylinder the gap of a tool that does not turn stays as it is: the same
-  /// cut vector without that part has the same gaps at the same times, and hardly bends.
-  [[nodiscard]] std::optional<Chord> acrossRulings(const Chord& chord) const {
-    const auto* cylinder = std::get_if<surface::Cylinder>(&task_.surface.surface);
-    if (cylinder == nullptr || chord.turn() != 0.0) {
-      return std::nullopt;
-    }
-    const Vec3 across = chord.step() - chord.step().dot(cylinder->axis) * cylinder->axis;
-    const Vec3 from = chord.toolEnd(0.0);
-    return Chord(from, from + across, chord.axis(0.0), chord.axis(0.0));
-  }
-
   /// The contact of the whole cutter where the motion begins.
   void begin() {
     probe_->take(Chord(last_.toolEnd, last_.toolEnd, last_.axis, last_.axis));
@@ -116,8 +93,7 @@ class GuideStream::Proof {
   const GuideTask& task_;
   Location last_;
   std::size_t count_ = 0;
-  Node node_;          ///< at the last location
-  bool anew_ = false;  ///< it is none: the probe was elsewhere
+  Node node_;  ///< at the last location
   std::unique_ptr<Probe> probe_;
   GuideResult result_;
 };

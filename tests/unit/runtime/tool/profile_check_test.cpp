@@ -67,7 +67,7 @@ TEST(ProfileCheck, ACornerFollowsFromTheOtherValues) {
     EXPECT_NEAR(cutter.f * cutter.cosAlpha - cutter.e * cutter.sinAlpha, 3, 1e-12);
     EXPECT_NEAR((10 - cutter.e) * cutter.cosBeta + (cutter.f - rim) * cutter.sinBeta, 3, 1e-12);
   }
-  EXPECT_EQ(faultOf({2, 1.1, 0, 0, 0, 10, 5}), "E0539");  // no room for it
+  EXPECT_EQ(faultOf({2, 1.3, 0, 0, 0, 10, 5}), "E0539");  // no room for it
 }
 
 // Rounded decimals are made exact: the corner's center is its radius from both lines.
