@@ -39,7 +39,7 @@ CUTTERS = {
 # On a plane the passes run along leaning cylinders: along planes each would be one cut vector.
 DRIVES = {"plane": "(CYLNDR/0,-400,0,0,.1,1,(400+Y))"}
 PASSES = (300, 3000)  # growth: ten times the passes, ten times the cut vectors; 200 000 to 450 000 of them, so that start-up is little
-FEW = {"mesh of 200 000 triangles": (10, 100), "ruled surface": (100, 1000), "polyconic": (3, 30), "tabulated cylinder": (100, 1000)}
+FEW = {"mesh of 200 000 triangles": (100, 1000), "ruled surface": (100, 1000), "polyconic": (3, 30), "tabulated cylinder": (100, 1000)}
 MESH_SIDE = 316  # 316 * 316 * 2 triangles
 
 

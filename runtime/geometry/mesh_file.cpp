@@ -14,6 +14,11 @@ constexpr std::size_t triangleBytes = 50;
 
 /// Little-endian, as the format has it on any machine.
 std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
+  if constexpr (std::endian::native == std::endian::little) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+  }
   std::uint32_t value = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + k])) << (8 * k);
@@ -30,6 +35,7 @@ TriangleMesh readBinary(std::string_view bytes) {
   TriangleMesh mesh;
   const std::uint32_t count = wordAt(bytes, headerBytes);
   mesh.vertices.reserve(3 * std::size_t{count});
+  mesh.triangles.reserve(count);
   std::size_t at = headerBytes + 4;
   for (std::uint32_t i = 0; i < count; ++i, at += triangleBytes) {
     // The normal comes first; the order of the corners says the same.

@@ -10,7 +10,7 @@ namespace arelem::geometry {
 
 namespace {
 /// Triangles of a leaf at most.
-constexpr std::uint32_t ofLeaf = 2;
+constexpr std::uint32_t ofLeaf = 4;
 }  // namespace
 
 OnTriangle nearestOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {

@@ -104,7 +104,7 @@ class LeastGap {
   }
   void visit(std::size_t i) {
     if (i != nearest && cutter_.mayReach(mesh_, i, least.gap)) {
-      const TriangleGap gap = cutter_.gapTo(mesh_, i);
+      const TriangleGap gap = cutter_.gapTo(mesh_, i, least.gap);
       if (gap.gap < least.gap || (gap.gap == least.gap && i < nearest)) {
         least = gap;
         nearest = i;

@@ -16,6 +16,12 @@ class TriangleCutter {
   [[nodiscard]] TriangleGap gapTo(const geometry::TriangleMesh& mesh, std::size_t triangle) const {
     return gapOf(body_, facet(mesh, triangle));
   }
+  /// The same, but of a gap above `enough` only that it is.
+  [[nodiscard]] TriangleGap gapTo(const geometry::TriangleMesh& mesh,
+                                  std::size_t triangle,
+                                  double enough) const {
+    return gapOf(body_, facet(mesh, triangle), enough);
+  }
   /// False where no place of the triangle, and none of the box, comes nearer than `gap` (anywhere
   /// on the way); true where it may. `half`: half the box's lengths.
   [[nodiscard]] bool mayReach(const geometry::TriangleMesh& mesh,

@@ -11,8 +11,8 @@ namespace arelem::motion {
 namespace {
 /// Shares of the band: what the tunnel is narrower at each edge, the largest corner of a bottom,
 /// and the rest of heights.
-constexpr double spareShare = 0.012;
-constexpr double bentShare = 0.045;
+constexpr double spareShare = 0.003;
+constexpr double bentShare = 0.1;
 constexpr double restShare = 1e-5;
 /// Corners of this share of what is spared are none.
 constexpr double straightShare = 0.25;

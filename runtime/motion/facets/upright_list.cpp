@@ -15,6 +15,9 @@ constexpr double nowhere = -std::numeric_limits<double>::infinity();
 /// Own normals of triangles that are nearer to level tell little.
 constexpr double usefulRise = 0.05;
 
+/// After this many normals it is looked whether they are enough.
+constexpr std::size_t fewNormals = 3;
+
 bool isBelow(const UprightList::Line& line, const Way& way) {
   return line.at(way.from.s) < way.from.z - way.slab && line.at(way.to.s) < way.to.z - way.slab;
 }
@@ -126,30 +129,27 @@ class UprightList::Collect {
         from_(way.from.z - way.slab),
         to_(way.to.z - way.slab),
         limit_(limit),
-        upright_(list.upright_) {}
+        upright_(list.upright_),
+        along_(list.task_.section.along),
+        up_(list.task_.section.up),
+        share_(along_.cwiseAbs()) {}
 
   bool enters(const Vec3& center, const Vec3& half) {
-    const Section& section = list_.task_.section;
-    const Vec3 w = center - section.origin;
-    const Vec3& u = section.along;
-    const Vec3& v = list_.across_;
-    const double z = upright_ ? w.z() : section.up.dot(w);
-    const double hz = upright_ ? half.z() : section.up.cwiseAbs().dot(half);
+    const Vec3 w = center - list_.task_.section.origin;
+    const double z = upright_ ? w.z() : up_.dot(w);
+    const double hz = upright_ ? half.z() : up_.cwiseAbs().dot(half);
     if (full || z + hz < lowest_) {
       return false;
     }
-    const double y = upright_ ? v.x() * w.x() + v.y() * w.y() : v.dot(w);
-    const double hy =
-        upright_ ? std::abs(v.x()) * half.x() + std::abs(v.y()) * half.y() : v.cwiseAbs().dot(half);
-    const double beside = std::abs(y) - hy;
-    if (beside > list_.radius_) {
+    const double y = upright_ ? along_.x() * w.y() - along_.y() * w.x() : list_.across_.dot(w);
+    const double hy = upright_ ? share_.x() * half.y() + share_.y() * half.x()
+                               : list_.across_.cwiseAbs().dot(half);
+    if (std::abs(y) - hy > list_.radius_) {
       return false;
     }
-    const double x = (upright_ ? u.x() * w.x() + u.y() * w.y() : u.dot(w)) - middle_;
-    const double hx =
-        upright_ ? std::abs(u.x()) * half.x() + std::abs(u.y()) * half.y() : u.cwiseAbs().dot(half);
-    const double ahead = std::abs(x) - hx - half_;
-    if (ahead > list_.radius_) {
+    const double x = (upright_ ? along_.x() * w.x() + along_.y() * w.y() : along_.dot(w)) - middle_;
+    const double hx = upright_ ? share_.x() * half.x() + share_.y() * half.y() : share_.dot(half);
+    if (std::abs(x) - hx - half_ > list_.radius_) {
       return false;
     }
     const Normal n = list_.normalTowards(x, y);
@@ -199,6 +199,7 @@ class UprightList::Collect {
   double middle_, half_, lowest_, from_, to_;
   std::size_t limit_;
   bool upright_;
+  Vec3 along_, up_, share_;  ///< of the section; how far boxes reach along it
   Own own_;
 
  public:
@@ -221,8 +222,11 @@ void UprightList::focus(const Way& way) {
     Own& own = all_[i];
     if (!own.isBelow(way)) {
       own.lines[0] = lineTowards(own.facet, middle);
+      if (own.isBelow(way)) {
+        continue;
+      }
       setRange(own, middle, 0.5 * (way.to.s - way.from.s));
-      if (!own.isBelow(way) && own.first <= way.to.s && own.last >= way.from.s) {
+      if (own.first <= way.to.s && own.last >= way.from.s) {
         near_.push_back(i);
       }
     }
@@ -330,12 +334,18 @@ void UprightList::excessOver(const SectionPoint& from,
         base_[1][j] + std::max(slope_[1][j] * from.s - from.z, slope_[1][j] * to.s - to.z);
     excess[j] = to.s < first_[j] || from.s > last_[j] ? nowhere : std::min(first, second);
   }
-  for (std::size_t round = 0; round < std::min(rounds_, kept); ++round) {
+  // The last normals are those of places around.
+  const std::size_t rounds = std::min(rounds_, kept);
+  for (std::size_t back = 1; back <= rounds; ++back) {
+    const std::size_t round = (rounds_ - back) % kept;
     const double slope = slopes_[round];
     const double most = std::min(from.z - slope * from.s, to.z - slope * to.s);
     const double* bases = bases_[round].data();
     for (std::size_t j = 0; j < count; ++j) {
       excess[j] = std::min(excess[j], bases[j] - most);
+    }
+    if (back == fewNormals && *std::max_element(excess.begin(), excess.end()) <= 0.0) {
+      return;
     }
   }
 }

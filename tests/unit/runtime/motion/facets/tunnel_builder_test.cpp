@@ -146,6 +146,57 @@ TEST(TunnelBuilder, ALeaningAxisHasItsTunnelToo) {
   }
 }
 
+/// The same scene, turned and moved.
+FacetTask movedTask(const FacetTask& task,
+                    const surface::Mesh& mesh,
+                    const Eigen::Matrix3d& turn,
+                    const Vec3& move) {
+  FacetTask moved = task;
+  moved.mesh = &mesh;
+  moved.axis = turn * task.axis;
+  moved.section = {turn * task.section.origin + move, turn * task.section.along,
+                   turn * task.section.up};
+  return moved;
+}
+
+TEST(TunnelBuilder, ATurnedSceneHasTheSameTunnel) {
+  Random random(15);
+  const surface::Mesh mesh = rough(random, 16, 0.01, 0);
+  const Vec3 around = Vec3(0.3, -0.8, 0.5).normalized();
+  for (const Eigen::Matrix3d& turn : {Eigen::AngleAxisd(0.7, Vec3::UnitZ()).toRotationMatrix(),
+                                      Eigen::AngleAxisd(1.1, around).toRotationMatrix()}) {
+    const Vec3 move(10.0, -20.0, 5.0);
+    geometry::TriangleMesh other = mesh.shape().mesh;
+    for (Vec3& v : other.vertices) {
+      v = turn * v + move;
+    }
+    const surface::Mesh turned(std::make_shared<surface::MeshShape>(std::move(other)));
+    for (const auto& values : cutters) {
+      const tool::Profile cutter = *tool::makeProfile(values);
+      const FacetTask task{&mesh,         &cutter,
+                           Vec3::UnitZ(), {Vec3(-0.5, 0.3, 0.0), Vec3::UnitX(), Vec3::UnitZ()},
+                           0.0,           0.001};
+      TunnelBuilder first(task, 0.05);
+      TunnelBuilder second(movedTask(task, turned, turn, move), 0.05);
+      const SectionPoint start = startOf(task);
+      ASSERT_TRUE(first.begin(start));
+      ASSERT_TRUE(second.begin(start));
+      while (first.tunnel().end() < 0.5 && first.extend()) {
+      }
+      while (second.tunnel().end() < 0.5 && second.extend()) {
+      }
+      const double end = std::min(first.tunnel().end(), second.tunnel().end());
+      EXPECT_GT(end, 0.2);
+      for (int i = 0; i <= 20; ++i) {
+        // Cells may be divided elsewhere: within what corners and spare take of the band.
+        const double s = end * i / 20;
+        EXPECT_NEAR(first.tunnel().bottomAt(s), second.tunnel().bottomAt(s), 1e-4);
+        EXPECT_NEAR(first.tunnel().topAt(s), second.tunnel().topAt(s), 1e-4);
+      }
+    }
+  }
+}
+
 TEST(TunnelBuilder, TheTunnelEndsAtAWall) {
   // A floor from -4 to 4, and a wall across it at x = 1: a flat cutter of radius 0.5 comes to 0.5.
   geometry::TriangleMesh mesh;
