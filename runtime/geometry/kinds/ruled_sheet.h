@@ -12,7 +12,8 @@
 namespace arelem::surface {
 
 /// Parts of the sheet with known curvatures: rows of rulings for each curve distance, and cells of
-/// each for each distance of the curves, from one of those before the first to one behind the last.
+/// each for each distance of the curves, from some of those before the first to as many behind the
+/// last: motions run on there along the rulings, which have no end.
 inline constexpr int rowsOfASpan = 128;
 inline constexpr int rowsOfABlock = 8;
 /// Rows of which not all cells between the curves are known are halved, so often and so many.
@@ -21,7 +22,7 @@ inline constexpr int mostRowsHalved = 512;
 /// Rows over the tangents of the curves on each side.
 inline constexpr int rowsBeside = 16;
 inline constexpr int cellsOfARuling = 4;
-inline constexpr int rulingsBeside = 1;
+inline constexpr int rulingsBeside = 3;
 inline constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
 
 class Ruled::Sheet {
