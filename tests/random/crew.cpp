@@ -15,7 +15,7 @@ namespace arelem::scenes {
 namespace {
 /// For one scene, processor seconds. What a scene does is bounded by NUMPTS, the same on every
 /// machine; this only ends what hangs.
-constexpr double longest = 300.0;
+constexpr double longest = 60.0;
 
 /// What the watch knows of a thread.
 struct Place {
