@@ -49,7 +49,7 @@ class CutterProbe final : public Probe {
   }
 
   void take(const Chord& chord) override {
-    chord_ = chord;
+    chord_ = acrossLines(chord);
     before_ = way_;
     if (isWall()) {
       way_ = Way::wall;
@@ -137,6 +137,18 @@ class CutterProbe final : public Probe {
     const Vec3 wall = surface::generatrix(surface_);
     return chord_.turn() == 0.0 && !cutter_.ring && wall.squaredNorm() > 0.5 &&
            wall.cross(chord_.axis(0.0)).norm() <= tolerance::wallAlongAxis;
+  }
+
+  /// Along the lines of a cylinder the gap of a tool that does not turn stays as it is: the chord
+  /// without that part has the same gaps at the same times, and hardly bends.
+  [[nodiscard]] Chord acrossLines(const Chord& chord) const {
+    if constexpr (std::is_same_v<S, surface::Cylinder>) {
+      if (chord.turn() == 0.0) {
+        const Vec3 along = chord.step().dot(surface_.axis) * surface_.axis;
+        return {chord.toolEnd(0.0), chord.toolEnd(1.0) - along, chord.axis(0.0), chord.axis(1.0)};
+      }
+    }
+    return chord;
   }
 
   /// True where the ball looks out at the top of the cutter, so that only an arc of it cuts.

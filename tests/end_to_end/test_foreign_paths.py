@@ -87,6 +87,19 @@ class ForeignPaths(ArelemCase):
             self.assertIn("t.cls:", self.err)
             self.assertIn("W0918", self.err)
 
+    def test_long_ways_in_a_lying_hole_are_decided(self):
+        """A flat cutter of radius 2 in a hole of radius 5 along x, 1000 long: its rim touches at z = -sqrt(21), on each cut vector of
+        ten exactly at the limit."""
+        self.write("h.apt", "CUTTER/4\nINTOL/0\nOUTTOL/.001\nNUMPTS/1000\nHOLE=CYLNDR/0,0,0,1,0,0,5\nDS=PLANE/0,1,0,0\nFROM/0,0,-4\n"
+                   "GO/ON,DS,TO,HOLE,ON,(PLANE/1,0,0,0)\nINDIRV/1,0,0\nTLON,GOFWD/DS,ON,(PLANE/1,0,0,1000)\nFINI\n")
+        self.assertExit(0, "verify", "h.apt")
+        z = -math.sqrt(21)
+        for places, code in ((((0, z), (1000, z)), 0), (((0, z), (500, z - 2e-5), (1000, z)), 5)):
+            lines = ["FROM/0,0,-4", *(f"GOTO/{x},0,{height:.9f}" for x, height in places), "FINI", ""]
+            self.write("h.cls", "\n".join(lines))
+            self.assertEqual(self.run_arelem("verify", "h.apt", "h.cls"), code, self.err)
+        self.assertIn("h.apt:10:1: error[E0904]: the cutter is 1.8", self.err)
+
 
 if __name__ == "__main__":
     unittest.main()
