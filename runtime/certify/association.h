@@ -59,6 +59,7 @@ class Association {
     std::optional<spline::CubicSpline> curve;
     std::optional<SplineWalk> walk;  ///< along the curve
     std::vector<Held> held;          ///< locations that stray from the surfaces of the motion
+    bool mayEnd = false;             ///< the last location is at a check surface
 
     [[nodiscard]] bool counts() const { return copy || action != nullptr; }
   };
@@ -66,6 +67,15 @@ class Association {
   /// displaced, and others come back to them, or the motion has ended before it, beside its check
   /// surface. Which it is those behind it tell; it is kept until then.
   [[nodiscard]] bool holdsBack(const Held& next);
+  /// A last cut vector may be shorter than the tolerance of its check surface: true where a
+  /// location behind one at the check surface still belongs to the motion.
+  [[nodiscard]] bool goesOn(const Held& next);
+  /// Whether a location is at a check surface, and how far it strays.
+  struct Behind {
+    PathEnd end;
+    bool met = false, strays = false;
+  };
+  [[nodiscard]] Behind behind(const Held& next);
   /// True where the next statement, GOTO or GODLTA, leads there.
   [[nodiscard]] bool isNext(const Vec3& place) const;
   void take(const Held& next);

@@ -45,6 +45,10 @@ void Association::add(const Location& location, bool withAxis, bool onCurve) {
     begin(std::nullopt, withAxis);
   }
   const Held next{location, withAxis, onCurve};
+  if (taking_->mayEnd && !goesOn(next)) {
+    close();
+    begin(std::nullopt, withAxis);
+  }
   if (!holdsBack(next)) {
     take(next);
   }
@@ -55,13 +59,7 @@ bool Association::holdsBack(const Held& next) {
   if (t.numbered || t.copy || t.follow == nullptr || !t.proof || t.proof->cutVectors() == 0) {
     return false;
   }
-  PathEnd there = t.proof->end();
-  there.moveTo(placed(order_.programmed(next.location)));
-  bool met = false;
-  for (std::size_t g = 0; g < t.goals.size() && !met; ++g) {
-    met = check_.missed(modal_, t.goals[g], g, there, t.drive->surface) == 0.0;
-  }
-  const bool strays = t.proof->strays(there.place());
+  const auto [there, met, strays] = behind(next);
   if (strays && t.held.empty() && isNext(there.place().toolEnd)) {
     close();
     add(next.location, next.withAxis, next.onCurve);
@@ -78,6 +76,24 @@ bool Association::holdsBack(const Held& next) {
     release();
   }
   return true;
+}
+
+Association::Behind Association::behind(const Held& next) {
+  const Taking& t = *taking_;
+  Behind found{t.proof->end()};
+  found.end.moveTo(placed(order_.programmed(next.location)));
+  for (std::size_t g = 0; g < t.goals.size() && !found.met; ++g) {
+    found.met = check_.missed(modal_, t.goals[g], g, found.end, t.drive->surface) == 0.0;
+  }
+  found.strays = t.proof->strays(found.end.place());
+  return found;
+}
+
+bool Association::goesOn(const Held& next) {
+  const Vec3 last = taking_->proof->end().place().toolEnd;
+  const Behind found = behind(next);
+  const Vec3& place = found.end.place().toolEnd;
+  return found.met && !found.strays && (place - last).norm() > options_.slack && !isNext(place);
 }
 
 bool Association::isNext(const Vec3& place) const {
@@ -121,7 +137,10 @@ void Association::take(const Held& next) {
     addFollow(order_.programmed(next.location));
   }
   if (!t.numbered && !next.onCurve && complete()) {
-    close();
+    t.mayEnd = t.follow != nullptr && t.proof.has_value();
+    if (!t.mayEnd) {
+      close();
+    }
   }
 }
 
