@@ -1,6 +1,8 @@
 // ELLIPS, HYPERB, GCONIC and QADRIC definitions.
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include "ir/diag/geometry.h"
 #include "runtime/define/planar.h"
 #include "runtime/define/resolve.h"
@@ -14,6 +16,41 @@ struct PlaneConic {
   double a = 0.0, b = 0.0, d = 0.0, h = 0.0, p = 0.0, q = 0.0;
   [[nodiscard]] geometry::Canon canon() const { return {a, b, 0.0, d, 0.0, 0.0, h, p, q, 0.0}; }
 };
+
+/// Eigenvalues at most this share of the largest one are 0, and the last component of a unit vector
+/// at most the other: a direction, and no place. Dimensionless.
+constexpr double nullShare = 1e-13;
+constexpr double atInfinity = 1e-14;
+
+/// True where no place satisfies the equation of a quadric: its form in (x, y, z, 1) has one sign,
+/// and is 0 for directions only.
+bool isEmpty(const geometry::Canon& k) {
+  Eigen::Matrix4d form;
+  form << k[0], k[6], k[5], k[7],  //
+      k[6], k[1], k[4], k[8],      //
+      k[5], k[4], k[2], k[9],      //
+      k[7], k[8], k[9], k[3];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(form);
+  const Eigen::Vector4d values = solver.eigenvalues();
+  const double null = nullShare * values.cwiseAbs().maxCoeff();
+  if ((values.array() > null).any() && (values.array() < -null).any()) {
+    return false;
+  }
+  for (int i = 0; i < values.size(); ++i) {
+    if (std::abs(values[i]) <= null && std::abs(solver.eigenvectors()(3, i)) > atInfinity) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The quadric itself, if it has places at all.
+Result<Resolved> withPlaces(geometry::Canon canon) {
+  if (isEmpty(canon)) {
+    return fail(diag::BadConic, "these coefficients", "no place satisfies the equation");
+  }
+  return Resolved(std::move(canon));
+}
 
 /// With U = (x-x0) c + (y-y0) s and V = (y-y0) c - (x-x0) s: b^2 U^2 + a^2 V^2 - a^2 b^2 = 0 is the
 /// ellipse; the hyperbola has -a^2 V^2 in place of +a^2 V^2. `signedA2` is a^2 or -a^2.
@@ -59,7 +96,7 @@ Result<Resolved> conicOfSixCoefficients(const Arguments& given) {
   if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0 && e == 0.0) {
     return fail(diag::BadConic, "these coefficients", "no power of x or y is left");
   }
-  return Resolved(PlaneConic{a, c, f, b / 2.0, d / 2.0, e / 2.0});
+  return withPlaces(PlaneConic{a, c, f, b / 2.0, d / 2.0, e / 2.0}.canon());
 }
 
 Result<Resolved> conicAsFunctionOfX(const Arguments& given) {
@@ -80,9 +117,8 @@ Result<Resolved> quadricOfCoefficients(const Arguments& given) {
   if (squares.isZero(0.0) && products.isZero(0.0) && linear.isZero(0.0)) {
     return fail(diag::BadConic, "these coefficients", "no power of x, y or z is left");
   }
-  return Resolved(geometry::Canon{squares.x(), squares.y(), squares.z(), given.scalar(9),
-                                  products.x(), products.y(), products.z(), linear.x(), linear.y(),
-                                  linear.z()});
+  return withPlaces({squares.x(), squares.y(), squares.z(), given.scalar(9), products.x(),
+                     products.y(), products.z(), linear.x(), linear.y(), linear.z()});
 }
 
 }  // namespace arelem::define

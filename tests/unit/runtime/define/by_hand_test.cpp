@@ -40,14 +40,25 @@ TEST(ByHand, PatternPointsCountFromOne) {
 }
 
 TEST(ByHand, ConicsOfCoefficients) {
-  expectCanon(defined(T::gconic, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}).canon,
-              {1, 3, 0, 6, 0, 0, 1, 2, 2.5, 0}, 0);
+  expectCanon(defined(T::gconic, {1.0, 2.0, 3.0, 4.0, 5.0, -6.0}).canon,
+              {1, 3, 0, -6, 0, 0, 1, 2, 2.5, 0}, 0);
   // y = 2x + 3 +- sqrt(x^2 + 4x + 5): (y - 2x - 3)^2 - x^2 - 4x - 5 = 3x^2 - 4xy + y^2 + 8x - 6y +
   // 4
   expectCanon(defined(T::gconic, {2.0, 3.0, 1.0, 4.0, 5.0}).canon, {3, 1, 0, 4, 0, 0, -2, 4, -3, 0},
               0);
   expectCanon(defined(T::gconic, {2.0, 3.0, 1.0, 4.0, 5.0, W::FUNOFY}).canon,
               {1, 3, 0, 4, 0, 0, -2, -3, 4, 0}, 0);
+}
+
+TEST(ByHand, QuadricsOfPlacesLinesAndSpheresFarAwayAreTaken) {
+  // One place, a line, a sphere of radius 1 about (1e6, 0, 0), two planes, a parabolic cylinder.
+  for (const P& k : {P{1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+                     P{1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+                     P{1.0, 1.0, 1.0, 0.0, 0.0, 0.0, -2e6, 0.0, 0.0, 1e12 - 1.0},
+                     P{1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -4.0},
+                     P{0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0}}) {
+    EXPECT_NE(definedPtr(T::quadric, k), nullptr);
+  }
 }
 
 TEST(ByHand, ConicsOfPointsAreTheUnitCircle) {

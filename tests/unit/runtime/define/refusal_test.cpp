@@ -143,6 +143,12 @@ TEST(Refusal, Solids) {
       {T::hyperbola, {W::CENTER, point(0, 0), 1.0, -1.0, 0.0}, "BadRange"},
       {T::gconic, {0.0, 0.0, 0.0, 0.0, 0.0, 1.0}, "BadConic"},
       {T::quadric, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}, "BadConic"},
+      // x^2 + y^2 + z^2 + 10, x^2 + y^2 + 10, (x - 1)^2 + y^2 + z^2 + 1 and z^2 + 1 are 0 nowhere.
+      {T::quadric, {1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 10.0}, "BadConic"},
+      {T::quadric, {1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 10.0}, "BadConic"},
+      {T::quadric, {-1.0, -1.0, -1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, -2.0}, "BadConic"},
+      {T::quadric, {0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}, "BadConic"},
+      {T::gconic, {1.0, 0.0, 1.0, 0.0, 0.0, 4.0}, "BadConic"},
       {T::lconic, {W::W_5PT, 0.0, 0.0, 1.0, 0.0, 2.0, 1.0, 3.0, 3.0, 2.0, 0.0}, "BadConic"},
       {T::lconic, {W::W_3PT2SL, point(0, 0), 0.0, point(1, 1), 0.0, point(0, 0)}, "BadConic"},
       {T::lconic,
