@@ -76,6 +76,8 @@ class Association {
     bool met = false, strays = false;
   };
   [[nodiscard]] Behind behind(const Held& next);
+  /// True at any check surface of the motion that is taken.
+  [[nodiscard]] bool isMet(const PathEnd& end) const;
   /// True where the next statement, GOTO or GODLTA, leads there.
   [[nodiscard]] bool isNext(const Vec3& place) const;
   void take(const Held& next);

@@ -79,14 +79,21 @@ bool Association::holdsBack(const Held& next) {
 }
 
 Association::Behind Association::behind(const Held& next) {
-  const Taking& t = *taking_;
-  Behind found{t.proof->end()};
+  Behind found{taking_->proof->end()};
   found.end.moveTo(placed(order_.programmed(next.location)));
-  for (std::size_t g = 0; g < t.goals.size() && !found.met; ++g) {
-    found.met = check_.missed(modal_, t.goals[g], g, found.end, t.drive->surface) == 0.0;
-  }
-  found.strays = t.proof->strays(found.end.place());
+  found.met = isMet(found.end);
+  found.strays = taking_->proof->strays(found.end.place());
   return found;
+}
+
+bool Association::isMet(const PathEnd& end) const {
+  const Taking& t = *taking_;
+  for (std::size_t g = 0; g < t.goals.size(); ++g) {
+    if (check_.missed(modal_, t.goals[g], g, end, t.drive->surface) == 0.0) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool Association::goesOn(const Held& next) {
@@ -112,9 +119,9 @@ bool Association::isNext(const Vec3& place) const {
 }
 
 void Association::release() {
-  const std::vector<Held> behind = std::exchange(taking_->held, {});
+  const std::vector<Held> held = std::exchange(taking_->held, {});
   close();
-  for (const Held& next : behind) {
+  for (const Held& next : held) {
     add(next.location, next.withAxis, next.onCurve);
   }
 }
@@ -180,12 +187,7 @@ bool Association::complete() {
   if (t.follow == nullptr || !t.drive || !t.proof) {
     return t.follow == nullptr || !t.drive;
   }
-  for (std::size_t g = 0; g < t.goals.size(); ++g) {
-    if (check_.missed(modal_, t.goals[g], g, t.proof->end(), t.drive->surface) == 0.0) {
-      return true;
-    }
-  }
-  return false;
+  return isMet(t.proof->end());
 }
 
 void Association::beginFollow(const Follow& follow) {

@@ -184,18 +184,27 @@ TYPED_TEST(SurfaceLaws, FootLiesOnTheSurfaceAndNormalIsTheGradient) {
   }
 }
 
+/// A surface, a place and a direction, with the feet there and at distance h before and behind.
+template <class S>
+struct Differences {
+  S s;
+  Vec3 p, t;
+  typename S::Hint a{}, b{}, c{};
+  Foot foot, ahead, behind;
+
+  Differences(Random& r, double h) : s(arbitrary<S>(r)), p(r.point(6)), t(r.direction()) {
+    foot = s.foot(p, a);
+    ahead = s.foot(p + h * t, b);
+    behind = s.foot(p - h * t, c);
+  }
+};
+
 TYPED_TEST(SurfaceLaws, BendIsTheSecondDerivativeOfTheDistance) {
   Random r;
   int tested = 0;
+  const double h = 1e-3;
   for (int i = 0; i < 500; ++i) {
-    const TypeParam s = arbitrary<TypeParam>(r);
-    const Vec3 p = r.point(6);
-    const Vec3 t = r.direction();
-    const double h = 1e-3;
-    typename TypeParam::Hint a{}, b{}, c{};
-    const Foot foot = s.foot(p, a);
-    const Foot ahead = s.foot(p + h * t, b);
-    const Foot behind = s.foot(p - h * t, c);
+    auto [s, p, t, a, b, c, foot, ahead, behind] = Differences<TypeParam>(r, h);
     if ((ahead.normal - behind.normal).norm() > 0.02 ||
         std::abs(s.bend(p + h * t, ahead, t, b) - s.bend(p - h * t, behind, t, c)) > 1e-3) {
       continue;  // near a center of curvature or across a joint of two pieces
@@ -211,20 +220,17 @@ TYPED_TEST(SurfaceLaws, TurnIsTheChangeOfTheNormal) {
   if constexpr (Turning<TypeParam>) {
     Random r;
     int tested = 0;
+    const double h = 1e-4;
     for (int i = 0; i < 500; ++i) {
-      const TypeParam s = arbitrary<TypeParam>(r);
-      const Vec3 p = r.point(6);
-      const Vec3 t = r.direction();
-      const double h = 1e-4;
-      typename TypeParam::Hint a{}, b{}, c{};
-      const Foot foot = s.foot(p, a);
-      const Vec3 ahead = s.foot(p + h * t, b).normal;
-      const Vec3 behind = s.foot(p - h * t, c).normal;
+      auto [s, p, t, a, b, c, foot, ahead, behind] = Differences<TypeParam>(r, h);
       const Vec3 turn = s.turn(p, foot, t, a);
-      if ((ahead - foot.normal).norm() > 0.01 || (foot.normal - behind).norm() > 0.01) {
+      if ((ahead.normal - foot.normal).norm() > 0.01 ||
+          (foot.normal - behind.normal).norm() > 0.01) {
         continue;  // near a center of curvature
       }
-      EXPECT_LE((turn - (ahead - behind) / (2 * h)).norm(), 1e-3 * (1.0 + turn.norm())) << i;
+      EXPECT_LE((turn - (ahead.normal - behind.normal) / (2 * h)).norm(),
+                1e-3 * (1.0 + turn.norm()))
+          << i;
       EXPECT_NEAR(s.bend(p, foot, t, a), t.dot(turn), 1e-12 * (1.0 + turn.norm())) << i;
       ++tested;
     }
