@@ -8,6 +8,8 @@ namespace arelem::define {
 
 /// The automaton of a form.
 [[nodiscard]] const Pattern& compiledForm(FormId form);
+/// What the form may begin with: most forms of a noun are told apart by their first parameter.
+[[nodiscard]] const std::vector<Expectation>& firstOf(FormId form);
 
 /// A set of automaton nodes, closed under splits.
 class NodeSet {

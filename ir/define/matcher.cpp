@@ -49,14 +49,11 @@ std::vector<std::string> fitting(Word noun, std::span<const Symbol> parameters, 
   return texts;
 }
 
-/// Whether the pattern may begin with the symbol.
-bool begins(const Pattern& pattern, const Symbol& symbol) {
-  NodeSet first(pattern);
-  first.add(pattern.start);
-  return std::any_of(first.members().begin(), first.members().end(), [&](int member) {
-    const Pattern::Node& node = pattern.nodes[static_cast<std::size_t>(member)];
-    return node.kind == Pattern::Node::Kind::take && node.wanted.accepts(symbol);
-  });
+/// Whether the form may begin with the symbol.
+bool begins(FormId form, const Symbol& symbol) {
+  const std::vector<Expectation>& first = firstOf(form);
+  return std::any_of(first.begin(), first.end(),
+                     [&](const Expectation& wanted) { return wanted.accepts(symbol); });
 }
 
 struct Near {
@@ -69,9 +66,8 @@ struct Near {
 void trustTheFirstWord(std::vector<Near>& all, std::span<const Symbol> parameters) {
   constexpr int anotherForm = 2;
   if (parameters.empty() || parameters.front().sort != Symbol::Sort::word ||
-      std::none_of(all.begin(), all.end(), [&](const Near& near) {
-        return begins(compiledForm(near.form), parameters.front());
-      })) {
+      std::none_of(all.begin(), all.end(),
+                   [&](const Near& near) { return begins(near.form, parameters.front()); })) {
     return;
   }
   for (Near& near : all) {
@@ -126,7 +122,8 @@ bool accepts(const Pattern& pattern, std::span<const Symbol> parameters) {
 
 std::variant<FormId, Mismatch> match(Word noun, std::span<const Symbol> parameters) {
   for (const FormRow& form : formTable()) {
-    if (isOf(form, noun) && accepts(compiledForm(form.id), parameters)) {
+    if (isOf(form, noun) && (parameters.empty() || begins(form.id, parameters.front())) &&
+        accepts(compiledForm(form.id), parameters)) {
       return form.id;
     }
   }
