@@ -11,7 +11,7 @@ struct Request {
   std::string pair, only;
   unsigned jobs = 0;  ///< 0: one for each core
   std::string found, table, failures;
-  bool again = false;
+  bool again = false, times = false;
   std::optional<double> minutes;
   double slow = 1e9;
 };
