@@ -18,8 +18,9 @@ ExitCode exitCodeFor(const DiagRow& row) {
   }
   // Limits that belong to a room: nested calls, cut vectors, actions and records of the motion,
   // bytes of a data file, poses of a stencil, points, passes, trials and corners of spraying.
-  constexpr std::array<std::string_view, 10> limits = {"E0239", "E0358", "E0359", "E0375", "E0393",
-                                                       "E0418", "E0513", "E0525", "E0564", "E0732"};
+  constexpr std::array<std::string_view, 11> limits = {"E0239", "E0358", "E0359", "E0375",
+                                                       "E0393", "E0418", "E0513", "E0525",
+                                                       "E0551", "E0564", "E0732"};
   if (std::find(limits.begin(), limits.end(), row.code) != limits.end()) {
     return ExitCode::limitReached;
   }

@@ -1,5 +1,6 @@
 #include "runtime/motion/axis_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,8 +51,9 @@ class AngleAxis final : public AxisSource {
 
   Vec3 at(const Vec3& toolEnd) override {
     Vec3 axis = last_;
-    double before = 2.0;
-    for (int i = 0; i < repeatLimit; ++i) {
+    double before = 2.0, least = before;
+    int idle = 0;
+    for (repeats_ = 1; repeats_ <= repeatLimit && idle < patience; ++repeats_) {
       const auto next = step(toolEnd, axis);
       if (!next) {
         state_ = State::impossible;
@@ -61,6 +63,8 @@ class AngleAxis final : public AxisSource {
       // Half steps where whole ones go to and fro.
       axis = moved < slowShare * before ? *next : Vec3((axis + *next).normalized());
       before = moved;
+      idle = moved < least ? 0 : idle + 1;
+      least = std::min(least, moved);
       if (moved <= tolerance::rounding) {
         break;
       }
@@ -76,7 +80,7 @@ class AngleAxis final : public AxisSource {
       case State::impossible:
         return fail(diag::AxisImpossible, tilt_.alpha * degrees, control_.name, reason_);
       case State::restless:
-        return fail(diag::AxisDiverges, tilt_.alpha * degrees, control_.name, repeatLimit);
+        return fail(diag::AxisDiverges, tilt_.alpha * degrees, control_.name, repeats_);
       default:
         return std::nullopt;
     }
@@ -85,6 +89,8 @@ class AngleAxis final : public AxisSource {
  private:
   enum class State { found, impossible, restless };
   static constexpr int repeatLimit = 100;
+  /// Repeats without a smaller move after which there will be none.
+  static constexpr int patience = 12;
   static constexpr double slowShare = 0.9;
 
   std::optional<Vec3> step(const Vec3& toolEnd, const Vec3& from) {
@@ -110,6 +116,7 @@ class AngleAxis final : public AxisSource {
   AngleSide control_, other_;
   Vec3 last_, forward_;
   State state_ = State::found;
+  int repeats_ = 0;
   std::string reason_;  ///< why there is no axis
 };
 }  // namespace

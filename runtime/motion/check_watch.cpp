@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/least.h"
 
 namespace arelem::motion {
 
@@ -19,8 +20,10 @@ constexpr double fineShare = 0.25;
 constexpr double tangentShare = 0.05;
 /// Cosine of the angle within which contact normals count as agreeing at a tangency.
 constexpr double agreeing = 0.5;
-/// Looking closely, no step is longer than this share of a cut vector.
+/// Looking closely, no step is longer than this share of a cut vector; but where a tangency is
+/// looked for none need be shorter than this many times the root of the band.
 constexpr double closeShare = 0.0625;
+constexpr double closeRoots = 2.0;
 }  // namespace
 
 CheckWatch::CheckWatch(const NamedSurface& surface,
@@ -109,9 +112,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& g
   return hit;
 }
 
-/// Golden sections between the neighbors of each look that is nearer than they are.
+/// Between the neighbors of each look that is nearer than they are.
 void CheckWatch::findNearest(const Segment& s, Field& guide) {
-  constexpr double golden = 0.6180339887498949;
   looks_.push_back(s.length);
   const std::vector<double> looks = std::exchange(looks_, {});
   if (tangent_) {
@@ -120,21 +122,18 @@ void CheckWatch::findNearest(const Segment& s, Field& guide) {
   const auto away = [&](double u) {
     return tangent_ ? missOfTangency(s, u, guide) : std::abs(measure(s, u).value);
   };
+  std::vector<double> at;
+  for (const double u : looks) {
+    at.push_back(away(u));
+  }
   for (std::size_t i = 0; i < looks.size(); ++i) {
-    double low = looks[i > 0 ? i - 1 : 0];
-    double high = looks[std::min(i + 1, looks.size() - 1)];
-    const double here = away(looks[i]);
-    if (here > away(low) || here > away(high) || here > nearest_ + high - low) {
-      continue;
-    }
-    while (high - low > tolerance::sameSide) {
-      const double left = high - golden * (high - low);
-      const double right = low + golden * (high - low);
-      const bool before = away(left) <= away(right);
-      (before ? high : low) = before ? right : left;
-      if (left <= low && right >= high) {
-        break;
-      }
+    const std::size_t before = i > 0 ? i - 1 : 0;
+    const std::size_t behind = std::min(i + 1, looks.size() - 1);
+    const bool least = at[i] <= at[before] && at[i] <= at[behind] && at[i] < tolerance::farAway;
+    if (least && at[i] <= nearest_ + looks[behind] - looks[before]) {
+      narrowLeast(away, looks[before], looks[behind], [&](double value, double width) {
+        return width > tolerance::sameSide && value <= nearest_ + steepest(s) * width;
+      });
     }
   }
   looks_.clear();
@@ -248,9 +247,14 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       step = u < s.length ? std::min(step, s.length - u) : step;
     }
     before = u;
-    u += close_ ? std::min(step, std::max(closeShare * s.length, finest)) : step;
-    if (u > s.length || before == s.length) {
+    const double farther = size - nearest_;
+    if (close_ && m.rate > 0.0) {
+      step = std::min(step, std::max({closeShare * s.length, finest, farther / m.rate}));
+    }
+    u += step;
+    if (u > s.length || before == s.length || isSpent()) {
       now_.free = std::max(0.0, margin - m.rate * (s.length - before));
+      now_.farther = std::max(0.0, farther - m.rate * (s.length - before));
       return std::nullopt;
     }
   }
@@ -259,15 +263,16 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
 /// Where the gap along the path neither opens nor closes check surface and guide are parallel.
 void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks, Field& guide) {
   for (Field* field : {plus_.get(), minus_.get()}) {
-    const auto opens = [&](double u) {
+    const auto opens = [&](double u) -> bool {
       const tool::Contact c = field->at(s.at(u), s.axisAt(u));
       return slopeAlong(c, s.at(u), s.tangentAt(u), s.spin()) > 0.0;
     };
+    bool second = opens(looks.front());
     for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
       double low = looks[i];
       double high = looks[i + 1];
-      const bool first = opens(low);
-      if (first == opens(high)) {
+      const bool first = std::exchange(second, opens(high));
+      if (first == second) {
         continue;
       }
       while (high - low > tolerance::sameSide) {
@@ -364,9 +369,10 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
     now_.bandField = inside;
     before = u;
     double open = rate > 0.0 ? away / rate : tolerance::farAway;
-    open = close_ ? std::min(open, closeShare * s.length) : open;
+    open = close_ ? std::min(open, std::max(closeShare * s.length, closeRoots * std::sqrt(band_)))
+                  : open;
     u += inside != nullptr ? finest : std::max(open, finest);
-    if (u >= s.length) {
+    if (u >= s.length || isSpent()) {
       now_.free = inside != nullptr ? 0.0 : std::max(0.0, away - rate * (s.length - before));
       return std::nullopt;
     }

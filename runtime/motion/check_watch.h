@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/effort.h"
 #include "runtime/motion/segment.h"
 #include "runtime/motion/state.h"
 
@@ -38,8 +39,15 @@ class CheckWatch {
              double band,
              double pathBand);
 
-  /// From now on the nearest approach is found to rounding, for messages: scans take longer.
-  void lookClosely() { close_ = true; }
+  /// From now on the nearest approach is found to rounding, for messages: scans take longer. The
+  /// same motion was watched before, and found what is near.
+  void lookClosely(const CheckWatch& before) {
+    close_ = true;
+    nearest_ = before.nearest_;
+    nearestPlace_ = before.nearestPlace_;
+  }
+  /// From now on scans end, without a result, once the effort is spent.
+  void spend(const Effort& effort) { effort_ = &effort; }
   /// Where the motion begins.
   void begin(const Vec3& toolEnd, const Vec3& axis);
   /// `guide` is the field that a tangent check surface touches: the drive (TANTO) or part surface
@@ -48,9 +56,14 @@ class CheckWatch {
   /// True where the segment is free by what is known already; then `pass` takes the place of
   /// `scan`.
   [[nodiscard]] bool isFree(const Segment& segment) const {
-    return !close_ && now_.free > steepest(segment) * segment.length;
+    const double change = steepest(segment) * segment.length;
+    return now_.free > change && (!close_ || now_.farther > change);
   }
-  void pass(const Segment& segment) { now_.free -= steepest(segment) * segment.length; }
+  void pass(const Segment& segment) {
+    const double change = steepest(segment) * segment.length;
+    now_.free -= change;
+    now_.farther -= change;
+  }
 
   /// True where a gap found at a tangency is contact within the tolerance.
   [[nodiscard]] bool touches(double gap) const {
@@ -89,6 +102,7 @@ class CheckWatch {
     int seen = 0;                ///< positions met so far
     Vec3 last = Vec3::Zero();    ///< the last of them
     double free = 0.0;           ///< change of the measure that meets nothing for sure
+    double farther = 0.0;        ///< looking closely: change that comes no nearer for sure
     double lastTurn = 0.0;       ///< within the band: last component of the normal along the path
     Field* bandField = nullptr;  ///< the gap that is within its band, or null
   };
@@ -128,6 +142,7 @@ class CheckWatch {
   }
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   void note(double distance, const Vec3& place);
+  [[nodiscard]] bool isSpent() const { return effort_ != nullptr && effort_->isSpent(); }
   void findNearest(const Segment& segment, Field& guide);
   void findParallel(const Segment& segment, const std::vector<double>& looks, Field& guide);
   double missOfTangency(const Segment& segment, double along, Field& guide);
@@ -143,6 +158,7 @@ class CheckWatch {
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
   double ignoredUntil_ = -1.0;
+  const Effort* effort_ = nullptr;
   bool close_ = false;
   bool startedAt_ = false;
   std::vector<double> looks_;  ///< lengths along the segment, where looked at closely

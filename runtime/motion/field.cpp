@@ -7,6 +7,7 @@
 #include "runtime/certify/mesh_point_probe.h"
 #include "runtime/certify/mesh_probe.h"
 #include "runtime/certify/prove.h"
+#include "runtime/motion/effort.h"
 #include "runtime/tool/rounded.h"
 
 namespace arelem::motion {
@@ -20,6 +21,8 @@ constexpr bool isFlat = std::is_same_v<S, surface::Plane>;
 template <surface::Surface S>
 constexpr bool hasFaces = std::is_same_v<S, surface::Mesh>;
 
+thread_local std::uint64_t measured = 0;
+
 constexpr double shortest = 0.5;
 constexpr double longest = 0.95;
 
@@ -28,6 +31,7 @@ Judgement judged(certify::Probe& probe, const certify::Chord& chord, double inne
   certify::Node first = probe.at(0.0);
   const certify::Verdict v =
       certify::prove(probe, {inner, outer, tolerance::facetedSlack, false}, first);
+  measured += v.nodes;
   if (v.good()) {
     return {tolerance::farAway, 0};
   }
@@ -46,6 +50,7 @@ class OnField final : public Field {
   OnField(S s, double side, double thick)
       : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side), thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3&) override {
+    ++measured;
     tool::Contact c = tool::pointContact(surface_, side_, toolEnd, hint_);
     c.gap -= thick_;
     return c;
@@ -77,6 +82,7 @@ class CutterField final : public Field {
         cutter_(cutter),
         thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3& axis) override {
+    ++measured;
     tool::Contact c = tool::contact(surface_, side_, cutter_, toolEnd, axis, search_);
     c.gap -= thick_;
     return c;
@@ -111,6 +117,10 @@ class CutterField final : public Field {
   std::unique_ptr<certify::Probe> probe_;
 };
 }  // namespace
+
+std::uint64_t gapsMeasured() {
+  return measured;
+}
 
 Judgement judgeGap(double gap, double inner, double outer) {
   const double beyond = std::max(-inner - gap, gap - outer);

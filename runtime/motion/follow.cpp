@@ -21,6 +21,7 @@ namespace arelem::motion {
 namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
+constexpr std::uint64_t gapsAllowed = 5000;  // TEMP
 constexpr double halfTurn = std::numbers::pi;
 /// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
 /// unit.
@@ -44,8 +45,13 @@ class Follower {
         sink_(sink),
         limits_(limits),
         interrupted_(interrupted),
+        effort_(gapsAllowed),
         stride_(course.path, state.longestVector),
-        stops_(state, course) {}
+        stops_(state, course) {
+    for (CheckWatch& w : course_.watches) {
+      w.spend(effort_);
+    }
+  }
 
   Result<FollowResult> run() {
     result_.warnings = std::move(course_.warnings);
@@ -66,7 +72,7 @@ class Follower {
     const Vec3 step = p.toolEnd - last_.toolEnd;
     const double length = step.norm();
     result_.length += length;
-    ++result_.cutVectors;
+    effort_.allow(++result_.cutVectors);
     sink_.put(p.toolEnd, p.axis);
     result_.partInner = std::min(result_.partInner, p.contacts[0].gap);
     result_.partOuter = std::max(result_.partOuter, p.contacts[0].gap);
@@ -108,9 +114,20 @@ class Follower {
     return std::nullopt;
   }
 
+  [[nodiscard]] Failure tooMuch() const {
+    const Vec3 p = told(last_.toolEnd);
+    const CheckWatch& w = course_.watches.front();
+    const Vec3 q = told(w.nearestPlace());
+    return fail(diag::MotionEffort, gapsAllowed, result_.cutVectors, p.x(), p.y(), p.z(),
+                w.surface().name, w.nearest(), q.x(), q.y(), q.z());
+  }
+
   [[nodiscard]] std::optional<Failure> beyondLimits() const {
     if (interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed)) {
       return fail(diag::Interrupted);
+    }
+    if (effort_.isSpent()) {
+      return tooMuch();
     }
     const double most = course_.path.flat() || course_.exact
                             ? static_cast<double>(limits_.points)
@@ -156,7 +173,11 @@ class Follower {
         return bad;
       }
       const Segment segment = segmentBetween(a, *b);
-      if (const auto found = stops_.find(a, segment)) {
+      const auto found = stops_.find(a, segment);
+      if (effort_.isSpent()) {
+        return tooMuch();
+      }
+      if (found) {
         if (!found->end) {
           return lost();
         }
@@ -281,6 +302,9 @@ class Follower {
   std::optional<Failure> runArc() {
     ArcRoute route(course_);
     const auto found = route.findStop(stops_, turnsAllowed() + 1.5);
+    if (effort_.isSpent()) {
+      return tooMuch();
+    }
     if (!found) {
       return missed(course_);
     }
@@ -315,6 +339,7 @@ class Follower {
   CutVectorSink& sink_;
   const Limits& limits_;
   const InterruptFlag* interrupted_;
+  Effort effort_;
   Stride stride_;
   StopFinder stops_;
   PathPoint last_;
@@ -361,12 +386,12 @@ Result<FollowResult> follow(const State& state,
   if (!again) {
     return result;
   }
-  for (CheckWatch& w : again->watches) {
-    w.lookClosely();
+  for (std::size_t i = 0; i < again->watches.size(); ++i) {
+    again->watches[i].lookClosely(course->watches[i]);
   }
   NoSink none;
   auto closer = Follower(state, request, *again, none, limits, interrupted).run();
-  return closer ? std::move(result) : std::move(closer);
+  return closer || !tellsNearest(closer.failure()) ? std::move(result) : std::move(closer);
 }
 
 }  // namespace arelem::motion

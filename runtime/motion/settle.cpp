@@ -12,6 +12,12 @@ namespace arelem::motion {
 
 namespace {
 constexpr int iterationLimit = 60;
+/// Steps that gain less than this share of what is missed are for nothing; after so many of them in
+/// a row a search ends.
+constexpr double leastGain = 0.1;
+constexpr int patience = 12;
+/// Steps that leave at most this share of what is missed need no new slopes of the axis.
+constexpr double stillGood = 0.1;
 /// Residuals below this share of the coordinates' size are rounding.
 constexpr double relativeRest = 4e-16;
 constexpr double absoluteRest = 2e-15;
@@ -43,6 +49,20 @@ Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, st
   cod.setThreshold(1e-10);
   return cod.solve(b);
 }
+
+/// Axis and contacts where the tool is, and how far it is from what is wanted.
+void look(Settled& out, AxisRule& axis, std::span<const Wanted> wanted) {
+  out.axis = axis.at(out.toolEnd);
+  out.worst = 0.0;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    out.contacts[i] = wanted[i].field->at(out.toolEnd, out.axis);
+    const double rest = std::abs(wanted[i].target - out.contacts[i].gap);
+    if (rest >= out.worst) {
+      out.worst = rest;
+      out.worstAt = i;
+    }
+  }
+}
 }  // namespace
 
 Settled settle(const Vec3& start,
@@ -54,28 +74,16 @@ Settled settle(const Vec3& start,
   out.toolEnd = start;
   std::array<Vec3, 3> rows;
   std::array<double, 3> rhs{};
-  double previous = 1e300;
+  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
+  double previous = 1e300, least = previous;
+  int idle = 0;
   for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
-    out.axis = axis.at(out.toolEnd);
-    Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
-    if (!axis.isFixed()) {
-      turning = axis.change(out.toolEnd);
-    }
-    std::size_t count = 0;
-    out.worst = 0.0;
+    look(out, axis, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const tool::Contact& c = out.contacts[i] = wanted[i].field->at(out.toolEnd, out.axis);
-      rows[count] = c.normal;
-      if (!axis.isFixed()) {
-        rows[count] += turning.transpose() * changeWithAxis(c, out.toolEnd, out.axis);
-      }
-      rhs[count] = wanted[i].target - c.gap;
-      if (std::abs(rhs[count]) >= out.worst) {
-        out.worst = std::abs(rhs[count]);
-        out.worstAt = i;
-      }
-      ++count;
+      rows[i] = out.contacts[i].normal;
+      rhs[i] = wanted[i].target - out.contacts[i].gap;
     }
+    std::size_t count = wanted.size();
     if (out.iterations == 1) {
       out.missed = rhs;
     }
@@ -91,6 +99,20 @@ Settled settle(const Vec3& start,
     if (most <= std::max(rest, accept) || (most <= 1e4 * rest && most >= 0.5 * previous)) {
       out.ok = true;
       return out;
+    }
+    idle = most < (1.0 - leastGain) * least ? 0 : idle + 1;
+    least = std::min(least, most);
+    if (idle >= patience) {
+      break;
+    }
+    if (!axis.isFixed()) {
+      // How the axis changes takes long to find, and hardly differs as long as steps gain.
+      if (most > stillGood * previous || out.iterations == 1) {
+        turning = axis.change(out.toolEnd).transpose();
+      }
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        rows[i] += turning * changeWithAxis(out.contacts[i], out.toolEnd, out.axis);
+      }
     }
     previous = most;
     const Vec3 step = solve(rows, rhs, count);
@@ -108,15 +130,7 @@ namespace {
 Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted) {
   Settled out;
   out.toolEnd = place;
-  out.axis = axis.at(place);
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    out.contacts[i] = wanted[i].field->at(place, out.axis);
-    const double rest = std::abs(wanted[i].target - out.contacts[i].gap);
-    if (rest >= out.worst) {
-      out.worst = rest;
-      out.worstAt = i;
-    }
-  }
+  look(out, axis, wanted);
   return out;
 }
 

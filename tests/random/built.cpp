@@ -7,8 +7,7 @@
 namespace arelem::scenes {
 
 surface::AnySurface built(const Shape& shape) {
-  const InterruptFlag never{false};
-  const Work work("S1=" + definition(shape, {}, "") + "\nFINI\n", "", never);
+  const Work work("S1=" + definition(shape, {}, "") + "\nFINI\n", "");
   const EntityPtr entity = work.entity("S1");
   if (!entity) {
     throw std::logic_error("a random surface is no surface: " + definition(shape, {}, ""));

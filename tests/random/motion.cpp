@@ -47,11 +47,11 @@ std::string told(const Diagnostic& d) {
 }
 }  // namespace
 
-Work::Work(std::string text, const std::string& folder, const InterruptFlag& interrupted)
-    : interrupted_(interrupted), job_(std::make_unique<app::Compilation>(settings_)) {
+Work::Work(std::string text, const std::string& folder)
+    : job_(std::make_unique<app::Compilation>(settings_)) {
   const double start = cpuSeconds();
-  evaluated_ = app::load(*job_, folder + "scene.apt", std::move(text), interrupted) &&
-               app::evaluate(*job_, interrupted);
+  evaluated_ = app::load(*job_, folder + "scene.apt", std::move(text), never_) &&
+               app::evaluate(*job_, never_);
   reading_ = cpuSeconds() - start;
 }
 
@@ -77,11 +77,11 @@ Motion Work::run(bool proven) {
   if (evaluated_) {
     certify::Options options;
     options.limits = settings_.limits;
-    options.interrupted = &interrupted_;
+    options.interrupted = &never_;
     const auto certificate =
         proven ? certify::makeCertificate(job_->evaluation.actions, options, faults) : nullptr;
     Tracks tracks(motion.runs, certificate.get());
-    const bool whole = app::execute(*job_, tracks, interrupted_);
+    const bool whole = app::execute(*job_, tracks, never_);
     motion.proving = tracks.proving();
     if (certificate && whole) {
       certificate->finish();

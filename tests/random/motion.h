@@ -34,7 +34,7 @@ struct Motion {
 class Work {
  public:
   /// Data files lie in `folder`, with a slash at its end.
-  Work(std::string text, const std::string& folder, const InterruptFlag& interrupted);
+  Work(std::string text, const std::string& folder);
   ~Work();
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
@@ -47,7 +47,7 @@ class Work {
 
  private:
   app::Settings settings_;
-  const InterruptFlag& interrupted_;
+  const InterruptFlag never_{false};  ///< interrupted
   std::unique_ptr<app::Compilation> job_;
   double reading_ = 0.0;  ///< processor seconds of Section 1
   bool evaluated_ = false;

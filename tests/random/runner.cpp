@@ -13,15 +13,15 @@
 
 #include "tests/random/crew.h"
 #include "tests/random/table.h"
+#include "tests/random/times.h"
 
 namespace arelem::scenes {
 
 namespace {
-/// Time of every pair between two writings of the table, seconds. Pairs whose scenes take longer
-/// get fewer of them.
-constexpr double sliceSeconds = 0.2;
-/// Pairs between two writings of the table.
-constexpr std::size_t together = 10;
+/// Scenes that a pair may be ahead of another one.
+constexpr std::uint64_t ahead = 10;
+/// Scenes between two writings of the table, for each thread.
+constexpr std::size_t together = 50;
 
 std::size_t pairOf(const std::string& text) {
   const std::size_t comma = text.find(',');
@@ -60,8 +60,11 @@ class Runner {
  public:
   explicit Runner(const Request& request)
       : request_(request), crew_(request.jobs), table_(request.seed) {
-    if (counts()) {
+    if (counts() && !request.anew) {
       table_.read(request.table);
+    }
+    if (!request.commit.empty()) {
+      table_.setCommit(request.commit);
     }
   }
 
@@ -69,16 +72,19 @@ class Runner {
     if (!request_.only.empty()) {
       const SceneId id = idOf(request_.only);
       fmt::print("{}", drawScene(id).program({}));
-      take(crew_.tryAll(std::vector{Slice{id}}));
+      take(crew_.tryAll(std::vector{id}));
     } else if (request_.again) {
       repeat();
     } else {
       for (const Finding& finding : listed()) {
         known_.insert(spell(finding.id));
       }
+      if (counts() && request_.anew && !request_.failures.empty()) {
+        std::ofstream(request_.failures) << comments_;
+      }
       rounds();
     }
-    fmt::print("{}", table_.summary());
+    fmt::print("{}{}", request_.times ? times_.table() : "", table_.summary());
     return failed_ == 0;
   }
 
@@ -86,6 +92,7 @@ class Runner {
   /// A single scene is not counted.
   [[nodiscard]] bool counts() const { return !request_.table.empty() && request_.only.empty(); }
 
+  /// All pairs go on alike: those with the fewest scenes first.
   void rounds() {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t low = request_.pair.empty() ? 0 : pairOf(request_.pair);
@@ -95,27 +102,23 @@ class Runner {
       next[pair] = table_.scenes(pair);
     }
     const std::uint64_t end = request_.first + request_.each;
-    for (;;) {
-      std::vector<Slice> slices;
+    std::uint64_t goal = *std::min_element(&next[low], &next[high - 1] + 1);
+    while (goal < end) {
+      goal = std::min(goal + ahead, end);
+      std::vector<SceneId> ids;
       for (std::size_t pair = low; pair < high; ++pair) {
-        if (next[pair] < end) {
-          slices.push_back({{request_.seed, pair, next[pair]}, end - next[pair], sliceSeconds});
+        for (std::uint64_t number = next[pair]; number < goal; ++number) {
+          ids.push_back({request_.seed, pair, number});
         }
+        next[pair] = std::max(next[pair], goal);
       }
-      if (slices.empty()) {
-        return;
-      }
-      for (std::size_t i = 0; i < slices.size(); i += together) {
-        const std::span<const Slice> some(&slices[i], std::min(together, slices.size() - i));
-        const std::vector<Finding> findings = crew_.tryAll(some);
-        for (const Finding& finding : findings) {
-          next[finding.id.pair] = finding.id.number + 1;
+      const std::size_t share = together * crew_.threads();
+      for (std::size_t i = 0; i < ids.size(); i += share) {
+        take(crew_.tryAll(std::span(ids).subspan(i, std::min(share, ids.size() - i))));
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        if (request_.minutes && spent.count() > 60.0 * *request_.minutes) {
+          return;
         }
-        take(findings);
-      }
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-      if (request_.minutes && spent.count() > 60.0 * *request_.minutes) {
-        return;
       }
     }
   }
@@ -123,12 +126,14 @@ class Runner {
   void take(const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) {
       table_.add(finding);
+      times_.add(finding);
       if (!finding.wrong.empty()) {
         tell(finding);
       }
       if (finding.seconds > request_.slow) {
-        fmt::print("scene {} takes {:.2f} s: {}\n", spell(finding.id), finding.seconds,
-                   finding.outcome);
+        fmt::print("scene {} takes {:.3f} s (motion {:.3f}, proof {:.3f}, moved {:.3f}): {}\n",
+                   spell(finding.id), finding.seconds, finding.computing, finding.proving,
+                   finding.moved, finding.outcome);
       }
     }
     if (counts()) {
@@ -138,7 +143,7 @@ class Runner {
   }
 
   void tell(const Finding& finding) {
-    const bool known = known_.contains(spell(finding.id));
+    const bool known = !request_.anew && known_.contains(spell(finding.id));
     failed_ += known ? 0 : 1;
     fmt::print("scene {}{}:\n", spell(finding.id), known ? " (known to fail)" : "");
     for (const std::string& text : finding.wrong) {
@@ -176,12 +181,12 @@ class Runner {
 
   /// The listed failures once more: the table and the list then hold what is true now.
   void repeat() {
-    std::vector<Slice> slices;
+    std::vector<SceneId> ids;
     for (const Finding& finding : listed()) {
-      slices.push_back({finding.id});
+      ids.push_back(finding.id);
       table_.remove(finding);
     }
-    const std::vector<Finding> findings = crew_.tryAll(slices);
+    const std::vector<Finding> findings = crew_.tryAll(ids);
     std::ofstream out(request_.failures);
     out << comments_;
     for (const Finding& finding : findings) {
@@ -195,6 +200,7 @@ class Runner {
   const Request& request_;
   Crew crew_;
   Table table_;
+  Times times_;
   std::set<std::string> known_;
   std::string comments_;
   std::uint64_t failed_ = 0;

@@ -10,8 +10,8 @@ struct Request {
   std::uint64_t seed = 1, each = 1, first = 0;
   std::string pair, only;
   unsigned jobs = 0;  ///< 0: one for each core
-  std::string found, table, failures;
-  bool again = false;
+  std::string found, table, failures, commit;
+  bool again = false, anew = false, times = false;
   std::optional<double> minutes;
   double slow = 1e9;
 };

@@ -1,7 +1,9 @@
 #include "tests/random/table.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -10,6 +12,7 @@
 namespace arelem::scenes {
 
 namespace {
+constexpr std::string_view commitsHead = "# motion as of ";
 constexpr std::string_view head =
     "# part, drive, scenes, computed, refused with a cause, of these confirmed by a search of its "
     "own, failed, refusals by code\n";
@@ -46,6 +49,12 @@ void Table::remove(const Finding& finding) {
   count(finding, ~std::uint64_t{0});  // one less, modulo 2^64
 }
 
+void Table::setCommit(const std::string& commit) {
+  if (std::ranges::find(commits_, commit) == commits_.end()) {
+    commits_.push_back(commit);
+  }
+}
+
 void Table::read(const std::string& path) {
   std::ifstream in(path);
   if (!in) {
@@ -60,6 +69,10 @@ void Table::read(const std::string& path) {
         throw std::runtime_error(path + " is of another seed: " + line);
       }
       continue;
+    }
+    if (line.starts_with(commitsHead)) {
+      std::istringstream commits(line.substr(commitsHead.size()));
+      commits_.assign(std::istream_iterator<std::string>(commits), {});
     }
     if (line.empty() || line[0] == '#') {
       continue;
@@ -80,7 +93,11 @@ void Table::read(const std::string& path) {
 }
 
 void Table::write(const std::string& path) const {
-  std::string text = fmt::format("# seed {}\n{}", seed_, head);
+  std::string text = fmt::format("# seed {}\n", seed_);
+  if (!commits_.empty()) {
+    text += fmt::format("{}{}\n", commitsHead, fmt::join(commits_, " "));
+  }
+  text += head;
   for (std::size_t pair = 0; pair < pairCount; ++pair) {
     const Row& row = rows_[pair];
     if (row.scenes == 0) {

@@ -17,6 +17,8 @@ class Table {
   /// Reads a table of the same seed; a file that is not there is an empty table. Throws
   /// std::runtime_error for anything else.
   void read(const std::string& path);
+  /// From now on scenes are of this commit of the motion.
+  void setCommit(const std::string& commit);
   void write(const std::string& path) const;
 
   void add(const Finding& finding);
@@ -33,6 +35,7 @@ class Table {
   void count(const Finding& finding, std::uint64_t change);
 
   std::uint64_t seed_;
+  std::vector<std::string> commits_;  ///< of the scenes, in their order
   std::array<Row, pairCount> rows_;
 };
 

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+
+namespace arelem::motion {
+
+/// Gaps that the calling thread has measured so far: what a motion costs, on every machine the
+/// same.
+[[nodiscard]] std::uint64_t gapsMeasured();
+
+/// What a motion may cost: so many gaps for each cut vector on the average, and as many as for a
+/// hundred of them to find the first.
+class Effort {
+ public:
+  explicit Effort(std::uint64_t each) : each_(each), began_(gapsMeasured()) {}
+
+  void allow(std::uint64_t cutVectors) { allowed_ = beforeFirst + cutVectors; }
+  [[nodiscard]] bool isSpent() const { return (gapsMeasured() - began_) / each_ >= allowed_; }
+
+ private:
+  static constexpr std::uint64_t beforeFirst = 100;
+  std::uint64_t each_, began_, allowed_ = beforeFirst;
+};
+
+}  // namespace arelem::motion
