@@ -11,6 +11,8 @@ constexpr double figureShare = 0.01;
 /// Parts of a cut vector that are not halved any more.
 constexpr double smallestPart = 1e-9;
 constexpr std::uint64_t nodeLimit = 4096;
+/// Figures are told exactly as long as that takes no more; the limits themselves come first.
+constexpr std::uint64_t figureLimit = nodeLimit / 4;
 
 class Proof {
  public:
@@ -56,12 +58,13 @@ class Proof {
   /// and within the limit as long as that was kept.
   [[nodiscard]] double lowAim() const {
     const double measured = verdict_.least.measured;
-    return measured < floor_ ? measured - figure_ : std::max(floor_, measured - figure_);
+    return measured < floor_ ? measured - figure_ : std::max(floor_, measured - figure());
   }
   [[nodiscard]] double highAim() const {
     const double measured = verdict_.greatest.measured;
-    return measured > ceiling_ ? measured + figure_ : std::min(ceiling_, measured + figure_);
+    return measured > ceiling_ ? measured + figure_ : std::min(ceiling_, measured + figure());
   }
+  [[nodiscard]] double figure() const { return verdict_.nodes < figureLimit ? figure_ : unbounded; }
 
   /// Parts are halved at most as often as smallestPart allows, so this goes 30 deep. `known` holds
   /// for the whole part: aims only fall, so a lower bound that reached its aim is not looked for

@@ -41,7 +41,7 @@ class NearTriangles::List {
         ahead_(firstEdges * (shape.mesh.corner(0, 0) - shape.mesh.corner(0, 1)).norm()) {}
 
   [[nodiscard]] TriangleGap least(const Vec3& te, const Vec3& axis, std::size_t& triangle);
-  [[nodiscard]] double lowest(const Vec3& from, const Vec3& to, const Vec3& axis, double aim);
+  [[nodiscard]] double lowest(const Passage& way, double aim);
 
  private:
   /// The gap with the tool end at te is at least base + slope.te.
@@ -89,7 +89,11 @@ class NearTriangles::List {
   [[nodiscard]] bool collect(
       const Vec3& from, const Vec3& to, const Vec3& axis, double ceiling, std::size_t limit);
   [[nodiscard]] bool collectAround(const Vec3& te, const Vec3& axis, double gap);
-  [[nodiscard]] double lowestOf(Candidate& c, const PlacedBody& a, const PlacedBody& b, double aim);
+  [[nodiscard]] double below(const TriangleGap& gap,
+                             const PlacedBody& here,
+                             const PlacedBody& there) const;
+  [[nodiscard]] double lowestOf(
+      Candidate& c, const PlacedBody& a, const PlacedBody& b, double turn, double aim);
 
   const surface::MeshShape& shape_;
   Body body_;
@@ -231,55 +235,91 @@ TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::si
   return least;
 }
 
-/// Tangents at both ends, where the one at hand does not do.
-double NearTriangles::List::lowestOf(Candidate& c,
-                                     const PlacedBody& a,
-                                     const PlacedBody& b,
-                                     double aim) {
+namespace {
+/// The lowest place of the higher of two lines over [0, 1].
+double lowestOfHigher(double firstFrom, double firstTo, double lastFrom, double lastTo) {
+  const double least = std::min(std::max(firstFrom, lastFrom), std::max(firstTo, lastTo));
+  const double ahead = firstFrom - lastFrom;
+  const double behind = firstTo - lastTo;
+  return (ahead > 0.0) == (behind > 0.0)
+             ? least
+             : std::min(least, firstFrom + ahead / (ahead - behind) * (firstTo - firstFrom));
+}
+}  // namespace
+
+/// Lower bound of the gap at `there` by the planes that bound it from below at `here`. They stay
+/// where they are in space, and the cutter, turned, reaches towards them otherwise.
+double NearTriangles::List::below(const TriangleGap& gap,
+                                  const PlacedBody& here,
+                                  const PlacedBody& there) const {
+  const double moved = gap.low + gap.slope.dot(there.te() - here.te());
+  if (here.axis() == there.axis()) {
+    return moved;
+  }
+  const auto more = [&](const Vec3& normal) {
+    return reach(body_.cutter(), normal.dot(there.axis())) -
+           reach(body_.cutter(), normal.dot(here.axis()));
+  };
+  if (gap.share == 1.0) {
+    return moved - more(gap.slope);
+  }
+  const Vec3 own = (gap.slope - (1.0 - gap.share) * gap.other) / gap.share;
+  return moved - gap.share * more(own) - (1.0 - gap.share) * more(gap.other);
+}
+
+/// Planes from both ends, where the tangents at hand do not do. How far the cutter reaches towards
+/// a plane is the greatest of circular motions: while it turns that bulges by at most turn^2 arm /
+/// 8 over the chord of both ends.
+double NearTriangles::List::lowestOf(
+    Candidate& c, const PlacedBody& a, const PlacedBody& b, double turn, double aim) {
   const Facet facet = facetOf(shape_, c.triangle);
-  const Vec3 step = b.te() - a.te();
-  const double enough = aim + step.norm();
+  const double enough = aim + (b.te() - a.te()).norm() + turn * arm_;
+  const double bulge = 0.125 * turn * turn * arm_;
   const TriangleGap first = gapOf(a, facet, enough);
-  c.raise(first, a.te());
+  if (turn == 0.0) {
+    c.raise(first, a.te());
+  }
   if (first.gap >= enough) {
     return aim;  // it changes by no more than the way
   }
-  if (step.isZero(0.0)) {
+  const double firstAtB = below(first, a, b);
+  if (std::min(first.low, firstAtB) - bulge >= aim) {
+    return aim;
+  }
+  if (a.te() == b.te() && a.axis() == b.axis()) {
     return first.gap;
   }
-  const double rise = first.slope.dot(step);
-  if (std::min(first.low, first.low + rise) >= aim) {
-    return aim;
-  }
   const TriangleGap last = gapOf(b, facet, enough);
-  const double fall = last.slope.dot(step);
-  if (std::min(last.low, last.low - fall) >= aim) {
-    c.raise(last, b.te());
+  const double lastAtA = below(last, b, a);
+  if (std::min(last.low, lastAtA) - bulge >= aim) {
+    if (turn == 0.0) {
+      c.raise(last, b.te());
+    }
     return aim;
   }
-  // The lower envelope of first.low + rise s and last.low - fall (1 - s).
-  double least =
-      std::min(std::max(first.low, last.low - fall), std::max(last.low, first.low + rise));
-  if (rise < 0.0 && fall > 0.0) {
-    const double s = std::clamp((last.low - fall - first.low) / (rise - fall), 0.0, 1.0);
-    least = std::min(least, first.low + rise * s);
-  }
-  return least;
+  return lowestOfHigher(first.low, firstAtB, lastAtA, last.low) - bulge;
 }
 
-double NearTriangles::List::lowest(const Vec3& from, const Vec3& to, const Vec3& axis, double aim) {
-  const double slack = margin * ahead_;
-  if (!valid_ || axis != axis_ || std::min(beyond(from, axis), beyond(to, axis)) < aim) {
-    if (!collect(from, to, axis, aim + slack, most)) {
-      (void)collect(from, to, axis, aim, shape_.mesh.triangles.size() + 1);
+double NearTriangles::List::lowest(const Passage& way, double aim) {
+  const double slack = margin * ahead_ + way.turn * arm_;
+  // What lies between two axes is nowhere farther from a third one than one of them.
+  const auto turned = [&] { return std::max(turnedBy(way.axisFrom), turnedBy(way.axisTo)); };
+  const auto covers = [&] {
+    return ceiling_ - std::max(toWay(way.from), toWay(way.to)) - turned() >= aim;
+  };
+  if (!valid_ || (way.turn == 0.0 && way.axisFrom != axis_) || !covers()) {
+    if (!collect(way.from, way.to, way.axisFrom, aim + slack, most)) {
+      (void)collect(way.from, way.to, way.axisFrom, aim + turned(),
+                    shape_.mesh.triangles.size() + 1);
     }
   }
-  const PlacedBody a(body_, from, axis_);
-  const PlacedBody b(body_, to, axis_);
+  const PlacedBody a(body_, way.from, way.axisFrom);
+  const PlacedBody b(body_, way.to, way.axisTo);
+  const double more = turned();
   double least = aim;
   for (Candidate& c : near_) {
-    if (!c.isBeyond(from, to, least)) {
-      least = std::min(least, lowestOf(c, a, b, least));
+    if (!c.isBeyond(way.from, way.to, least + more)) {
+      least = std::min(least, lowestOf(c, a, b, way.turn, least));
     }
   }
   return least;
@@ -298,14 +338,12 @@ TriangleGap NearTriangles::least(const surface::MeshShape& shape,
 
 double NearTriangles::lowest(const surface::MeshShape& shape,
                              const Profile& cutter,
-                             const Vec3& from,
-                             const Vec3& to,
-                             const Vec3& axis,
+                             const Passage& way,
                              double aim) {
   if (!list_) {
     list_ = std::make_shared<List>(shape, cutter);
   }
-  return list_->lowest(from, to, axis, aim);
+  return list_->lowest(way, aim);
 }
 
 }  // namespace arelem::tool

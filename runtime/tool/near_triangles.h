@@ -6,6 +6,13 @@
 
 namespace arelem::tool {
 
+/// A part of a cut vector: the tool end goes straight, the axis turns evenly.
+struct Passage {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< of the tool end
+  Vec3 axisFrom = Vec3::UnitZ(), axisTo = Vec3::UnitZ();
+  double turn = 0.0;  ///< between the axes. Radians
+};
+
 /// The triangles of a mesh that a convex cutter may touch along a piece of its way, found once for
 /// many positions.
 ///
@@ -24,13 +31,10 @@ class NearTriangles {
                                   const Vec3& te,
                                   const Vec3& axis,
                                   std::size_t& triangle);
-  /// The lesser of `aim` and what no gap is below while the tool end goes straight from one place
-  /// to the other.
+  /// The lesser of `aim` and what no gap is below all the way.
   [[nodiscard]] double lowest(const surface::MeshShape& shape,
                               const Profile& cutter,
-                              const Vec3& from,
-                              const Vec3& to,
-                              const Vec3& axis,
+                              const Passage& way,
                               double aim);
 
  private:

@@ -115,13 +115,17 @@ std::optional<Deepest> cutEdge(const PlacedBody& body,
   }
   const double rate = 1.0 / (plane.nz + steep * (1.0 - p.sinBeta) / p.cosBeta);
   const Vec3 corner = body.te() - p.sideStart.rho * falls + p.sideStart.z * body.axis();
-  return Deepest{place, {-z, plane.normal, corner, -z, rate * plane.normal}};
+  const Vec3 bySide = p.cosBeta * falls + p.sinBeta * body.axis();
+  const double byBottom = 1.0 - rate * steep / p.cosBeta;
+  return Deepest{place, {-z, plane.normal, corner, -z, rate * plane.normal, bySide, byBottom}};
 }
 
 /// A plane below the signed distance: that of any place p is at least base + slope.p.
 struct Support {
   double base = 0.0;
   Vec3 slope = Vec3::Zero();
+  Vec3 other = Vec3::Zero();  ///< of a mixture: as TriangleGap has it
+  double share = 1.0;
 
   static Support at(const Vec3& place, const Away& a) {
     return {a.distance - a.gradient.dot(place), a.gradient};
@@ -130,7 +134,8 @@ struct Support {
 
 /// A contact at a place of the triangle.
 TriangleGap contactBy(const Away& a, const Support& below, const Facet& t) {
-  return {a.distance, -a.gradient, a.onCutter, below.base + t.lowest(below.slope), -below.slope};
+  return {a.distance,   -a.gradient,  a.onCutter, below.base + t.lowest(below.slope),
+          -below.slope, -below.other, below.share};
 }
 
 /// A plane below the signed distance that is level along a line, from two whose slopes along it
@@ -142,7 +147,8 @@ Support levelled(const Support& a, const Support& b, const Vec3& along) {
     return std::abs(atA) <= std::abs(atB) ? a : b;
   }
   const double share = atB / (atB - atA);
-  return {share * a.base + (1.0 - share) * b.base, share * a.slope + (1.0 - share) * b.slope};
+  return {share * a.base + (1.0 - share) * b.base, share * a.slope + (1.0 - share) * b.slope,
+          b.slope, share};
 }
 
 /// The place of a plane that is deepest inside the cutter, where that is more than its corner is

@@ -29,6 +29,10 @@ struct TriangleGap {
   /// same axis). That touches the gap here but for rounding.
   double low = 0.0;
   Vec3 slope = Vec3::Zero();
+  /// Where a sharp edge of the cutter is inside, `slope` is a mixture of two unit normals: `share`
+  /// of one, the rest of `other`. Else it is a unit normal itself.
+  Vec3 other = Vec3::Zero();
+  double share = 1.0;
 };
 
 /// The contact is searched in the plane of the triangle (closed forms but for cutters that are

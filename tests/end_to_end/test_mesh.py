@@ -110,6 +110,29 @@ class Mesh(ArelemCase):
         for found, wanted in zip(last, (2.0, 0.0, 0.0)):
             self.assertLess(abs(found - wanted), 0.010001)
 
+    def test_a_turning_cutter_along_a_wall_is_proven(self):
+        # Sides that widen touch the wall with the rim at their top, far from the tool end about which the axis turns.
+        def wall(x, z):
+            return 0.3 * math.sin(0.8 * x)
+        self.write("wall.stl", stl([[(p[0], p[2], p[1]) for p in (a, c, b)] for a, b, c in facets(wall, 8, 8)]))
+        for cutter in ("1,.2,.359942,.2,0,20,4", "1,0,.5,0,0,10,4"):
+            with self.subTest(cutter=cutter):
+                self.write("part.apt", f"""PARTNO WALL
+MULTAX
+INTOL/0
+OUTTOL/.0005
+CUTTER/{cutter}
+M1=MESH/STL,'wall.stl'
+PS1=CYLNDR/0,0,-10,.5,1,0,10.2
+FROM/-8,5,5
+TLAXIS/NORMPS
+GO/TO,M1,TO,PS1,ON,(PLANE/1,0,0,-3)
+INDIRV/1,0,0
+TLLFT,GOFWD/M1,ON,(PLANE/1,0,0,3)
+FINI
+""")
+                self.proven()
+
     def test_a_path_that_was_moved_is_refuted(self):
         self.write("dome.off", off(facets(dome, 20, 40)))
         self.path("6,3", "MESH/OFF,'dome.off'")

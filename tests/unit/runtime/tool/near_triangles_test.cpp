@@ -102,14 +102,46 @@ TEST(NearTriangles, NoPlaceOfAWayIsNearerThanItsLowest) {
         const Vec3 te = from + k / 40.0 * (to - from);
         least = std::min(least, leastOfAll(shape, cutter, te, Vec3::UnitZ()));
       }
-      EXPECT_LE(near.lowest(shape, cutter, from, to, Vec3::UnitZ(), 10.0), least + 1e-11) << i;
+      EXPECT_LE(near.lowest(shape, cutter, {from, to}, 10.0), least + 1e-11) << i;
       const double aim = least - 0.25 * (to - from).norm();
-      const double low = near.lowest(shape, cutter, from, to, Vec3::UnitZ(), aim);
+      const double low = near.lowest(shape, cutter, {from, to}, aim);
       EXPECT_LE(low, aim) << i;
       close += low == aim ? 1 : 0;
     }
   }
   EXPECT_GT(close, 150);  // of 200: the bounds are near enough to be of use
+}
+
+TEST(NearTriangles, NoPlaceOfATurningWayIsNearerThanItsLowest) {
+  Random random(9);
+  const surface::MeshShape shape = rough(random, 16, 0.05);
+  int close = 0;
+  for (const auto& values : cutters) {
+    const Profile cutter = *makeProfile(values);
+    NearTriangles near;
+    for (int i = 0; i < 40; ++i) {
+      Passage way;
+      way.from = Vec3(random.in(-1.5, 1.5), random.in(-1.5, 1.5), random.in(-0.2, 0.4));
+      way.to = way.from + random.vector(i % 2 == 0 ? 0.02 : 0.3);
+      way.axisFrom = (Vec3::UnitZ() + random.vector(0.3)).normalized();
+      way.axisTo = (way.axisFrom + random.vector(i % 2 == 0 ? 0.01 : 0.2)).normalized();
+      way.turn = std::acos(std::min(1.0, way.axisFrom.dot(way.axisTo)));
+      const Vec3 aside = (way.axisTo - std::cos(way.turn) * way.axisFrom) / std::sin(way.turn);
+      double least = 1e9;
+      for (int k = 0; k <= 40; ++k) {
+        const double s = k / 40.0;
+        const Vec3 axis = std::cos(s * way.turn) * way.axisFrom + std::sin(s * way.turn) * aside;
+        least =
+            std::min(least, leastOfAll(shape, cutter, way.from + s * (way.to - way.from), axis));
+      }
+      EXPECT_LE(near.lowest(shape, cutter, way, 10.0), least + 1e-11) << i;
+      const double aim = least - 0.25 * ((way.to - way.from).norm() + way.turn);
+      const double low = near.lowest(shape, cutter, way, aim);
+      EXPECT_LE(low, aim) << i;
+      close += low == aim ? 1 : 0;
+    }
+  }
+  EXPECT_GT(close, 150);  // of 200
 }
 
 TEST(NearTriangles, TheGapLiesAboveItsTangent) {
