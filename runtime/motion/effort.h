@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 
 namespace arelem::motion {
@@ -11,7 +12,8 @@ namespace arelem::motion {
 /// hundred of them to find the first.
 class Effort {
  public:
-  explicit Effort(std::uint64_t each) : each_(each), began_(gapsMeasured()) {}
+  explicit Effort(std::uint64_t each)
+      : each_(std::max<std::uint64_t>(each, 1)), began_(gapsMeasured()) {}
 
   void allow(std::uint64_t cutVectors) { allowed_ = beforeFirst + cutVectors; }
   [[nodiscard]] bool isSpent() const { return (gapsMeasured() - began_) / each_ >= allowed_; }
