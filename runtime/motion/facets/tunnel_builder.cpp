@@ -34,7 +34,8 @@ constexpr double firstWide = 0.06, firstNear = 0.01;
 constexpr double mostShare = 4.0;
 /// Slabs are made this much higher than the last one had to be.
 constexpr double roomy = 1.5;
-constexpr double slabBands = 6.0;
+constexpr double firstBands = 6.0;
+constexpr double slabBands = 1.5;
 constexpr double faster = 1.6;
 constexpr double slower = 0.8;
 /// A rest of a list shorter than this share of a step is no step.
@@ -64,6 +65,8 @@ TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
       spare_(spareShare * band_),
       bent_(bentShare * band_),
       heights_(sourceOf(task, restShare * band_)),
+      above_(heights_->aboveBands() * band_),
+      slab_(slabBands * band_ + above_),
       wide_{{}, wideReach * reach, firstWide},
       near_{{}, nearReach * reach, firstNear},
       step_(stepReach * reach),
@@ -75,7 +78,7 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   marks_.clear();
   ended_ = true;
   // A short list to find the first node: it is below the place by the band, along the normal.
-  const Way around{{at.s - least_, at.z}, {at.s + least_, at.z}, slabBands * band_ + least_};
+  const Way around{{at.s - least_, at.z}, {at.s + least_, at.z}, slab_ + firstBands * band_ + least_};
   if (!heights_->gather(around, most)) {
     return false;
   }
@@ -103,7 +106,7 @@ bool TunnelBuilder::gather() {
   for (; wide_.length > least_; wide_.length /= 2.0) {
     wide_.way = {here,
                  {here.s + wide_.length, here.z + slope * wide_.length},
-                 wide_.share * wide_.length + 2.0 * slabBands * band_};
+                 wide_.share * wide_.length + 2.0 * slab_};
     if (!heights_->gather(wide_.way, most)) {
       continue;
     }
@@ -142,9 +145,9 @@ bool TunnelBuilder::focus() {
     const double length = std::min(near_.length, wide_.way.to.s - here.s);
     near_.way = {here,
                  {here.s + length, here.z + last_.highest().slope() * length},
-                 near_.share * length + slabBands * band_};
+                 near_.share * length + slab_};
     const double beside = std::max(wide_.way.beside(here), wide_.way.beside(near_.way.to));
-    wide_.see(beside + near_.way.slab - slabBands * band_);
+    wide_.see(beside + near_.way.slab - slab_);
     if (beside + near_.way.slab > wide_.way.slab) {
       // Ways bend away from their beginning by the square of their length.
       wide_.length /= 2.0;
@@ -166,7 +169,7 @@ bool TunnelBuilder::focus() {
 bool TunnelBuilder::isInSlab(const TouchNode& node) {
   const double beside = near_.way.beside(node.point());
   near_.see(beside);
-  return beside + HeightSource::aboveBands * band_ <= near_.way.slab;
+  return beside + above_ <= near_.way.slab;
 }
 
 bool TunnelBuilder::extend() {

@@ -62,6 +62,7 @@ class TunnelBuilder {
   tool::Body body_;
   double band_, spare_, bent_;
   std::unique_ptr<HeightSource> heights_;
+  double above_, slab_;  ///< how far nothing is above cells; least height of slabs
   Tunnel tunnel_;
   TouchNode last_;
   std::vector<Mark> marks_;

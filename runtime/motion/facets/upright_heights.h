@@ -20,6 +20,7 @@ class UprightHeights final : public HeightSource {
       : low_(low), high_(high), list_(task, low), gap_(task.low), rest_(rest) {}
 
   bool gather(const Way& way, std::size_t limit) override { return list_.gather(way, limit); }
+  [[nodiscard]] double aboveBands() const override { return 0.0; }
   void focus(const Way& way) override { list_.focus(way); }
   [[nodiscard]] std::size_t count(Among among) const override {
     return among == Among::wide ? list_.size() : list_.near().size();
