@@ -26,6 +26,10 @@ class HeightSource {
   /// Lists all triangles whose gap may be less than the task's low anywhere within the slab. False
   /// where there are more than `limit`.
   virtual bool gather(const Way& way, std::size_t limit) = 0;
+  /// How far a place is on the side of a way on which its slab must have room for it.
+  [[nodiscard]] virtual double beside(const Way& way, const SectionPoint& p) const {
+    return way.beside(p);
+  }
   /// How far above cells nothing may be either, in bands.
   [[nodiscard]] virtual double aboveBands() const = 0;
   /// Those of them that matter on a part of the way.

@@ -83,7 +83,7 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
     return false;
   }
   const auto node = heights_->node(at, Among::wide);
-  if (!node || around.beside(node->point()) > around.slab) {
+  if (!node || heights_->beside(around, node->point()) > around.slab) {
     return false;
   }
   last_ = *node;
@@ -146,7 +146,7 @@ bool TunnelBuilder::focus() {
     near_.way = {here,
                  {here.s + length, here.z + last_.highest().slope() * length},
                  near_.share * length + slab_};
-    const double beside = std::max(wide_.way.beside(here), wide_.way.beside(near_.way.to));
+    const double beside = std::max(heights_->beside(wide_.way, here), heights_->beside(wide_.way, near_.way.to));
     wide_.see(beside + near_.way.slab - slab_);
     if (beside + near_.way.slab > wide_.way.slab) {
       // Ways bend away from their beginning by the square of their length.
@@ -167,7 +167,7 @@ bool TunnelBuilder::focus() {
 }
 
 bool TunnelBuilder::isInSlab(const TouchNode& node) {
-  const double beside = near_.way.beside(node.point());
+  const double beside = heights_->beside(near_.way, node.point());
   near_.see(beside);
   return beside + above_ <= near_.way.slab;
 }

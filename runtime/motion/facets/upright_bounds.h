@@ -16,6 +16,32 @@ class UprightBounds {
       return at(way.from.s) < way.from.z - way.slab && at(way.to.s) < way.to.z - way.slab;
     }
   };
+  /// The part of a way on which no line shows that a triangle is below its slab.
+  class Doubt {
+   public:
+    explicit Doubt(const Way& way)
+        : from_(way.from.s),
+          to_(way.to.s),
+          slope_((way.to.z - way.from.z) / (way.to.s - way.from.s)),
+          base_(way.from.z - way.slab - slope_ * way.from.s) {}
+
+    /// True where nothing is left.
+    bool isSettled(const Line& line) {
+      const double steeper = line.slope - slope_;
+      const double ahead = line.base - base_;  // above the slab at s = 0
+      if (steeper > 0.0) {
+        from_ = std::max(from_, -ahead / steeper);
+      } else if (steeper < 0.0) {
+        to_ = std::min(to_, -ahead / steeper);
+      } else if (ahead < 0.0) {
+        return true;
+      }
+      return from_ > to_;
+    }
+
+   private:
+    double from_, to_, slope_, base_;
+  };
   /// A unit normal with how far it leans.
   struct Normal {
     Vec3 n = Vec3::UnitZ();

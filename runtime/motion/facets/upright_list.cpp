@@ -44,13 +44,11 @@ class UprightList::Collect {
  public:
   Collect(UprightList& list, const Way& way, std::size_t limit)
       : list_(list),
-        way_(way),
+        doubt_(way),
         middle_(0.5 * (way.from.s + way.to.s)),
         half_(0.5 * (way.to.s - way.from.s)),
         lowest_(std::min(way.from.z, way.to.z) - way.slab + list.bounds_.profile().f -
                 list.bounds_.profile().r),
-        from_(way.from.z - way.slab),
-        to_(way.to.z - way.slab),
         limit_(limit),
         upright_(list.upright_),
         along_(list.task_.section.along),
@@ -78,9 +76,16 @@ class UprightList::Collect {
     if (distance * (distance - radius) > std::abs(out) * hx + std::abs(y) * hy) {
       return false;
     }
-    const Normal n = list_.bounds_.normalTowards(x, y);
-    return mayTouch(n, n.n.x() * x + n.n.y() * y + n.n.z() * z + std::abs(n.n.x()) * hx +
-                           std::abs(n.n.y()) * hy + n.n.z() * hz);
+    Doubt doubt = doubt_;
+    for (const double beside : besides) {
+      const Normal n = list_.bounds_.normalTowards(x - beside * half_, y);
+      const double most = n.n.x() * (x + middle_) + n.n.y() * y + n.n.z() * z +
+                          std::abs(n.n.x()) * hx + std::abs(n.n.y()) * hy + n.n.z() * hz;
+      if (doubt.isSettled(list_.bounds_.lineOf(most, n))) {
+        return false;
+      }
+    }
+    return true;
   }
   void visit(std::size_t i) {
     if (full) {
@@ -96,17 +101,23 @@ class UprightList::Collect {
     const Vec3 up = list_.turned(shape.normals[i]);
     own_.facet.up = up.z() < 0.0 ? Vec3(-up) : up;
     const auto& c = own_.facet.corners;
-    const Normal n = list_.bounds_.normalTowards((c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle_,
-                                                 (c[0].y() + c[1].y() + c[2].y()) / 3.0,
-                                                 own_.facet.up);
-    own_.lines[0] = own_.lines[1] = list_.bounds_.lineOf(own_.facet, n);
-    if (own_.lines[0].isBelow(way_)) {
-      return;
+    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle_;
+    const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
+    Doubt doubt = doubt_;
+    for (const double beside : besides) {
+      const Normal n = list_.bounds_.normalTowards(x - beside * half_, y, own_.facet.up);
+      own_.lines[1] = list_.bounds_.lineOf(own_.facet, n);
+      if (beside == 0.0) {
+        own_.lines[0] = own_.lines[1];
+      }
+      if (doubt.isSettled(own_.lines[1])) {
+        return;
+      }
     }
     if (own_.facet.up.z() >= UprightBounds::usefulRise) {
       own_.lines[1] = list_.bounds_.lineOf(own_.facet, Normal::of(own_.facet.up));
     }
-    if (!own_.lines[1].isBelow(way_)) {
+    if (!doubt.isSettled(own_.lines[1])) {
       own_.number = static_cast<std::uint32_t>(i);
       list_.all_.push_back(own_);
       full = list_.all_.size() >= limit_;
@@ -114,17 +125,13 @@ class UprightList::Collect {
   }
 
  private:
-  /// Whether the line for a normal is anywhere above the slab. `most`: how far places reach along
-  /// the normal, from the middle of the way.
-  [[nodiscard]] bool mayTouch(const Normal& n, double most) const {
-    const double reach = most + list_.bounds_.profile().support(n.n.z(), n.nxy);
-    const double turn = n.n.x() * half_;
-    return reach + turn >= from_ * n.n.z() || reach - turn >= to_ * n.n.z();
-  }
+  using Doubt = UprightBounds::Doubt;
+  /// Where on the way normals are taken, in its halves from the middle.
+  static constexpr std::array besides{0.0, -1.0, 1.0};
 
   UprightList& list_;
-  const Way& way_;
-  double middle_, half_, lowest_, from_, to_;
+  Doubt doubt_;
+  double middle_, half_, lowest_;
   std::size_t limit_;
   bool upright_;
   Vec3 along_, up_, share_;  ///< of the section; how far boxes reach along it
