@@ -67,8 +67,8 @@ TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
       heights_(sourceOf(task, restShare * band_)),
       above_(heights_->aboveBands() * band_),
       slab_(slabBands * band_ + above_),
-      wide_{{}, wideReach * reach, firstWide},
-      near_{{}, nearReach * reach, firstNear},
+      wide_{{}, wideReach * reach, firstWide / (wideReach * reach)},
+      near_{{}, nearReach * reach, firstNear / (nearReach * reach)},
       step_(stepReach * reach),
       least_(leastReach * reach),
       shortest_(reach) {}
@@ -92,9 +92,16 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   return extend();
 }
 
-void TunnelBuilder::List::settleShare() {
-  share = std::clamp(roomy * use, 0.5 * share, share);
+void TunnelBuilder::List::settleBend() {
+  bend = std::clamp(roomy * use, 0.5 * bend, 2.0 * bend);
   use = 0.0;
+}
+
+void TunnelBuilder::List::shorten(double s) {
+  length /= 2.0;
+  bend *= 4.0;
+  use = bend;
+  way.to.s = s;
 }
 
 /// The wide list for the piece of way from the last node on.
@@ -102,11 +109,11 @@ bool TunnelBuilder::gather() {
   const SectionPoint here = last_.point();
   const double slope = last_.highest().slope();
   const std::uint32_t highest = heights_->triangle(last_.highest().index);
-  wide_.settleShare();
+  wide_.settleBend();
   for (; wide_.length > least_; wide_.length /= 2.0) {
     wide_.way = {here,
                  {here.s + wide_.length, here.z + slope * wide_.length},
-                 wide_.share * wide_.length + 2.0 * slab_};
+                 wide_.bend * wide_.length * wide_.length + 2.0 * slab_};
     if (!heights_->gather(wide_.way, most)) {
       continue;
     }
@@ -136,7 +143,7 @@ bool TunnelBuilder::resume(std::uint32_t highest) {
 
 /// The short list for the next piece of way; false where there is none.
 bool TunnelBuilder::focus() {
-  near_.settleShare();
+  near_.settleBend();
   for (;;) {
     if (last_.s >= wide_.way.to.s - least_ && !gather()) {
       return false;
@@ -145,16 +152,12 @@ bool TunnelBuilder::focus() {
     const double length = std::min(near_.length, wide_.way.to.s - here.s);
     near_.way = {here,
                  {here.s + length, here.z + last_.highest().slope() * length},
-                 near_.share * length + slab_};
+                 near_.bend * length * length + slab_};
     const double beside = std::max(heights_->beside(wide_.way, here), heights_->beside(wide_.way, near_.way.to));
     wide_.see(beside + near_.way.slab - slab_);
     if (beside + near_.way.slab > wide_.way.slab) {
-      // Ways bend away from their beginning by the square of their length.
-      wide_.length /= 2.0;
-      wide_.share *= 2.0;
-      wide_.use = wide_.share;
-      wide_.way.to.s = here.s;
-      if (wide_.share > mostShare) {
+      wide_.shorten(here.s);
+      if (wide_.share() > mostShare) {
         return false;
       }
       continue;
@@ -168,7 +171,7 @@ bool TunnelBuilder::focus() {
 
 bool TunnelBuilder::isInSlab(const TouchNode& node) {
   const double beside = heights_->beside(near_.way, node.point());
-  near_.see(beside);
+  near_.see(beside - 0.5 * slab_);
   return beside + above_ <= near_.way.slab;
 }
 
@@ -186,11 +189,8 @@ bool TunnelBuilder::extend() {
     auto node = heights_->node({s, here.z + last_.highest().slope() * (s - here.s)}, Among::near);
     const Outcome outcome = node ? settle(last_, *node, 0) : Outcome::ends;
     if (outcome == Outcome::outside) {
-      near_.length /= 2.0;
-      near_.share *= 2.0;
-      near_.use = near_.share;
-      near_.way.to.s = last_.s;
-      ended_ = near_.share > mostShare;
+      near_.shorten(last_.s);
+      ended_ = near_.share() > mostShare;
     } else if (outcome == Outcome::ends) {
       step_ /= 4.0;
       ended_ = step_ < least_;
