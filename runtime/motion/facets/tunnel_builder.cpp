@@ -11,9 +11,9 @@ namespace arelem::motion {
 namespace {
 /// Shares of the band: what the tunnel is narrower at each edge, the largest corner of a bottom,
 /// and the rest of heights.
-constexpr double spareShare = 0.003;
+constexpr double spareShare = 0.005;
 constexpr double bentShare = 0.1;
-constexpr double restShare = 1e-5;
+constexpr double restShare = 1e-4;
 /// Corners of this share of what is spared are none.
 constexpr double straightShare = 0.25;
 /// Lengths of the lists, in lengths of a cut vector, at the beginning.
@@ -27,8 +27,8 @@ constexpr int deepest = 40;
 constexpr std::size_t few = 100;
 constexpr std::size_t many = 220;
 constexpr std::size_t most = 4000;
-constexpr std::size_t fewNear = 20;
-constexpr std::size_t manyNear = 40;
+constexpr std::size_t fewNear = 30;
+constexpr std::size_t manyNear = 60;
 constexpr double growth = 1.4;
 constexpr double firstWide = 0.06, firstNear = 0.01;
 constexpr double mostShare = 4.0;

@@ -61,6 +61,8 @@ class UprightBounds {
 
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] const tool::UprightProfile& profile() const { return profile_; }
+  /// True for a rim without an arc.
+  [[nodiscard]] bool isSharp() const { return flattest_ <= 0.0; }
   /// The normal with which the cutter would touch a place there, seen from its axis.
   [[nodiscard]] Normal normalTowards(double x, double y) const;
   /// The same, to bound a triangle with the normal `up`: a rim bounds its neighbors best by how

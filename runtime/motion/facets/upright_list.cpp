@@ -103,21 +103,21 @@ class UprightList::Collect {
     const auto& c = own_.facet.corners;
     const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle_;
     const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
+    const auto towards = [&](double beside) {
+      return list_.bounds_.lineOf(own_.facet,
+                                  list_.bounds_.normalTowards(x - beside, y, own_.facet.up));
+    };
     Doubt doubt = doubt_;
-    for (const double beside : besides) {
-      const Normal n = list_.bounds_.normalTowards(x - beside * half_, y, own_.facet.up);
-      own_.lines[1] = list_.bounds_.lineOf(own_.facet, n);
-      if (beside == 0.0) {
-        own_.lines[0] = own_.lines[1];
-      }
-      if (doubt.isSettled(own_.lines[1])) {
-        return;
-      }
+    own_.lines[0] = own_.lines[1] = towards(0.0);
+    if (doubt.isSettled(own_.lines[0])) {
+      return;
     }
     if (own_.facet.up.z() >= UprightBounds::usefulRise) {
       own_.lines[1] = list_.bounds_.lineOf(own_.facet, Normal::of(own_.facet.up));
     }
-    if (!doubt.isSettled(own_.lines[1])) {
+    if (!doubt.isSettled(own_.lines[1]) &&
+        (list_.bounds_.isSharp() ||
+         (!doubt.isSettled(towards(-half_)) && !doubt.isSettled(towards(half_))))) {
       own_.number = static_cast<std::uint32_t>(i);
       list_.all_.push_back(own_);
       full = list_.all_.size() >= limit_;
