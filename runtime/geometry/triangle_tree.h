@@ -17,6 +17,9 @@ class TriangleTree {
 
   /// The triangle nearest to p, of the same mesh. `guess` is one that is likely to be near, or -1.
   [[nodiscard]] std::size_t nearest(const TriangleMesh& mesh, const Vec3& p, int guess) const;
+  /// A triangle down the tree by the lesser of `measure(center, half)`: likely the one of the least.
+  template <class Measure>
+  [[nodiscard]] std::size_t likely(Measure measure) const;
   /// Visits every triangle whose boxes are all entered; always in the same order.
   template <class Search>
   void search(Search& search) const;
@@ -58,6 +61,21 @@ void TriangleTree::search(Search& search) const {
       search.visit(order_[box.first + i]);
     }
   }
+}
+
+template <class Measure>
+std::size_t TriangleTree::likely(Measure measure) const {
+  const auto of = [&](const Box& box) {
+    const Vec3 low(box.low[0], box.low[1], box.low[2]);
+    const Vec3 high(box.high[0], box.high[1], box.high[2]);
+    return measure(0.5 * (low + high), 0.5 * (high - low));
+  };
+  const Box* box = boxes_.data();
+  while (box->count == 0) {
+    const Box* first = &boxes_[box->first];
+    box = of(first[1]) < of(first[0]) ? first + 1 : first;
+  }
+  return order_[box->first];
 }
 
 /// Where the point of a triangle nearest to p lies on it.

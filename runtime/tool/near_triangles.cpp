@@ -86,6 +86,7 @@ class NearTriangles::List {
   /// No triangle outside the list is nearer than this.
   [[nodiscard]] double beyond(const Vec3& te, const Vec3& axis) const;
   [[nodiscard]] TriangleGap scan(const PlacedBody& body, std::size_t& triangle);
+  [[nodiscard]] TriangleGap begin(const PlacedBody& body, std::size_t& triangle) const;
   [[nodiscard]] bool collect(
       const Vec3& from, const Vec3& to, const Vec3& axis, double ceiling, std::size_t limit);
   [[nodiscard]] bool collectAround(const Vec3& te, const Vec3& axis, double gap);
@@ -208,6 +209,22 @@ TriangleGap NearTriangles::List::scan(const PlacedBody& body, std::size_t& trian
   return least;
 }
 
+/// What a search begins with: the last triangle, or where the tool has gone far since one that is
+/// likely to be nearer.
+TriangleGap NearTriangles::List::begin(const PlacedBody& body, std::size_t& triangle) const {
+  const TriangleGap last = gapOf(body, facetOf(shape_, triangle));
+  const std::size_t other = shape_.tree.likely([&](const Vec3& center, const Vec3& half) {
+    const PlacedBody::Away away = body.away(center);
+    return away.distance - away.gradient.cwiseAbs().dot(half);
+  });
+  const TriangleGap gap = gapOf(body, facetOf(shape_, other));
+  if (gap.gap < last.gap) {
+    triangle = other;
+    return gap;
+  }
+  return last;
+}
+
 TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::size_t& triangle) {
   if (!body_.isConvex()) {
     return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, shape_.tree, triangle);
@@ -215,6 +232,7 @@ TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::si
   if (!seen_) {
     // Many look at one place only.
     seen_ = true;
+    (void)begin(PlacedBody(body_, te, axis), triangle);
     return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, shape_.tree, triangle);
   }
   const PlacedBody body(body_, te, axis);
@@ -225,7 +243,7 @@ TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::si
       return least;
     }
   } else {
-    least = gapOf(body, facetOf(shape_, triangle));
+    least = begin(body, triangle);
   }
   if (collectAround(te, axis, least.gap)) {
     return scan(body, triangle);

@@ -11,8 +11,9 @@ namespace {
 /// seen from above, count as level and as upright.
 constexpr double levelRise = 1e-13;
 constexpr int newtonLimit = 40;
-/// Rest of a distance, as a share of it.
+/// Rest of a distance, and a step after which the next one would be as small, as a share of it.
 constexpr double rest = 1e-15;
+constexpr double lastStep = 1e-8;
 }  // namespace
 
 std::optional<UprightProfile> UprightProfile::of(const Profile& cutter, double gap) {
@@ -105,7 +106,7 @@ double UprightTouch::lean(double level, double beside) const {
     const double missing = beside - x * (p_.r + ring);
     const double step = missing / (p_.r + ring * l2 / squared);
     x += step;
-    if (std::abs(missing) <= rest * beside || std::abs(step) <= rest * x) {
+    if (std::abs(missing) <= rest * beside || std::abs(step) <= lastStep * x) {
       break;
     }
   }

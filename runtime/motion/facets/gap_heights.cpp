@@ -135,11 +135,10 @@ double GapHeights::top(double s, TouchHeight& height) {
 /// Where a triangle may come through the bottom of a cell, or between bottom and top.
 std::optional<double> GapHeights::penetrationBy(const Bottom& bottom, std::uint32_t j) {
   const double low = list_.task().low;
-  const double above = aboveBands * band_;
   bool first = false;
   bool second = false;
   const auto see = [&](const Tangent& t) {
-    const double more = t.byZ < 0.0 ? above * t.byZ : 0.0;
+    const double more = t.byZ < 0.0 ? above * band_ * t.byZ : 0.0;
     const double middle = t.at(bottom.corner) + more;
     if (middle >= low) {
       first = first || t.at(bottom.from) + more >= low;

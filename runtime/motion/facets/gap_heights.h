@@ -15,6 +15,7 @@ class GapHeights final : public HeightSource {
       : list_(task), rest_(rest), band_(task.high - task.low) {}
 
   bool gather(const Way& way, std::size_t limit) override { return list_.gather(way, limit); }
+  [[nodiscard]] double aboveBands() const override { return above; }
   void focus(const Way& way) override { list_.focus(way); }
   [[nodiscard]] std::size_t count(Among among) const override { return listed(among).size(); }
   [[nodiscard]] std::uint32_t triangle(std::uint32_t index) const override {
@@ -28,6 +29,8 @@ class GapHeights final : public HeightSource {
   std::optional<double> penetration(const Bottom& bottom, std::uint32_t skipped) override;
 
  private:
+  static constexpr double above = 4.5;
+
   using Indices = std::span<const std::uint32_t>;
   [[nodiscard]] Indices listed(Among among) const {
     return among == Among::wide ? list_.all() : list_.near();

@@ -16,8 +16,6 @@ class HeightSource {
     SectionPoint from, corner, to;
     double rise = 0.0;  ///< of the corner; 0: it is none
   };
-  /// Places beyond the tops of cells where nothing may be either, in bands.
-  static constexpr double aboveBands = 4.5;
   enum class Among : std::uint8_t { wide, near };
 
   HeightSource() = default;
@@ -28,6 +26,12 @@ class HeightSource {
   /// Lists all triangles whose gap may be less than the task's low anywhere within the slab. False
   /// where there are more than `limit`.
   virtual bool gather(const Way& way, std::size_t limit) = 0;
+  /// How far a place is on the side of a way on which its slab must have room for it.
+  [[nodiscard]] virtual double beside(const Way& way, const SectionPoint& p) const {
+    return way.beside(p);
+  }
+  /// How far above cells nothing may be either, in bands.
+  [[nodiscard]] virtual double aboveBands() const = 0;
   /// Those of them that matter on a part of the way.
   virtual void focus(const Way& way) = 0;
   [[nodiscard]] virtual std::size_t count(Among among) const = 0;

@@ -11,9 +11,9 @@ namespace arelem::motion {
 namespace {
 /// Shares of the band: what the tunnel is narrower at each edge, the largest corner of a bottom,
 /// and the rest of heights.
-constexpr double spareShare = 0.003;
+constexpr double spareShare = 0.005;
 constexpr double bentShare = 0.1;
-constexpr double restShare = 1e-5;
+constexpr double restShare = 1e-4;
 /// Corners of this share of what is spared are none.
 constexpr double straightShare = 0.25;
 /// Lengths of the lists, in lengths of a cut vector, at the beginning.
@@ -27,14 +27,15 @@ constexpr int deepest = 40;
 constexpr std::size_t few = 100;
 constexpr std::size_t many = 220;
 constexpr std::size_t most = 4000;
-constexpr std::size_t fewNear = 20;
-constexpr std::size_t manyNear = 40;
+constexpr std::size_t fewNear = 30;
+constexpr std::size_t manyNear = 60;
 constexpr double growth = 1.4;
 constexpr double firstWide = 0.06, firstNear = 0.01;
 constexpr double mostShare = 4.0;
 /// Slabs are made this much higher than the last one had to be.
 constexpr double roomy = 1.5;
-constexpr double slabBands = 6.0;
+constexpr double firstBands = 6.0;
+constexpr double slabBands = 1.5;
 constexpr double faster = 1.6;
 constexpr double slower = 0.8;
 /// A rest of a list shorter than this share of a step is no step.
@@ -64,8 +65,10 @@ TunnelBuilder::TunnelBuilder(const FacetTask& task, double reach)
       spare_(spareShare * band_),
       bent_(bentShare * band_),
       heights_(sourceOf(task, restShare * band_)),
-      wide_{{}, wideReach * reach, firstWide},
-      near_{{}, nearReach * reach, firstNear},
+      above_(heights_->aboveBands() * band_),
+      slab_(slabBands * band_ + above_),
+      wide_{{}, wideReach * reach, firstWide / (wideReach * reach)},
+      near_{{}, nearReach * reach, firstNear / (nearReach * reach)},
       step_(stepReach * reach),
       least_(leastReach * reach),
       shortest_(reach) {}
@@ -75,12 +78,12 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   marks_.clear();
   ended_ = true;
   // A short list to find the first node: it is below the place by the band, along the normal.
-  const Way around{{at.s - least_, at.z}, {at.s + least_, at.z}, slabBands * band_ + least_};
+  const Way around{{at.s - least_, at.z}, {at.s + least_, at.z}, slab_ + firstBands * band_ + least_};
   if (!heights_->gather(around, most)) {
     return false;
   }
   const auto node = heights_->node(at, Among::wide);
-  if (!node || around.beside(node->point()) > around.slab) {
+  if (!node || heights_->beside(around, node->point()) > around.slab) {
     return false;
   }
   last_ = *node;
@@ -89,9 +92,16 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   return extend();
 }
 
-void TunnelBuilder::List::settleShare() {
-  share = std::clamp(roomy * use, 0.5 * share, share);
+void TunnelBuilder::List::settleBend() {
+  bend = std::clamp(roomy * use, 0.5 * bend, 2.0 * bend);
   use = 0.0;
+}
+
+void TunnelBuilder::List::shorten(double s) {
+  length /= 2.0;
+  bend *= 4.0;
+  use = bend;
+  way.to.s = s;
 }
 
 /// The wide list for the piece of way from the last node on.
@@ -99,11 +109,11 @@ bool TunnelBuilder::gather() {
   const SectionPoint here = last_.point();
   const double slope = last_.highest().slope();
   const std::uint32_t highest = heights_->triangle(last_.highest().index);
-  wide_.settleShare();
+  wide_.settleBend();
   for (; wide_.length > least_; wide_.length /= 2.0) {
     wide_.way = {here,
                  {here.s + wide_.length, here.z + slope * wide_.length},
-                 wide_.share * wide_.length + 2.0 * slabBands * band_};
+                 wide_.bend * wide_.length * wide_.length + 2.0 * slab_};
     if (!heights_->gather(wide_.way, most)) {
       continue;
     }
@@ -133,7 +143,7 @@ bool TunnelBuilder::resume(std::uint32_t highest) {
 
 /// The short list for the next piece of way; false where there is none.
 bool TunnelBuilder::focus() {
-  near_.settleShare();
+  near_.settleBend();
   for (;;) {
     if (last_.s >= wide_.way.to.s - least_ && !gather()) {
       return false;
@@ -142,16 +152,12 @@ bool TunnelBuilder::focus() {
     const double length = std::min(near_.length, wide_.way.to.s - here.s);
     near_.way = {here,
                  {here.s + length, here.z + last_.highest().slope() * length},
-                 near_.share * length + slabBands * band_};
-    const double beside = std::max(wide_.way.beside(here), wide_.way.beside(near_.way.to));
-    wide_.see(beside + near_.way.slab - slabBands * band_);
+                 near_.bend * length * length + slab_};
+    const double beside = std::max(heights_->beside(wide_.way, here), heights_->beside(wide_.way, near_.way.to));
+    wide_.see(beside + near_.way.slab - slab_);
     if (beside + near_.way.slab > wide_.way.slab) {
-      // Ways bend away from their beginning by the square of their length.
-      wide_.length /= 2.0;
-      wide_.share *= 2.0;
-      wide_.use = wide_.share;
-      wide_.way.to.s = here.s;
-      if (wide_.share > mostShare) {
+      wide_.shorten(here.s);
+      if (wide_.share() > mostShare) {
         return false;
       }
       continue;
@@ -164,9 +170,9 @@ bool TunnelBuilder::focus() {
 }
 
 bool TunnelBuilder::isInSlab(const TouchNode& node) {
-  const double beside = near_.way.beside(node.point());
-  near_.see(beside);
-  return beside + HeightSource::aboveBands * band_ <= near_.way.slab;
+  const double beside = heights_->beside(near_.way, node.point());
+  near_.see(beside - 0.5 * slab_);
+  return beside + above_ <= near_.way.slab;
 }
 
 bool TunnelBuilder::extend() {
@@ -183,11 +189,8 @@ bool TunnelBuilder::extend() {
     auto node = heights_->node({s, here.z + last_.highest().slope() * (s - here.s)}, Among::near);
     const Outcome outcome = node ? settle(last_, *node, 0) : Outcome::ends;
     if (outcome == Outcome::outside) {
-      near_.length /= 2.0;
-      near_.share *= 2.0;
-      near_.use = near_.share;
-      near_.way.to.s = last_.s;
-      ended_ = near_.share > mostShare;
+      near_.shorten(last_.s);
+      ended_ = near_.share() > mostShare;
     } else if (outcome == Outcome::ends) {
       step_ /= 4.0;
       ended_ = step_ < least_;

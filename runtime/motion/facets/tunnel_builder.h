@@ -36,12 +36,18 @@ class TunnelBuilder {
   struct List {
     Way way;
     double length = 0.0;  ///< of the next
-    double share = 0.0;   ///< half the height of its slab, as a share of its length
+    double bend = 0.0;    ///< half the height of its slab, by the square of its length
     double use = 0.0;     ///< what of that was made use of
 
-    void see(double beside) { use = std::max(use, beside / (way.to.s - way.from.s)); }
-    /// The share of the next one is near to what this one took.
-    void settleShare();
+    [[nodiscard]] double share() const { return bend * length; }
+    void see(double beside) {
+      const double gone = way.to.s - way.from.s;
+      use = std::max(use, beside / (gone * gone));
+    }
+    /// The bend of the next one is near to what this one took.
+    void settleBend();
+    /// The next one, from s on, is shorter in a higher slab.
+    void shorten(double s);
   };
   struct Mark {
     double s = 0.0;
@@ -62,6 +68,7 @@ class TunnelBuilder {
   tool::Body body_;
   double band_, spare_, bent_;
   std::unique_ptr<HeightSource> heights_;
+  double above_, slab_;  ///< how far nothing is above cells; least height of slabs
   Tunnel tunnel_;
   TouchNode last_;
   std::vector<Mark> marks_;

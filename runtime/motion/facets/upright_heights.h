@@ -20,6 +20,11 @@ class UprightHeights final : public HeightSource {
       : low_(low), high_(high), list_(task, low), gap_(task.low), rest_(rest) {}
 
   bool gather(const Way& way, std::size_t limit) override { return list_.gather(way, limit); }
+  /// Lists hold what is above the lower side of the slab.
+  [[nodiscard]] double beside(const Way& way, const SectionPoint& p) const override {
+    return std::max(0.0, heightOn(way.from, way.to, p.s) - p.z);
+  }
+  [[nodiscard]] double aboveBands() const override { return 0.0; }
   void focus(const Way& way) override { list_.focus(way); }
   [[nodiscard]] std::size_t count(Among among) const override {
     return among == Among::wide ? list_.size() : list_.near().size();

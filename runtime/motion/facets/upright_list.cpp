@@ -6,71 +6,18 @@
 namespace arelem::motion {
 
 namespace {
-/// Normals that bound heights are not nearer to level than this, as a sine.
-constexpr double mostLevel = 0.97;
-/// Triangles within this share of the cutter's radius are covered by it.
-constexpr double covered = 0.98;
-
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
-/// Own normals of triangles that are nearer to level tell little.
-constexpr double usefulRise = 0.05;
 
 /// After this many normals it is looked whether they are enough.
 constexpr std::size_t fewNormals = 3;
 
-bool isBelow(const UprightList::Line& line, const Way& way) {
-  return line.at(way.from.s) < way.from.z - way.slab && line.at(way.to.s) < way.to.z - way.slab;
-}
-double greatest(const tool::UprightFacet& f, const Vec3& n) {
-  return std::max({n.dot(f.corners[0]), n.dot(f.corners[1]), n.dot(f.corners[2])});
-}
 }  // namespace
 
 UprightList::UprightList(const FacetTask& task, const tool::UprightProfile& profile)
     : task_(task),
-      profile_(profile),
+      bounds_(profile, task.cutter->maxRadius() + std::max(task.low, 0.0)),
       across_(task.section.up.cross(task.section.along)),
-      upright_(task.section.up == Vec3::UnitZ()),
-      radius_(task.cutter->maxRadius() + std::max(task.low, 0.0)),
-      flattest_(profile.r > 0.0         ? std::min(mostLevel, profile.cosBeta)
-                : profile.sinBeta > 0.0 ? profile.cosBeta
-                                        : 0.0) {}
-
-bool UprightList::Own::isBelow(const Way& way) const {
-  return motion::isBelow(lines[0], way) || motion::isBelow(lines[1], way);
-}
-
-/// Where the circle around the cutter, which moves along s, comes to the triangle and leaves it: at
-/// corners, or as a tangent of edges. Triangles that it covers need no range.
-void UprightList::setRange(Own& own, double middle, double half) const {
-  const auto& c = own.facet.corners;
-  const double inside = covered * covered * radius_ * radius_;
-  const bool covers = std::all_of(c.begin(), c.end(), [&](const Vec3& corner) {
-    const double x = std::abs(corner.x() - middle) + half;
-    return x * x + corner.y() * corner.y() <= inside;
-  });
-  own.first = covers ? nowhere : -nowhere;
-  own.last = -own.first;
-  for (std::size_t k = 0; k < 3 && !covers; ++k) {
-    const Vec3& from = c[k];
-    const double chord = radius_ * radius_ - from.y() * from.y();
-    if (chord >= 0.0) {
-      own.first = std::min(own.first, from.x() - std::sqrt(chord));
-      own.last = std::max(own.last, from.x() + std::sqrt(chord));
-    }
-    const Vec3 edge = c[(k + 1) % 3] - from;
-    const double reach = radius_ / std::sqrt(edge.x() * edge.x() + edge.y() * edge.y());
-    const double beside = edge.y() < 0.0 ? reach * edge.x() : -reach * edge.x();
-    const double ahead = (beside - from.y()) / edge.y();
-    if (ahead >= 0.0 && ahead <= 1.0) {
-      own.first = std::min(own.first, from.x() + ahead * edge.x() - reach * std::abs(edge.y()));
-    }
-    const double behind = (-beside - from.y()) / edge.y();
-    if (behind >= 0.0 && behind <= 1.0) {
-      own.last = std::max(own.last, from.x() + behind * edge.x() + reach * std::abs(edge.y()));
-    }
-  }
-}
+      upright_(task.section.up == Vec3::UnitZ()) {}
 
 Vec3 UprightList::turned(const Vec3& d) const {
   if (upright_) {
@@ -84,37 +31,12 @@ Vec3 UprightList::local(const Vec3& place) const {
   return turned(place - task_.section.origin);
 }
 
-/// The normal with which the cutter would touch a place there, seen from its axis.
-UprightList::Normal UprightList::normalTowards(double x, double y) const {
-  const double squared = x * x + y * y;
-  if (squared <= profile_.e * profile_.e || flattest_ <= 0.0) {
-    return {};
-  }
-  const double rho = std::sqrt(squared);
-  const double beyond = rho - profile_.e;
-  const double nxy = beyond < profile_.r * flattest_ ? beyond / profile_.r : flattest_;
-  const double share = -nxy / rho;
-  return {{share * x, share * y, std::sqrt(1.0 - nxy * nxy)}, nxy};
-}
-
-UprightList::Line UprightList::lineOf(double most, const Normal& n) const {
-  const double rise = 1.0 / n.n.z();
-  return {(most + profile_.support(n.n.z(), n.nxy)) * rise, -n.n.x() * rise};
-}
-
 UprightList::Line UprightList::line(std::uint32_t index, const Vec3& normal) const {
-  return lineOf(greatest(all_[index].facet, normal), Normal::of(normal));
+  return bounds_.lineOf(all_[index].facet, Normal::of(normal));
 }
 
 double UprightList::known(std::uint32_t index, double s) const {
   return std::min(all_[index].lines[0].at(s), all_[index].lines[1].at(s));
-}
-
-/// For the normal with which the cutter at s would touch the middle of a triangle.
-UprightList::Line UprightList::lineTowards(const tool::UprightFacet& f, double s) const {
-  const Vec3 middle = (f.corners[0] + f.corners[1] + f.corners[2]) / 3.0;
-  const Normal n = normalTowards(middle.x() - s, middle.y());
-  return lineOf(greatest(f, n.n), n);
 }
 
 /// Takes the triangles that the line for one normal does not exclude.
@@ -122,12 +44,11 @@ class UprightList::Collect {
  public:
   Collect(UprightList& list, const Way& way, std::size_t limit)
       : list_(list),
-        way_(way),
+        doubt_(way),
         middle_(0.5 * (way.from.s + way.to.s)),
         half_(0.5 * (way.to.s - way.from.s)),
-        lowest_(std::min(way.from.z, way.to.z) - way.slab + list.profile_.f - list.profile_.r),
-        from_(way.from.z - way.slab),
-        to_(way.to.z - way.slab),
+        lowest_(std::min(way.from.z, way.to.z) - way.slab + list.bounds_.profile().f -
+                list.bounds_.profile().r),
         limit_(limit),
         upright_(list.upright_),
         along_(list.task_.section.along),
@@ -144,17 +65,27 @@ class UprightList::Collect {
     const double y = upright_ ? along_.x() * w.y() - along_.y() * w.x() : list_.across_.dot(w);
     const double hy = upright_ ? share_.x() * half.y() + share_.y() * half.x()
                                : list_.across_.cwiseAbs().dot(half);
-    if (std::abs(y) - hy > list_.radius_) {
+    const double radius = list_.bounds_.radius();
+    if (std::abs(y) - hy > radius) {
       return false;
     }
     const double x = (upright_ ? along_.x() * w.x() + along_.y() * w.y() : along_.dot(w)) - middle_;
     const double hx = upright_ ? share_.x() * half.x() + share_.y() * half.y() : share_.dot(half);
-    if (std::abs(x) - hx - half_ > list_.radius_) {
+    const double out = x - std::clamp(x, -half_, half_);
+    const double distance = std::sqrt(out * out + y * y);
+    if (distance * (distance - radius) > std::abs(out) * hx + std::abs(y) * hy) {
       return false;
     }
-    const Normal n = list_.normalTowards(x, y);
-    return mayTouch(n, n.n.x() * x + n.n.y() * y + n.n.z() * z + std::abs(n.n.x()) * hx +
-                           std::abs(n.n.y()) * hy + n.n.z() * hz);
+    Doubt doubt = doubt_;
+    for (const double beside : besides) {
+      const Normal n = list_.bounds_.normalTowards(x - beside * half_, y);
+      const double most = n.n.x() * (x + middle_) + n.n.y() * y + n.n.z() * z +
+                          std::abs(n.n.x()) * hx + std::abs(n.n.y()) * hy + n.n.z() * hz;
+      if (doubt.isSettled(list_.bounds_.lineOf(most, n))) {
+        return false;
+      }
+    }
+    return true;
   }
   void visit(std::size_t i) {
     if (full) {
@@ -164,39 +95,43 @@ class UprightList::Collect {
     own_.facet.corners = {list_.local(shape.mesh.corner(i, 0)),
                           list_.local(shape.mesh.corner(i, 1)),
                           list_.local(shape.mesh.corner(i, 2))};
-    const auto& c = own_.facet.corners;
-    const Normal n = list_.normalTowards((c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle_,
-                                         (c[0].y() + c[1].y() + c[2].y()) / 3.0);
-    const double most = greatest(own_.facet, n.n);
-    if (!mayTouch(n, most - n.n.x() * middle_)) {
+    if (list_.bounds_.isBeside(own_.facet, middle_, half_)) {
       return;
     }
     const Vec3 up = list_.turned(shape.normals[i]);
-    own_.number = static_cast<std::uint32_t>(i);
     own_.facet.up = up.z() < 0.0 ? Vec3(-up) : up;
-    own_.lines[0] = list_.lineOf(most, n);
-    own_.lines[1] = own_.lines[0];
-    if (own_.facet.up.z() >= usefulRise) {
-      own_.lines[1] = list_.lineOf(greatest(own_.facet, own_.facet.up), Normal::of(own_.facet.up));
+    const auto& c = own_.facet.corners;
+    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle_;
+    const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
+    const auto towards = [&](double beside) {
+      return list_.bounds_.lineOf(own_.facet,
+                                  list_.bounds_.normalTowards(x - beside, y, own_.facet.up));
+    };
+    Doubt doubt = doubt_;
+    own_.lines[0] = own_.lines[1] = towards(0.0);
+    if (doubt.isSettled(own_.lines[0])) {
+      return;
     }
-    if (!own_.isBelow(way_)) {
+    if (own_.facet.up.z() >= UprightBounds::usefulRise) {
+      own_.lines[1] = list_.bounds_.lineOf(own_.facet, Normal::of(own_.facet.up));
+    }
+    if (!doubt.isSettled(own_.lines[1]) &&
+        (list_.bounds_.isSharp() ||
+         (!doubt.isSettled(towards(-half_)) && !doubt.isSettled(towards(half_))))) {
+      own_.number = static_cast<std::uint32_t>(i);
       list_.all_.push_back(own_);
       full = list_.all_.size() >= limit_;
     }
   }
 
  private:
-  /// Whether the line for a normal is anywhere above the slab. `most`: how far places reach along
-  /// the normal, from the middle of the way.
-  [[nodiscard]] bool mayTouch(const Normal& n, double most) const {
-    const double reach = most + list_.profile_.support(n.n.z(), n.nxy);
-    const double turn = n.n.x() * half_;
-    return reach + turn >= from_ * n.n.z() || reach - turn >= to_ * n.n.z();
-  }
+  using Doubt = UprightBounds::Doubt;
+  /// Where on the way normals are taken, in its halves from the middle.
+  static constexpr std::array besides{0.0, -1.0, 1.0};
 
   UprightList& list_;
-  const Way& way_;
-  double middle_, half_, lowest_, from_, to_;
+  Doubt doubt_;
+  double middle_, half_, lowest_;
   std::size_t limit_;
   bool upright_;
   Vec3 along_, up_, share_;  ///< of the section; how far boxes reach along it
@@ -215,20 +150,38 @@ bool UprightList::gather(const Way& way, std::size_t limit) {
   return !search.full;
 }
 
+/// Whether the cutter comes to a triangle at all. Those that it covers all the way need no range.
+bool UprightList::reaches(Own& own, const Way& way) {
+  const double middle = 0.5 * (way.from.s + way.to.s);
+  const double half = 0.5 * (way.to.s - way.from.s);
+  if (!own.hasRange) {
+    if (bounds_.isBeside(own.facet, middle, half)) {
+      return false;
+    }
+    if (bounds_.covers(own.facet, middle, half)) {
+      own.range = {nowhere, -nowhere};
+      return true;
+    }
+    own.range = bounds_.rangeOf(own.facet);
+    own.hasRange = true;
+  }
+  return own.range.first <= way.to.s && own.range.last >= way.from.s;
+}
+
 void UprightList::focus(const Way& way) {
   const double middle = 0.5 * (way.from.s + way.to.s);
   near_.clear();
   for (std::uint32_t i = 0; i < all_.size(); ++i) {
     Own& own = all_[i];
-    if (!own.isBelow(way)) {
-      own.lines[0] = lineTowards(own.facet, middle);
-      if (own.isBelow(way)) {
-        continue;
-      }
-      setRange(own, middle, 0.5 * (way.to.s - way.from.s));
-      if (own.first <= way.to.s && own.last >= way.from.s) {
-        near_.push_back(i);
-      }
+    if (own.isBelow(way) || !reaches(own, way)) {
+      continue;
+    }
+    const auto& c = own.facet.corners;
+    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle;
+    const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
+    own.lines[0] = bounds_.lineOf(own.facet, bounds_.normalTowards(x, y, own.facet.up));
+    if (!own.lines[0].isBelow(way)) {
+      near_.push_back(i);
     }
   }
   fill();
@@ -257,8 +210,8 @@ void UprightList::fill() {
       base_[k][j] = own.lines[k].base;
       slope_[k][j] = own.lines[k].slope;
     }
-    first_[j] = own.first;
-    last_[j] = own.last;
+    first_[j] = own.range.first;
+    last_[j] = own.range.last;
   }
   rounds_ = 0;
 }
@@ -270,7 +223,7 @@ void UprightList::sweep(const Vec3& n) {
   const double rise = 1.0 / n.z();
   const double x = n.x() * rise;
   const double y = n.y() * rise;
-  const double base = profile_.support(n.z(), nxy) * rise;
+  const double base = bounds_.profile().support(n.z(), nxy) * rise;
   const auto& c = corners_;
   double* bases = bases_[round].data();
   const std::size_t count = near_.size();

@@ -1,8 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "runtime/motion/facets/facet_task.h"
-#include "runtime/tool/upright_touch.h"
+#include "runtime/motion/facets/upright_bounds.h"
 
 namespace arelem::motion {
 
@@ -14,11 +13,7 @@ namespace arelem::motion {
 /// few sweeps over their corners, and the lines of the last normals are kept.
 class UprightList {
  public:
-  struct Line {
-    double base = 0.0, slope = 0.0;
-
-    [[nodiscard]] double at(double s) const { return base + slope * s; }
-  };
+  using Line = UprightBounds::Line;
 
   UprightList(const FacetTask& task, const tool::UprightProfile& profile);
 
@@ -51,37 +46,30 @@ class UprightList {
                   std::vector<double>& excess) const;
 
  private:
+  using Normal = UprightBounds::Normal;
   struct Own {
     tool::UprightFacet facet;
-    std::array<Line, 2> lines;       ///< for a normal towards it, and for its own
-    double first = 0.0, last = 0.0;  ///< beyond these s it is beside the cutter
+    std::array<Line, 2> lines;   ///< for a normal towards it, and for its own
+    UprightBounds::Range range;  ///< beyond these s it is beside the cutter
     std::uint32_t number = 0;
+    bool hasRange = false;
 
-    [[nodiscard]] bool isBelow(const Way& way) const;
-  };
-  /// A unit normal with how far it leans.
-  struct Normal {
-    Vec3 n = Vec3::UnitZ();
-    double nxy = 0.0;
-
-    static Normal of(const Vec3& n) { return {n, std::sqrt(n.x() * n.x() + n.y() * n.y())}; }
+    [[nodiscard]] bool isBelow(const Way& way) const {
+      return lines[0].isBelow(way) || lines[1].isBelow(way);
+    }
   };
   class Collect;
 
   [[nodiscard]] Vec3 local(const Vec3& place) const;
   [[nodiscard]] Vec3 turned(const Vec3& direction) const;
-  [[nodiscard]] Normal normalTowards(double x, double y) const;
-  [[nodiscard]] Line lineOf(double most, const Normal& normal) const;
-  [[nodiscard]] Line lineTowards(const tool::UprightFacet& facet, double s) const;
-  void setRange(Own& own, double middle, double half) const;
+  [[nodiscard]] bool reaches(Own& own, const Way& way);
   void sweep(const Vec3& normal);
   void fill();
 
   const FacetTask task_;
-  tool::UprightProfile profile_;
+  UprightBounds bounds_;
   Vec3 across_;
   bool upright_;  ///< up is z
-  double radius_, flattest_;
   std::vector<Own> all_;
   std::vector<std::uint32_t> near_;
   /// Coordinates of the near triangles' corners, one after the other for each of nine.
