@@ -66,7 +66,8 @@ ExitCode certify(const CertifyRequest& request,
   ExitCode exit = ExitCode::ok;
   if (load(job, request.program, interrupted) && evaluate(job, interrupted)) {
     certify::Options options;
-    options.slack = request.slack;
+    options.slack = request.slack.value_or(options.slack);
+    options.beyondBand = request.slack;
     options.limits = settings.limits;
     options.interrupted = &interrupted;
     options.own = request.path.empty();
@@ -100,7 +101,7 @@ ExitCode certify(const CertifyRequest& request,
             "the file the path is proven as it was before the tool was tilted";
         job.log.accept(std::move(refusal));
       } else {
-        whole = readPath(*file, partFactsOf(job.evaluation.actions), request.slack, settings,
+        whole = readPath(*file, partFactsOf(job.evaluation.actions), options.slack, settings,
                          *certificate, interrupted, exit);
       }
       const bool judged = !corner || request.path.empty();

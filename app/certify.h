@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "app/exit_code.h"
@@ -11,7 +12,7 @@ namespace arelem::app {
 struct CertifyRequest {
   std::string program;
   std::string path;     ///< a CL file; "" for the path that the program itself gives
-  double slack = 1e-6;  ///< part unit
+  std::optional<double> slack;  ///< part unit; without it, as certify::Options says
   bool json = false;
 };
 

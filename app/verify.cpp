@@ -188,7 +188,8 @@ int runVerify(const Invocation& invocation) {
       ->check(shareOfOne())
       ->type_name("SHARE");
   app.add_option("--slack", request.slack,
-                 "what rounding may add to each tolerance, part unit (1e-6)")
+                 "what rounding may add to each tolerance, part unit (1e-6, but at most a hundredth of "
+                 "INTOL + OUTTOL)")
       ->check(numberFromZero());
   app.add_flag("--json", request.json, "one object a statement instead of a table");
   addSourceOptions(app, settings);

@@ -45,9 +45,9 @@ inline constexpr double wholeNumber = 1e-6;
 /// IF takes a difference this small against its right operand for zero: the rounding of a few
 /// thousand decimal steps. Dimensionless.
 inline constexpr double decimalStep = 1e-13;
-/// Cut vectors along a mesh are proven to keep their band within this: half of what the certificate
-/// allows for rounding. Part unit.
-inline constexpr double facetedSlack = 5e-7;
+/// What the certificate allows beyond a tolerance for rounding: this many part units, but at most
+/// this share of the band of the surface, and at least this many part units all the same.
+inline constexpr double certifiedSlack = 1e-6, certifiedShare = 0.01, certifiedLeast = 1e-9;
 /// A tool nearer than this to a surface has no side of it. Part unit.
 inline constexpr double sameSide = 1e-9;
 /// Values of CUTTER are written with few decimals: corner arc and lines that miss each other by at

@@ -7,6 +7,7 @@
 #include "ir/cl/record.h"
 #include "ir/diag/diagnostic.h"
 #include "ir/limits.h"
+#include "ir/space/tolerance.h"
 #include "runtime/certify/guide.h"
 
 /// The certificate of a path: every cut vector of a CL file against the surfaces and tolerances
@@ -19,7 +20,10 @@ struct Options {
   std::string file;      ///< as messages call the CL file
   bool numbered = true;  ///< its records carry the statement numbers of the program
   bool own = false;      ///< the locations are our own: what is missing has been told already
-  double slack = 1e-6;   ///< allowed beyond each tolerance: rounding in the file. Part unit
+  /// How far a location may be from the one that is stated, for rounding in the file. Part unit.
+  double slack = tolerance::certifiedSlack;
+  /// The same beyond each tolerance; without it `slackOf` its band. Part unit.
+  std::optional<double> beyondBand;
   Limits limits;
   const InterruptFlag* interrupted = nullptr;
 };

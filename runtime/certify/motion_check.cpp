@@ -62,7 +62,9 @@ void MotionCheck::report(StatementResult& result, const runtime::Action& action,
 }
 
 Allowed MotionCheck::allowedFor(const Modal& modal, Role role) const {
-  return {modal.inner[role], modal.outer[role], options_.slack};
+  const double inner = modal.inner[role];
+  const double outer = modal.outer[role];
+  return {inner, outer, options_.beyondBand.value_or(slackOf(inner + outer))};
 }
 
 GuideTask MotionCheck::taskOf(const Modal& modal, Role role, Named surface, bool on) const {

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+
+#include "ir/space/tolerance.h"
 #include "runtime/certify/probe.h"
 
 namespace arelem::certify {
@@ -16,6 +19,13 @@ struct Extreme {
   double measured = 0.0;  ///< and this one occurs
   double at = 0.0;        ///< its s
 };
+
+/// What rounding may add to each side of a band of this width: less than would matter to it. Part
+/// unit.
+[[nodiscard]] inline double slackOf(double band) {
+  return std::clamp(tolerance::certifiedShare * band, tolerance::certifiedLeast,
+                    tolerance::certifiedSlack);
+}
 
 struct Verdict {
   enum class State : std::uint8_t { proven, refuted, undecided };

@@ -23,6 +23,10 @@ constexpr bool hasFaces = std::is_same_v<S, surface::Mesh>;
 
 thread_local std::uint64_t measured = 0;
 
+/// Cut vectors along a mesh are proven to keep their band within this: half of what the certificate
+/// allows for rounding. Part unit.
+double facetedSlack(double band) { return 0.5 * certify::slackOf(band); }
+
 constexpr double shortest = 0.5;
 constexpr double longest = 0.95;
 
@@ -30,7 +34,7 @@ Judgement judged(certify::Probe& probe, const certify::Chord& chord, double inne
   probe.take(chord);
   certify::Node first = probe.at(0.0);
   const certify::Verdict v =
-      certify::prove(probe, {inner, outer, tolerance::facetedSlack, false}, first);
+      certify::prove(probe, {inner, outer, facetedSlack(inner + outer), false}, first);
   measured += v.nodes;
   if (v.good()) {
     return {tolerance::farAway, 0};
@@ -124,10 +128,10 @@ std::uint64_t gapsMeasured() {
 
 Judgement judgeGap(double gap, double inner, double outer) {
   const double beyond = std::max(-inner - gap, gap - outer);
-  if (beyond <= tolerance::facetedSlack) {
+  const double band = inner + outer;
+  if (beyond <= facetedSlack(band)) {
     return {tolerance::farAway, 0};
   }
-  const double band = inner + outer;
   return {std::sqrt(band / (band + beyond)), gap < -inner ? -1 : 1};
 }
 
