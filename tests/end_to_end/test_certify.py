@@ -281,7 +281,7 @@ class Certify(ArelemCase):
 
     def test_slack_is_small_beside_the_band(self):
         # A path made for ten times the tolerance is refuted, however small both are.
-        text = "TOLER/{:.9f}\nCUTTER/.02,.01\nS1=SPHERE/0,0,0,.09\nL1=LINE/0,0,.01,0\nL2=LINE/-.06,-.09,-.06,.09\nL3=LINE/.06,-.09,.06,.09\n" \
+        text = "TOLER/{:.9f}\nNUMPTS/9000\nCUTTER/.02,.01\nS1=SPHERE/0,0,0,.09\nL1=LINE/0,0,.01,0\nL2=LINE/-.06,-.09,-.06,.09\nL3=LINE/.06,-.09,.06,.09\n" \
                "FROM/-.08,0,.09\nGO/ON,L1,TO,S1,ON,L2\nINDIRV/1,0,0\nTLON,GOFWD/L1,ON,L3\nFINI\n"
         self.records(text.format(1e-6))
         self.assertExit(0, "verify", "s.apt", "s.jsonl")
