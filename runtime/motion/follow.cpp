@@ -108,13 +108,19 @@ class Follower {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool isInterrupted() const {
+    return interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed);
+  }
+  [[nodiscard]] double mostVectors() const {
+    return course_.path.flat() || course_.exact
+               ? static_cast<double>(limits_.points)
+               : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
+  }
   [[nodiscard]] std::optional<Failure> beyondLimits() const {
-    if (interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed)) {
+    if (isInterrupted()) {
       return fail(diag::Interrupted);
     }
-    const double most = course_.path.flat() || course_.exact
-                            ? static_cast<double>(limits_.points)
-                            : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
+    const double most = mostVectors();
     if (static_cast<double>(result_.cutVectors) >= most) {
       const Vec3 p = told(last_.toolEnd);
       const CheckWatch& w = course_.watches.front();
@@ -288,18 +294,22 @@ class Follower {
       return lost();
     }
     const ArcPlan plan = route.plan(*found->end);
-    std::optional<Failure> bad;
+    const double most = mostVectors();
+    bool stopped = false;
     const Vec3 axis = last_.axis;
     route.forVertices(plan, [&](const Vec3& vertex) {
-      bad = beyondLimits();
+      stopped = static_cast<double>(result_.cutVectors) >= most || isInterrupted();
+      if (stopped) {
+        return false;
+      }
       result_.length += (vertex - last_.toolEnd).norm();
       ++result_.cutVectors;
       sink_.put(vertex, axis);
       last_.toolEnd = vertex;
-      return !bad;
+      return true;
     });
-    if (bad) {
-      return bad;
+    if (stopped) {
+      return beyondLimits();
     }
     result_.driveInner = std::min(result_.driveInner, plan.driveGap);
     result_.driveOuter = std::max(result_.driveOuter, plan.driveGap);
