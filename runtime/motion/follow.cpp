@@ -108,19 +108,13 @@ class Follower {
     return std::nullopt;
   }
 
-  [[nodiscard]] bool isInterrupted() const {
-    return interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed);
-  }
-  [[nodiscard]] double mostVectors() const {
-    return course_.path.flat() || course_.exact
-               ? static_cast<double>(limits_.points)
-               : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
-  }
   [[nodiscard]] std::optional<Failure> beyondLimits() const {
-    if (isInterrupted()) {
+    if (interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed)) {
       return fail(diag::Interrupted);
     }
-    const double most = mostVectors();
+    const double most = course_.path.flat() || course_.exact
+                            ? static_cast<double>(limits_.points)
+                            : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
     if (static_cast<double>(result_.cutVectors) >= most) {
       const Vec3 p = told(last_.toolEnd);
       const CheckWatch& w = course_.watches.front();
@@ -294,12 +288,11 @@ class Follower {
       return lost();
     }
     const ArcPlan plan = route.plan(*found->end);
-    const double most = mostVectors();
-    bool stopped = false;
+    std::optional<Failure> bad;
     const Vec3 axis = last_.axis;
     route.forVertices(plan, [&](const Vec3& vertex) {
-      stopped = static_cast<double>(result_.cutVectors) >= most || isInterrupted();
-      if (stopped) {
+      if (auto beyond = beyondLimits()) {
+        bad = std::move(beyond);
         return false;
       }
       result_.length += (vertex - last_.toolEnd).norm();
@@ -308,8 +301,8 @@ class Follower {
       last_.toolEnd = vertex;
       return true;
     });
-    if (stopped) {
-      return beyondLimits();
+    if (bad) {
+      return bad;
     }
     result_.driveInner = std::min(result_.driveInner, plan.driveGap);
     result_.driveOuter = std::max(result_.driveOuter, plan.driveGap);
