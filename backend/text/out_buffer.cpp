@@ -5,7 +5,8 @@
 
 namespace arelem::backend {
 
-OutBuffer::OutBuffer(std::ostream& out) : out_(out), block_(blockSize) {}
+OutBuffer::OutBuffer(std::ostream& out)
+    : out_(out), block_(std::make_unique_for_overwrite<char[]>(blockSize)) {}
 
 void OutBuffer::append(std::string_view bytes) {
   if (bytes.size() > blockSize - used_) {
@@ -15,7 +16,7 @@ void OutBuffer::append(std::string_view bytes) {
     out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return;
   }
-  std::memcpy(block_.data() + used_, bytes.data(), bytes.size());
+  std::memcpy(block_.get() + used_, bytes.data(), bytes.size());
   used_ += bytes.size();
 }
 
@@ -23,11 +24,11 @@ char* OutBuffer::room(std::size_t size) {
   if (size > blockSize - used_) {
     flush();
   }
-  return block_.data() + used_;
+  return block_.get() + used_;
 }
 
 void OutBuffer::flush() {
-  out_.write(block_.data(), static_cast<std::streamsize>(used_));
+  out_.write(block_.get(), static_cast<std::streamsize>(used_));
   used_ = 0;
 }
 

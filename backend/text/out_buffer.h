@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <iosfwd>
+#include <memory>
 #include <string_view>
-#include <vector>
 
 namespace arelem::backend {
 
@@ -22,16 +22,16 @@ class OutBuffer {
   /// At least `size` (at most blockSize) bytes to write into; `filled` then tells how far they were
   /// used.
   char* room(std::size_t size);
-  void filled(const char* end) { used_ = static_cast<std::size_t>(end - block_.data()); }
+  void filled(const char* end) { used_ = static_cast<std::size_t>(end - block_.get()); }
   /// Hands the rest to the stream and flushes it.
   void finish();
 
-  static constexpr std::size_t blockSize = 65536;
+  static constexpr std::size_t blockSize = std::size_t{1} << 18;
 
  private:
   void flush();
   std::ostream& out_;
-  std::vector<char> block_;
+  std::unique_ptr<char[]> block_;
   std::size_t used_ = 0;
 };
 

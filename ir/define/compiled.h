@@ -17,33 +17,36 @@ class NodeSet {
   explicit NodeSet(const Pattern& pattern) : pattern_(&pattern), in_(pattern.nodes.size(), false) {}
 
   void add(int node) {
-    std::vector<int> open{node};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at < 0 || in_[static_cast<std::size_t>(at)]) {
-        continue;
-      }
-      in_[static_cast<std::size_t>(at)] = true;
-      members_.push_back(at);
-      const Pattern::Node& n = pattern_->nodes[static_cast<std::size_t>(at)];
-      if (n.kind == Pattern::Node::Kind::split) {
-        open.push_back(n.next);
-        open.push_back(n.other);
-      }
+    if (node < 0 || in_[static_cast<std::size_t>(node)]) {
+      return;
+    }
+    in_[static_cast<std::size_t>(node)] = true;
+    members_.push_back(node);
+    const Pattern::Node& n = pattern_->nodes[static_cast<std::size_t>(node)];
+    if (n.kind == Pattern::Node::Kind::split) {
+      add(n.other);
+      add(n.next);
     }
   }
   [[nodiscard]] const std::vector<int>& members() const { return members_; }
   /// The nodes behind those that take the symbol.
   [[nodiscard]] NodeSet behind(const Symbol& symbol) const {
     NodeSet next(*pattern_);
+    next.takeBehind(*this, symbol);
+    return next;
+  }
+  /// Becomes the nodes behind those of another set that take the symbol.
+  void takeBehind(const NodeSet& before, const Symbol& symbol) {
     for (const int member : members_) {
+      in_[static_cast<std::size_t>(member)] = false;
+    }
+    members_.clear();
+    for (const int member : before.members_) {
       const Pattern::Node& node = pattern_->nodes[static_cast<std::size_t>(member)];
       if (node.kind == Pattern::Node::Kind::take && node.wanted.accepts(symbol)) {
-        next.add(node.next);
+        add(node.next);
       }
     }
-    return next;
   }
 
  private:

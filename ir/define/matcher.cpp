@@ -1,6 +1,7 @@
 #include "ir/define/matcher.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ir/define/compiled.h"
 #include "ir/define/distance.h"
@@ -108,9 +109,11 @@ Mismatch explain(Word noun, std::span<const Symbol> parameters) {
 
 bool accepts(const Pattern& pattern, std::span<const Symbol> parameters) {
   NodeSet now(pattern);
+  NodeSet before(pattern);
   now.add(pattern.start);
   for (const Symbol& symbol : parameters) {
-    now = now.behind(symbol);
+    std::swap(now, before);
+    now.takeBehind(before, symbol);
     if (now.members().empty()) {
       return false;
     }

@@ -6,8 +6,8 @@ namespace arelem::surface {
 
 namespace {
 Vec3 lineOf(const Cone& s, const Vec3& p) {
-  NoHint none;
-  const Foot foot = s.foot(p, none);
+  Cone::Hint hint;
+  const Foot foot = s.foot(p, hint);
   return p - foot.distance * foot.normal - s.vertex;
 }
 Vec3 lineOf(const Ruled& s, const Vec3& p) {

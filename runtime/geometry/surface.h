@@ -46,6 +46,7 @@ concept Surface = requires(const S& s,
 };
 
 /// Kinds with a closed form of the whole Hessian: `turn` is H t, the change of the normal along t.
+/// Like `bend` it is asked for after the foot of p, with the hint that came from there.
 /// Contacts are found with fewer looks at the surface then.
 template <class S>
 concept Turning = Surface<S> &&

@@ -314,12 +314,15 @@ class Follower {
     std::optional<Failure> bad;
     const Vec3 axis = last_.axis;
     route.forVertices(plan, [&](const Vec3& vertex) {
-      bad = beyondLimits();
+      if (auto beyond = beyondLimits()) {
+        bad = std::move(beyond);
+        return false;
+      }
       result_.length += (vertex - last_.toolEnd).norm();
       ++result_.cutVectors;
       sink_.put(vertex, axis);
       last_.toolEnd = vertex;
-      return !bad;
+      return true;
     });
     if (bad) {
       return bad;

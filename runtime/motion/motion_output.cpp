@@ -7,7 +7,16 @@ void MotionOutput::begin(const runtime::Follow& motion, bool visible, bool withA
   visible_ = visible;
   withAxis_ = withAxis;
   started_ = false;
-  waiting_.clear();
+  used_ = 0;
+  room_ = std::min(waiting_.size(), most());
+}
+
+void MotionOutput::makeRoom() {
+  if (used_ == most()) {
+    return release();
+  }
+  waiting_.resize(std::min(std::max(2 * waiting_.size(), firstRoom), most()));
+  room_ = waiting_.size();
 }
 
 /// The circle that the points run along, the feed from here on, the points.
@@ -29,11 +38,9 @@ void MotionOutput::release() {
     started_ = true;
   }
   if (visible_) {
-    for (const Location& p : waiting_) {
-      writer_.add(p.toolEnd, p.axis);
-    }
+    writer_.add({waiting_.data(), used_});
   }
-  waiting_.clear();
+  used_ = 0;
 }
 
 void MotionOutput::commit() {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "runtime/motion/follow.h"
@@ -16,25 +17,32 @@ class MotionOutput final : public CutVectorSink {
   /// `motion` must outlive the motion; nothing is put out unless `visible` (CUT).
   void begin(const runtime::Follow& motion, bool visible, bool withAxis);
   void put(const Vec3& toolEnd, const Vec3& axis) override {
-    if (waiting_.size() == mostWaiting) {
-      release();
+    if (used_ == room_) {
+      makeRoom();
     }
-    waiting_.push_back({toolEnd, axis});
+    double* place = waiting_.data() + used_;
+    place = std::copy_n(toolEnd.data(), 3, place);
+    if (withAxis_) {
+      place = std::copy_n(axis.data(), 3, place);
+    }
+    used_ = static_cast<std::size_t>(place - waiting_.data());
   }
   /// The motion has succeeded.
   void commit();
 
  private:
-  static constexpr std::size_t mostWaiting = 1U << 16;
-  struct Location {
-    Vec3 toolEnd, axis;
-  };
+  static constexpr std::size_t mostWaiting = 1U << 16;  ///< locations
+  static constexpr std::size_t firstRoom = 384;         ///< numbers, of whole locations
+  [[nodiscard]] std::size_t most() const { return (withAxis_ ? 6U : 3U) * mostWaiting; }
+  void makeRoom();
   void release();
 
   RecordWriter& writer_;
   const runtime::Follow* motion_ = nullptr;
   bool visible_ = true, withAxis_ = false, started_ = false;
-  std::vector<Location> waiting_;
+  std::vector<double> waiting_;  ///< as in a record, one location after another
+  std::size_t used_ = 0;         ///< numbers of them that are
+  std::size_t room_ = 0;         ///< up to which number there is room
 };
 
 }  // namespace arelem::motion

@@ -1,5 +1,7 @@
 #include "runtime/motion/records.h"
 
+#include <algorithm>
+
 #include "runtime/path/point_records.h"
 
 namespace arelem::motion {
@@ -7,7 +9,7 @@ namespace arelem::motion {
 namespace {
 /// A minus zero would print as one.
 double plain(double x) {
-  return x == 0.0 ? 0.0 : x;
+  return x + 0.0;
 }
 }  // namespace
 
@@ -62,6 +64,23 @@ void RecordWriter::add(const Vec3& toolEnd, const Vec3& axis) {
   }
   for (int i = 0; motion.withAxis && i < 3; ++i) {
     motion.coordinates.push_back(plain(axis[i]));
+  }
+}
+
+void RecordWriter::add(std::span<const double> locations) {
+  auto& motion = std::get<cl::Motion>(points_.body);
+  std::vector<double>& all = motion.coordinates;
+  const std::size_t whole = path::numbersPerRecord / motion.stride() * motion.stride();
+  while (!locations.empty()) {
+    if (all.size() >= whole) {
+      flush();
+    }
+    const auto from = static_cast<std::ptrdiff_t>(all.size());
+    const std::size_t count = std::min(locations.size(), whole - all.size());
+    all.insert(all.end(), locations.begin(),
+               locations.begin() + static_cast<std::ptrdiff_t>(count));
+    std::transform(all.begin() + from, all.end(), all.begin() + from, plain);
+    locations = locations.subspan(count);
   }
 }
 

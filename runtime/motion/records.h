@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "ir/cl/record.h"
 #include "runtime/interpret/action.h"
 
@@ -19,6 +21,8 @@ class RecordWriter {
   /// Starts a run of locations; `add` them, then `finish`.
   void startPoints(cl::Motion::Kind kind, const std::string& name, int subscript, bool withAxis);
   void add(const Vec3& toolEnd, const Vec3& axis);
+  /// The numbers of many locations, as they stand in the records.
+  void add(std::span<const double> locations);
   void finishPoints();
   /// The end of an arc or a spline.
   void putCurve(cl::Motion::Way way, const Vec3& end, const Vec3& axis, bool withAxis);

@@ -19,8 +19,8 @@ struct LastContact {
   Hint hint{};
   bool valid = false;
   bool convex = false;              ///< side * distance is a convex function of the place
-  Vec3 convexAt = Vec3::Zero();     ///< or was looked at here, and is one within the radius, or
-  double convexRadius = 0.0;        ///< is not within minus that
+  Vec3 convexAt = Vec3::Zero();     ///< or was looked at here, and is one all over a cutter whose
+  double convexWay = 0.0;           ///< middle is as near, or is not as near as minus that
   Vec3 toward = Vec3::UnitX();      ///< direction of the contact about the axis, when the
   Vec3 towardAt = Vec3::Zero();     ///< tool was there, and
   Vec3 towardTurns = Vec3::Zero();  ///< its turn about the axis by the way of the tool

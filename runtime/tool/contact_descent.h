@@ -103,7 +103,7 @@ class ContactDescent {
     const Vec3 across = toward - toward.dot(axis_) * axis_;
     const double squared = across.squaredNorm();
     if (squared > smallestTurn * smallestTurn) {
-      search_.toward = across / std::sqrt(squared);
+      search_.toward = unitOf(across, squared);
     } else {
       search_.toward = axis_.unitOrthogonal();
     }
@@ -213,7 +213,7 @@ class ContactDescent {
         const double steps = std::abs(angle) * (1.0 + bent);
         if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep) {
           finishCircle(q.rho, angle, slope, turning, tangent);
-          noteTurns(-turning / curvature, turnedBefore);
+          noteTurns(-1.0 / curvature * turning, turnedBefore);
           break;
         }
       }
@@ -253,7 +253,7 @@ class ContactDescent {
     if (squared > smallMove * smallMove) {
       const bool known = !before.isZero(0.0);
       search_.turnsAlong = way;
-      search_.turnsChange = known ? Vec3((turns - before) / squared) : Vec3(Vec3::Zero());
+      search_.turnsChange = known ? Vec3(1.0 / squared * (turns - before)) : Vec3(Vec3::Zero());
     }
     search_.towardAt = te_;
     search_.towardTurns = turns;

@@ -81,19 +81,19 @@ class ContactSearch {
   /// of a torus. What is found holds until the tool leaves the place.
   [[nodiscard]] bool isConvexAround() {
     const double low = std::min(0.0, cutter_.f - cutter_.r);
+    const Vec3 middle = te_ + 0.5 * (cutter_.h + low) * axis_;
+    const double known = search_.convexWay;
+    if ((middle - search_.convexAt).squaredNorm() <= known * known && known != 0.0) {
+      return known > 0.0;
+    }
     const double across = std::max(cutter_.maxRadius(), cutter_.e + cutter_.r);
     const double radius = std::sqrt(across * across + 0.25 * (cutter_.h - low) * (cutter_.h - low));
-    const Vec3 middle = te_ + 0.5 * (cutter_.h + low) * axis_;
-    const double known = std::abs(search_.convexRadius);
-    if (known > 0.0 && (middle - search_.convexAt).norm() + radius <= known) {
-      return search_.convexRadius > 0.0;
-    }
     auto hint = search_.hint;
     const surface::Bends bends =
         surface_.bends(middle, surface_.foot(middle, hint), roomy * radius);
     const bool convex = side_ > 0.0 ? bends.low >= 0.0 : bends.high <= 0.0;
     search_.convexAt = middle;
-    search_.convexRadius = convex ? roomy * radius : -roomy * radius;
+    search_.convexWay = (convex ? 1.0 : -1.0) * (roomy - 1.0) * radius;
     return convex;
   }
 
@@ -140,7 +140,8 @@ class ContactSearch {
     if (radius <= 0.0) {
       return true;
     }
-    if ((q - search_.boundAt).norm() + radius <= search_.boundRadius && proves(search_.bound)) {
+    const double way = search_.boundRadius - radius;
+    if (way >= 0.0 && (q - search_.boundAt).squaredNorm() <= way * way && proves(search_.bound)) {
       return true;
     }
     return std::any_of(reserves.begin(), reserves.end(),

@@ -25,13 +25,16 @@ inline constexpr double seriesRoot = 5e-5;
   return cosine * v + sine * axis.cross(v);
 }
 
-/// The unit vector along one that may be nearly of that length.
-[[nodiscard]] inline Vec3 unitOf(const Vec3& v) {
-  const double over = v.squaredNorm() - 1.0;
+/// The unit vector along one that may be nearly of that length already.
+[[nodiscard]] inline Vec3 unitOf(const Vec3& v, double squaredNorm) {
+  const double over = squaredNorm - 1.0;
   if (std::abs(over) <= seriesRoot) {
     return v * (1.0 - over * (0.5 - over * (0.375 - over * 0.3125)));
   }
-  return v / std::sqrt(1.0 + over);
+  return v / std::sqrt(squaredNorm);
+}
+[[nodiscard]] inline Vec3 unitOf(const Vec3& v) {
+  return unitOf(v, v.squaredNorm());
 }
 
 }  // namespace arelem::tool

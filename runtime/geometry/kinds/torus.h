@@ -7,18 +7,24 @@ namespace arelem::surface {
 
 /// Center, unit axis, radius of the axis circle and of the tube. Positive outside the tube.
 struct Torus {
-  using Hint = NoHint;
+  /// The way from the axis to the place of the last foot.
+  struct Hint {
+    Vec3 out = Vec3::UnitX();
+    double rho = 0.0;
+  };
   Vec3 center = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
   double major = 2.0;
   double minor = 1.0;
 
-  [[nodiscard]] Foot foot(const Vec3& p, Hint&) const {
+  [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const {
     const Vec3 w = p - center;
     const double along = w.dot(axis);
     const Vec3 radial = w - along * axis;
     const double rho = radial.norm();
     const Vec3 out = rho > 0.0 ? Vec3(radial / rho) : Vec3(axis.unitOrthogonal());
+    hint.rho = rho;
+    hint.out = out;
     // Of the size of a part: std::hypot would take longer than all else here.
     const double across = rho - major;
     const double length = std::sqrt(across * across + along * along);
@@ -37,18 +43,14 @@ struct Torus {
     const double inward = std::min(1.0, std::max(0.0, major - nearest) / tube);
     return {-inward / nearest, 1.0 / tube};
   }
-  [[nodiscard]] Vec3 turn(const Vec3& p, const Foot& foot, const Vec3& t, Hint&) const {
-    const Vec3 w = p - center;
-    const double along = w.dot(axis);
-    const Vec3 radial = w - along * axis;
-    const double squared = radial.squaredNorm();
-    if (squared <= 0.0) {
+  [[nodiscard]] Vec3 turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
+    if (hint.rho <= 0.0) {
       return Vec3::Zero();
     }
-    const Vec3 around = axis.cross(radial);
-    const Vec3 aside = around.dot(t) / squared * around;
+    const Vec3 around = axis.cross(hint.out);
+    const Vec3 aside = around.dot(t) * around;
     const Vec3 meridian = t - foot.normal.dot(t) * foot.normal - aside;
-    return meridian / (foot.distance + minor) + foot.normal.dot(radial) / squared * aside;
+    return meridian / (foot.distance + minor) + foot.normal.dot(hint.out) / hint.rho * aside;
   }
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const {
     return t.dot(turn(p, foot, t, hint));
