@@ -21,8 +21,6 @@ namespace arelem::motion {
 namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
-/// Gaps that a motion may measure for each of its cut vectors on the average.
-constexpr std::uint64_t gapsAllowed = 5000;
 constexpr double halfTurn = std::numbers::pi;
 /// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
 /// unit.
@@ -46,7 +44,7 @@ class Follower {
         sink_(sink),
         limits_(limits),
         interrupted_(interrupted),
-        effort_(gapsAllowed),
+        effort_(limits.gaps),
         stride_(course.path, state.longestVector),
         stops_(state, course) {
     for (CheckWatch& w : course_.watches) {
@@ -119,7 +117,7 @@ class Follower {
     const Vec3 p = told(last_.toolEnd);
     const CheckWatch& w = course_.watches.front();
     const Vec3 q = told(w.nearestPlace());
-    return fail(diag::MotionEffort, gapsAllowed, result_.cutVectors, p.x(), p.y(), p.z(),
+    return fail(diag::MotionEffort, limits_.gaps, result_.cutVectors, p.x(), p.y(), p.z(),
                 w.surface().name, w.nearest(), q.x(), q.y(), q.z());
   }
 
