@@ -115,10 +115,7 @@ class Follower {
 
   [[nodiscard]] Failure tooMuch() const {
     const Vec3 p = told(last_.toolEnd);
-    const CheckWatch& w = course_.watches.front();
-    const Vec3 q = told(w.nearestPlace());
-    return fail(diag::MotionEffort, limits_.gaps, result_.cutVectors, p.x(), p.y(), p.z(),
-                w.surface().name, w.nearest(), q.x(), q.y(), q.z());
+    return fail(diag::MotionEffort, limits_.gaps, result_.cutVectors, p.x(), p.y(), p.z());
   }
 
   [[nodiscard]] std::optional<Failure> beyondLimits() const {

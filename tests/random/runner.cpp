@@ -72,6 +72,7 @@ class Runner {
     if (!request_.only.empty()) {
       const SceneId id = idOf(request_.only);
       fmt::print("{}", drawScene(id).program({}));
+      std::fflush(stdout);
       take(crew_.tryAll(std::vector{id}));
     } else if (request_.again) {
       repeat();
