@@ -30,12 +30,13 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
                        ir::Condition condition,
                        int nth,
                        Tool tool,
-                       double band,
+                       const StopBand& allowed,
                        double pathBand)
     : surface_(surface),
       condition_(condition),
       nth_(nth),
-      band_(band),
+      allowed_(allowed),
+      band_(allowed.inner + allowed.outer),
       pathBand_(pathBand),
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
       pointTool_(tool.cutter == nullptr),
@@ -234,7 +235,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
         now_.free = 0.0;
         return Hit{before, u, m.field, true};
       }
-      if (size <= band_) {
+      if (touches(m.value)) {
         now_.seen += passed;
         now_.last = s.at(u);
       }

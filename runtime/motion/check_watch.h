@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +11,11 @@
 
 namespace arelem::motion {
 
+/// How far a position at a check surface may be off: the gap there lies in [-inner, outer].
+struct StopBand {
+  double inner = 0.0, outer = 0.0;
+};
+
 /// Watches one check surface along a path and finds the position asked for, without stepping over
 /// one.
 ///
@@ -17,7 +23,7 @@ namespace arelem::motion {
 /// length times the angle, so a measure of m proves free path. Positions
 /// are counted as spec 4.8 says: TO and PAST are the zeros of max(gap on one side, gap on the
 /// other), which are where the cutter begins and ends to violate the surface; ON are the zeros of
-/// the tool end's distance. A gap that comes within the tolerance and opens again without changing
+/// the tool end's distance. A gap that comes within the tolerance and turns round without changing
 /// its sign is a contact too: TO and PAST at one place.
 class CheckWatch {
  public:
@@ -36,7 +42,7 @@ class CheckWatch {
              ir::Condition condition,
              int nth,
              Tool tool,
-             double band,
+             const StopBand& allowed,
              double pathBand);
 
   /// From now on the nearest approach is found to rounding, for messages: scans take longer. The
@@ -65,9 +71,13 @@ class CheckWatch {
     now_.farther -= change;
   }
 
-  /// True where a gap found at a tangency is contact within the tolerance.
+  /// True where a gap that turns round is contact within the tolerance. ON and tangent stops have
+  /// two sides, and one tolerance for both, as the proof of them has.
   [[nodiscard]] bool touches(double gap) const {
-    return std::abs(gap) <= band_ * (1.0 + tolerance::wholeExponent);
+    const double slack = band_ * tolerance::wholeExponent;
+    const double most = tangent_ ? band_ : std::max(allowed_.inner, allowed_.outer);
+    return tangent_ || pointTool_ ? std::abs(gap) <= most + slack
+                                  : gap >= -allowed_.inner - slack && gap <= allowed_.outer + slack;
   }
   [[nodiscard]] bool isTangent() const { return tangent_; }
   [[nodiscard]] bool usesPart() const { return condition_ == ir::Condition::pstan; }
@@ -150,6 +160,7 @@ class CheckWatch {
   NamedSurface surface_;
   ir::Condition condition_;
   int nth_;
+  StopBand allowed_;
   double band_;
   double pathBand_;
   bool tangent_;

@@ -164,7 +164,8 @@ class Planner {
       if (!(state_.band(role) > 0.0)) {
         return fail(diag::NoBand, state_.band(role));
       }
-      course_.watches.emplace_back(goal.surface, goal.condition, goal.nth, tool, state_.band(role),
+      const StopBand allowed{state_.inner[role], state_.outer[role]};
+      course_.watches.emplace_back(goal.surface, goal.condition, goal.nth, tool, allowed,
                                    state_.band(partner));
     }
     return std::nullopt;

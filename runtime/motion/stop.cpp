@@ -37,7 +37,9 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
     }
   }
   auto end = atRest(a, segment, met, near);
-  if (end && met.hit.touch && !segment.isArc() && !course_.watches[met.check].isTangent()) {
+  // A chord may cross what the path proper only touches.
+  if (end && (met.hit.touch || !isContact(met, *end)) && !segment.isArc() &&
+      !course_.watches[met.check].isTangent()) {
     end = closer(a, segment, met, *end);
   }
   return end;

@@ -254,6 +254,17 @@ class ContactSearch {
 
   using Grid = std::array<std::array<double, angles>, mostRows>;
 
+  /// A minimum of the distance over the cutter, and its direction from the axis.
+  struct Low {
+    double gap;
+    Vec3 point, toward;
+  };
+  struct Lows {
+    std::array<Low, mostRows * angles + 1> list;
+    std::size_t count = 0;
+    void add(const Low& low) { list[count++] = low; }
+  };
+
   /// The lowest of its neighbors; of equal ones the first. A row on the axis, the same all around,
   /// does not tell where the others are low.
   static bool isLow(const Grid& grid, const Rows& all, std::size_t row, int k) {
@@ -289,6 +300,8 @@ class ContactSearch {
     for (std::size_t r = 0; r < all.count; ++r) {
       skipped = std::min(skipped, fill(grid[r], all.list[r], directions, best.gap));
     }
+    Lows lows;
+    lows.add({local.gap, local.point, toward});
     for (std::size_t r = 0; r < all.count; ++r) {
       for (int k = 0; k < angles; ++k) {
         if (!isLow(grid, all, r, k)) {
@@ -296,6 +309,7 @@ class ContactSearch {
         }
         descent_.turnTo(directions[static_cast<std::size_t>(k)]);
         const Contact c = descend(all.list[r].piece, all.list[r].along);
+        lows.add({c.gap, c.point, search_.toward});
         if (c.gap < best.gap) {
           best = c;
           toward = search_.toward;
@@ -307,12 +321,28 @@ class ContactSearch {
     search_.hint = hint;
     const bool atPoint = cutter_.alpha > 0.0 &&
                          (best.point - te_).cross(axis_).norm() < 0.25 * cutter_.bottomEnd.rho;
-    const double others = std::min(skipped, leastBeside(grid, all, directions, toward, atPoint));
+    const double others = std::min({skipped, leastBeside(grid, all, directions, toward, atPoint),
+                                    leastApart(lows, best, toward)});
     search_.lead = trustedShare * (others - best.gap);
     search_.leadGap = best.gap + search_.lead;
     search_.leadAt = te_;
     search_.leadAxis = axis_;
     return best;
+  }
+
+  /// The least minimum that is another contact: between two places of the grid the tool is nearer.
+  double leastApart(const Lows& lows, const Contact& best, const Vec3& toward) const {
+    const auto below = [&](const Vec3& p) { return (p - te_).dot(axis_) <= cutter_.sideStart.z; };
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < lows.count; ++i) {
+      const Low& low = lows.list[i];
+      const bool beside = below(low.point) && low.toward.dot(toward) >= besideContact;
+      if (!(beside && below(best.point)) &&
+          (low.point - best.point).norm() > tolerance::coincidence) {
+        least = std::min(least, low.gap);
+      }
+    }
+    return least;
   }
 
   /// The least distance of the grid but for the bottom and the corner next to the contact. The

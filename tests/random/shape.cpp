@@ -1,5 +1,8 @@
 #include "tests/random/shape.h"
 
+#include <algorithm>
+#include <array>
+
 #include <fmt/format.h>
 
 namespace arelem::scenes {
@@ -43,17 +46,25 @@ struct Definition {
     }
     return text + written(m(3, 3));
   }
+  // The own normals of tabulated cylinders and ruled surfaces are products of two directions, which
+  // a mirror turns round: there the points, or the curves, come in the other order. To an angle
+  // towards a surface that the tool end is on it matters.
   std::string operator()(const TabulatedShape& s) const {
     std::string text = "TABCYL/XYZ,SPLINE,(VECTOR/" + written(to.direction(s.direction)) + ")";
-    for (const Vec3& p : s.points) {
+    std::vector<Vec3> points = s.points;
+    if (to.mirrors()) {
+      std::ranges::reverse(points);
+    }
+    for (const Vec3& p : points) {
       text += "," + written(to.point(p));
     }
     return text;
   }
   std::string operator()(const RuledShape& s) const {
     std::string text = "RLDSRF/";
-    for (std::size_t i = 0; i < 2; ++i) {
-      text += (i == 0 ? "(" : ",(") + (*this)(s.carriers[i]) + ")";
+    for (const std::size_t i :
+         to.mirrors() ? std::array<std::size_t, 2>{1, 0} : std::array<std::size_t, 2>{0, 1}) {
+      text += (text.back() == '/' ? "(" : ",(") + (*this)(s.carriers[i]) + ")";
       for (const Vec3& p : s.points[i]) {
         text += ",(POINT/" + written(to.point(p)) + ")";
       }

@@ -81,5 +81,27 @@ TEST(WarmContact, BottomOverACrestIsAtItsHeight) {
   }
 }
 
+/// A ball with its shank along the wall of a hollow cylinder that leans: within a ten-thousandth of
+/// the way the contact goes over from the ball to the rim of the shank, between two directions at
+/// which a survey looks.
+TEST(WarmContact, InAHollowGoesOverToTheRim) {
+  const Vec3 along(-0.0705045733896139, 0.9975114561403035, 0.06889648437500001);
+  const surface::Cylinder s{{0.0, 0.0, 8.62109375}, along.normalized(), 8.9375};
+  const Profile ball = cutter({0.5, 0.25, 0.0, 0.25, 0.0, 0.0, 5.0});
+  const Vec3 from(-4.626898089325902, -53.152890544780661, 2.3825212514188898);
+  const Vec3 to(-4.6269474991116404, -53.153041367987477, 2.3827246493257741);
+  Search<surface::Cylinder> warm;
+  bool onRim = false;
+  for (int i = 0; i <= 40; ++i) {
+    const Vec3 te = from + i / 40.0 * (to - from);
+    const Contact foretold = contact(s, -1.0, ball, te, Vec3::UnitZ(), warm);
+    Search<surface::Cylinder> cold;
+    const Contact searched = contact(s, -1.0, ball, te, Vec3::UnitZ(), cold);
+    ASSERT_NEAR(foretold.gap, searched.gap, 1e-9) << i;
+    onRim = onRim || searched.point.z() - te.z() > 4.999;
+  }
+  EXPECT_TRUE(onRim);
+}
+
 }  // namespace
 }  // namespace arelem::tool
