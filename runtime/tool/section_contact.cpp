@@ -152,6 +152,10 @@ void SectionSearch::prepare(const TabulatedCylinder& s,
   addBall(cutter.sideEnd.rho, cutter.sideEnd.z, 0.0, false);
   addBall(-cutter.sideEnd.rho, cutter.sideEnd.z, 0.0, false);
   addEdge({cutter.sideEnd.rho, cutter.sideEnd.z}, -Vec2::UnitX(), 2.0 * cutter.sideEnd.rho, 0.0);
+  for (std::size_t i = 0; i < ballCount_; ++i) {
+    const Vec3 center = inSpace(balls_[i].center);
+    balls_[i].inPlane = {center.dot(curve.u), center.dot(curve.v)};
+  }
   for (std::size_t i = 0; i < edgeCount_; ++i) {
     Edge& e = edges_[i];
     const Vec3 direction = inSpace(e.direction);
@@ -163,13 +167,11 @@ void SectionSearch::prepare(const TabulatedCylinder& s,
 }
 
 /// The gap of a ball, exactly, in the place where the tool is.
-double SectionSearch::measure(const TabulatedCylinder& s,
-                              Ball& ball,
-                              const Vec3& te,
-                              const Vec2& at) {
-  const surface::Foot foot = s.foot(te + inSpace(ball.center), ball.hint);
+double SectionSearch::measure(const TabulatedCylinder& s, Ball& ball, const Vec2& at) {
+  const Vec2 center = at + ball.inPlane;
+  const auto foot = s.footInPlane(center.x(), center.y(), ball.hint);
   ball.gap = side_ * foot.distance - ball.radius;
-  ball.normal = foot.normal;
+  ball.normal = {foot.normalU, foot.normalV};
   ball.at = at;
   ball.known = true;
   return ball.gap;
@@ -178,15 +180,15 @@ double SectionSearch::measure(const TabulatedCylinder& s,
 /// The nearest ball. Balls are measured only where they may have come as near as the nearest by the
 /// way of the tool.
 const SectionSearch::Ball& SectionSearch::nearestBall(const TabulatedCylinder& s,
-                                                      const Vec3& te,
                                                       const Vec2& at) {
-  double least = measure(s, balls_[last_], te, at);
+  double least = measure(s, balls_[last_], at);
   for (std::size_t i = 0; i < ballCount_; ++i) {
     Ball& b = balls_[i];
-    if (i == last_ || (b.known && b.gap - (at - b.at).norm() >= least)) {
+    if (i == last_ || (b.known && b.gap >= least &&
+                       (b.gap - least) * (b.gap - least) >= (at - b.at).squaredNorm())) {
       continue;
     }
-    if (measure(s, b, te, at) < least) {
+    if (measure(s, b, at) < least) {
       least = b.gap;
       last_ = i;
     }
@@ -207,7 +209,7 @@ std::optional<Contact> SectionSearch::contact(const TabulatedCylinder& s,
     return std::nullopt;
   }
   const Vec2 at(te.dot(s.curve().u), te.dot(s.curve().v));
-  const Ball& ball = nearestBall(s, te, at);
+  const Ball& ball = nearestBall(s, at);
   double least = ball.gap;
   const Edge* edge = nullptr;
   const Level* level = nullptr;
@@ -226,7 +228,7 @@ std::optional<Contact> SectionSearch::contact(const TabulatedCylinder& s,
       }
     }
   }
-  const Vec3 normal = side * ball.normal;
+  const Vec3 normal = side * (ball.normal.x() * s.curve().u + ball.normal.y() * s.curve().v);
   if (!ball.cut || normal.dot(axis) >= lowestNormal_) {
     low_ = Contact{ball.gap, normal, te + inSpace(ball.center) - ball.radius * normal};
   }

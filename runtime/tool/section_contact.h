@@ -49,8 +49,9 @@ class SectionSearch {
     Hint hint;
     bool known = false;
     double gap = 0.0;             ///< when it was measured
-    Vec2 at{0.0, 0.0};            ///< where the tool end was then, in the plane of the curve
-    Vec3 normal = Vec3::UnitZ();  ///< of the surface's own side
+    Vec2 inPlane = Vec2::Zero();  ///< the center in the plane of the curve, from the tool end
+    Vec2 at{0.0, 0.0};            ///< where the tool end was then, in that plane
+    Vec2 normal{0.0, 1.0};        ///< of the surface's own side, in that plane
   };
   /// A place of the curve that runs along an edge, by what it says with the tool end at zero.
   struct Level {
@@ -76,10 +77,8 @@ class SectionSearch {
   void addEdges(ProfilePoint from, ProfilePoint to);
   void addEdge(const Vec2& start, const Vec2& direction, double length, double ball);
   void findLevels(const surface::TabulatedCylinder::Curve& curve, double side, Edge& edge) const;
-  double measure(const surface::TabulatedCylinder& s, Ball& ball, const Vec3& te, const Vec2& at);
-  [[nodiscard]] const Ball& nearestBall(const surface::TabulatedCylinder& s,
-                                        const Vec3& te,
-                                        const Vec2& at);
+  double measure(const surface::TabulatedCylinder& s, Ball& ball, const Vec2& at);
+  [[nodiscard]] const Ball& nearestBall(const surface::TabulatedCylinder& s, const Vec2& at);
   [[nodiscard]] std::optional<Contact> onEdge(const surface::TabulatedCylinder& s,
                                               const Vec3& te,
                                               const Edge& edge,

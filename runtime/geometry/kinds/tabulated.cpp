@@ -10,9 +10,10 @@ namespace {
 using Piece = TabulatedCylinder::Piece;
 
 constexpr int newtonLimit = 40;
-/// A step of Newton that is smaller than this share of the piece is the last: the next would be
-/// about its square.
-constexpr double lastStep = 1e-5;
+/// Steps that are smaller than this share of the piece may be the last, if the next would be
+/// smaller than this share of it.
+constexpr double lastStep = 2e-3;
+constexpr double unseenStep = 1e-9;
 /// Parts of a piece that are looked at one by one.
 constexpr int parts = 4;
 /// A place between two feet on a graph that rises by at most 45 degrees is farther off than they
@@ -59,7 +60,8 @@ double squaredTo(const Piece& p, const Local& q, double x) {
   return dx * dx + dy * dy;
 }
 
-/// Safeguarded Newton on half the derivative of the squared distance, from x, kept in the piece.
+/// Safeguarded steps of the third order (Chebyshev's) to a zero of half the derivative of the
+/// squared distance, from x, kept in the piece.
 Nearest descend(const Piece& p, const Local& q, double x) {
   const double lo = low(p);
   const double hi = high(p);
@@ -67,19 +69,30 @@ Nearest descend(const Piece& p, const Local& q, double x) {
   for (int i = 0; i < newtonLimit; ++i) {
     const double y = height(p, x) - q.y;
     const double s = slope(p, x);
+    const double bend = second(p, x);
     const double gradient = x - q.x + y * s;
-    const double curvature = 1.0 + s * s + y * second(p, x);
-    // Where the squared distance is hardly convex, next to a center of curvature, the Gauss-Newton
-    // step is safe but creeps: Newton's is taken there if it leads farther down.
-    const bool newton = curvature > 0.1 * (1.0 + s * s);
-    double next = std::clamp(x - gradient / (newton ? curvature : 1.0 + s * s), lo, hi);
-    if (!newton && curvature > 0.0) {
-      const double bold = std::clamp(x - gradient / curvature, lo, hi);
-      next = squaredTo(p, q, bold) < squaredTo(p, q, next) ? bold : next;
+    const double curvature = 1.0 + s * s + y * bend;
+    double next = x;
+    bool last = false;
+    if (curvature > 0.1 * (1.0 + s * s)) {
+      const double inverse = 1.0 / curvature;
+      const double step = -gradient * inverse;
+      const double further = -0.5 * step * step * (3.0 * s * bend + 6.0 * p.a * y) * inverse;
+      const double size = std::abs(step);
+      next = std::clamp(x + step + std::clamp(further, -0.5 * size, 0.5 * size), lo, hi);
+      last = size <= lastStep * p.length && 2.0 * further * further <= unseenStep * p.length * size;
+    } else {
+      // Where the squared distance is hardly convex, next to a center of curvature, the
+      // Gauss-Newton step is safe but creeps: Newton's is taken there if it leads farther down.
+      next = std::clamp(x - gradient / (1.0 + s * s), lo, hi);
+      if (curvature > 0.0) {
+        const double bold = std::clamp(x - gradient / curvature, lo, hi);
+        next = squaredTo(p, q, bold) < squaredTo(p, q, next) ? bold : next;
+      }
     }
     const double moved = std::abs(next - x);
     x = next;
-    if (moved <= (newton ? lastStep * p.length : 1e-16 * (std::abs(x) + p.length))) {
+    if (last || moved <= 1e-16 * (std::abs(x) + p.length)) {
       break;
     }
   }
@@ -115,11 +128,18 @@ bool hasOneMinimum(const Piece& p, const Local& q) {
   return std::min({below * s0, below * s1, above * s0, above * s1}) > -1.0;
 }
 
-/// The nearest place of a piece, if it is nearer than `bound`.
+/// The nearest place of a piece, if it is nearer than `bound`; else no nearer one than there is.
 Nearest nearestOf(const Piece& p, const Local& q, double bound) {
   if (p.a == 0.0 && p.b == 0.0) {
     const double x = std::clamp(q.x, low(p), high(p));
     return {x, squaredTo(p, q, x)};
+  }
+  if (hasOneMinimum(p, q)) {
+    // It lies at an end from which the distance rises, or between the ends.
+    const double end = q.x + q.y * slope(p, 0.0) <= 0.0                  ? 0.0
+                       : q.x - p.length + q.y * slope(p, p.length) >= 0.0 ? p.length
+                                                                         : -1.0;
+    return end >= 0.0 ? Nearest{end, squaredTo(p, q, end)} : descend(p, q, q.x);
   }
   // A cubic over a chord has at most three minima; the ends of its parts find them for the gentle
   // pieces that definitions produce.
@@ -142,9 +162,12 @@ Nearest nearestOf(const Piece& p, const Local& q, double bound) {
 }  // namespace
 
 Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
+  const PlaneFoot found = footInPlane(curve_->u.dot(point), curve_->v.dot(point), hint);
+  return {found.distance, found.normalU * curve_->u + found.normalV * curve_->v};
+}
+
+TabulatedCylinder::PlaneFoot TabulatedCylinder::footInPlane(double u, double v, Hint& hint) const {
   const Curve& curve = *curve_;
-  const double u = curve.u.dot(point);
-  const double v = curve.v.dot(point);
   Nearest best;
   int bestPiece = hint.piece;
   bool whole = hint.piece < 0;  // every piece is to be looked at
@@ -157,8 +180,9 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
       best = found.squared < best.squared ? found : best;
     }
     // The others are nearer by the way since they were looked at, at most.
-    const double moved = std::sqrt((u - hint.u) * (u - hint.u) + (v - hint.v) * (v - hint.v));
-    whole = std::sqrt(best.squared) + moved > hint.others;
+    const double moved = (u - hint.u) * (u - hint.u) + (v - hint.v) * (v - hint.v);
+    whole = best.squared + moved + 2.0 * std::sqrt(best.squared * moved) >
+            hint.others * std::abs(hint.others);
   }
   if (whole) {
     double others = std::numeric_limits<double>::infinity();
@@ -175,12 +199,10 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
         continue;
       }
       const Nearest found = nearestOf(p, q, best.squared);
+      others = std::min(others, std::max(found.squared, best.squared));
       if (found.squared < best.squared) {
-        others = std::min(others, best.squared);
         best = found;
         bestPiece = i;
-      } else {
-        others = best.squared;
       }
     }
     hint.others = std::sqrt(others);
@@ -210,7 +232,7 @@ Foot TabulatedCylinder::foot(const Vec3& point, Hint& hint) const {
   const double gy = fromFoot ? dy / distance : ny;
   const double gu = gx * p.dirU - gy * p.dirV;
   const double gv = gx * p.dirV + gy * p.dirU;
-  return {distance, gu * curve.u + gv * curve.v};
+  return {distance, gu, gv};
 }
 
 double TabulatedCylinder::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {

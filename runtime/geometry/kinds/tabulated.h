@@ -33,7 +33,14 @@ class TabulatedCylinder {
 
   explicit TabulatedCylinder(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}
 
+  /// A foot seen along the generatrix: the normal is (u, v) in the plane of the curve.
+  struct PlaneFoot {
+    double distance = 0.0, normalU = 0.0, normalV = 0.0;
+  };
+
   [[nodiscard]] Foot foot(const Vec3& p, Hint& hint) const;
+  /// The foot of all places that are seen at (u, v) along the generatrix.
+  [[nodiscard]] PlaneFoot footInPlane(double u, double v, Hint& hint) const;
   [[nodiscard]] double bend(const Vec3& p, const Foot& foot, const Vec3& t, Hint& hint) const;
   [[nodiscard]] Bends bends(const Vec3& p, const Foot& foot, double radius) const;
   [[nodiscard]] const Vec3& generatrix() const { return curve_->w; }
