@@ -17,7 +17,8 @@ class TriangleTree {
 
   /// The triangle nearest to p, of the same mesh. `guess` is one that is likely to be near, or -1.
   [[nodiscard]] std::size_t nearest(const TriangleMesh& mesh, const Vec3& p, int guess) const;
-  /// A triangle down the tree by the lesser of `measure(center, half)`: likely the one of the least.
+  /// A triangle down the tree by the lesser of `measure(center, half)`: likely the one of the
+  /// least.
   template <class Measure>
   [[nodiscard]] std::size_t likely(Measure measure) const;
   /// Visits every triangle whose boxes are all entered; always in the same order.

@@ -78,7 +78,8 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   marks_.clear();
   ended_ = true;
   // A short list to find the first node: it is below the place by the band, along the normal.
-  const Way around{{at.s - least_, at.z}, {at.s + least_, at.z}, slab_ + firstBands * band_ + least_};
+  const Way around{
+      {at.s - least_, at.z}, {at.s + least_, at.z}, slab_ + firstBands * band_ + least_};
   if (!heights_->gather(around, most)) {
     return false;
   }
@@ -153,7 +154,8 @@ bool TunnelBuilder::focus() {
     near_.way = {here,
                  {here.s + length, here.z + last_.highest().slope() * length},
                  near_.bend * length * length + slab_};
-    const double beside = std::max(heights_->beside(wide_.way, here), heights_->beside(wide_.way, near_.way.to));
+    const double beside =
+        std::max(heights_->beside(wide_.way, here), heights_->beside(wide_.way, near_.way.to));
     wide_.see(beside + near_.way.slab - slab_);
     if (beside + near_.way.slab > wide_.way.slab) {
       wide_.shorten(here.s);

@@ -25,6 +25,10 @@ class UprightBounds {
           slope_((way.to.z - way.from.z) / (way.to.s - way.from.s)),
           base_(way.from.z - way.slab - slope_ * way.from.s) {}
 
+    /// Whether a line leaves the middle of the way: others, for normals from elsewhere, will too.
+    [[nodiscard]] bool isInMiddle(const Line& line, double middle) const {
+      return line.at(middle) >= base_ + slope_ * middle;
+    }
     /// True where nothing is left.
     bool isSettled(const Line& line) {
       const double steeper = line.slope - slope_;

@@ -76,16 +76,20 @@ class UprightList::Collect {
     if (distance * (distance - radius) > std::abs(out) * hx + std::abs(y) * hy) {
       return false;
     }
-    Doubt doubt = doubt_;
-    for (const double beside : besides) {
-      const Normal n = list_.bounds_.normalTowards(x - beside * half_, y);
-      const double most = n.n.x() * (x + middle_) + n.n.y() * y + n.n.z() * z +
-                          std::abs(n.n.x()) * hx + std::abs(n.n.y()) * hy + n.n.z() * hz;
-      if (doubt.isSettled(list_.bounds_.lineOf(most, n))) {
-        return false;
-      }
+    const auto towards = [&](double beside) {
+      const Normal n = list_.bounds_.normalTowards(x - beside, y);
+      return list_.bounds_.lineOf(n.n.x() * (x + middle_) + n.n.y() * y + n.n.z() * z +
+                                      std::abs(n.n.x()) * hx + std::abs(n.n.y()) * hy +
+                                      n.n.z() * hz,
+                                  n);
+    };
+    const Line line = towards(0.0);
+    if (doubt_.isInMiddle(line, middle_)) {
+      return true;
     }
-    return true;
+    Doubt doubt = doubt_;
+    return !doubt.isSettled(line) && !doubt.isSettled(towards(-half_)) &&
+           !doubt.isSettled(towards(half_));
   }
   void visit(std::size_t i) {
     if (full) {
@@ -115,9 +119,12 @@ class UprightList::Collect {
     if (own_.facet.up.z() >= UprightBounds::usefulRise) {
       own_.lines[1] = list_.bounds_.lineOf(own_.facet, Normal::of(own_.facet.up));
     }
-    if (!doubt.isSettled(own_.lines[1]) &&
-        (list_.bounds_.isSharp() ||
-         (!doubt.isSettled(towards(-half_)) && !doubt.isSettled(towards(half_))))) {
+    if (doubt.isSettled(own_.lines[1])) {
+      return;
+    }
+    const bool certain = list_.bounds_.isSharp() || (doubt_.isInMiddle(own_.lines[0], middle_) &&
+                                                     doubt_.isInMiddle(own_.lines[1], middle_));
+    if (certain || (!doubt.isSettled(towards(-half_)) && !doubt.isSettled(towards(half_)))) {
       own_.number = static_cast<std::uint32_t>(i);
       list_.all_.push_back(own_);
       full = list_.all_.size() >= limit_;
@@ -126,8 +133,6 @@ class UprightList::Collect {
 
  private:
   using Doubt = UprightBounds::Doubt;
-  /// Where on the way normals are taken, in its halves from the middle.
-  static constexpr std::array besides{0.0, -1.0, 1.0};
 
   UprightList& list_;
   Doubt doubt_;
