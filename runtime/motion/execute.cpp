@@ -290,11 +290,8 @@ class Motions {
   }
 
   void jump(std::uint64_t key) {
-    if (const auto place = labels_.from(key, index_)) {
-      index_ = *place;
-    } else {
-      report(fail(diag::TransferTarget));
-    }
+    auto place = labels_.from(key, index_, reporter_.failed(), 100000);
+    place ? void(index_ = *place) : report(place.takeFailure());
   }
 
   void perform(const Transfer& t) { jump(t.label); }

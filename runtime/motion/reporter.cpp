@@ -53,7 +53,7 @@ std::optional<Failure> ofMotion(State& state, std::optional<Failure> failure) {
 void Reporter::report(const runtime::Action& action, Failure failure) {
   const DiagRow& row = *failure.row;
   failed_ = failed_ || row.severity == Severity::error;
-  fatal_ = fatal_ || &row == diag::Interrupted.row;
+  fatal_ = fatal_ || &row == diag::Interrupted.row || &row == diag::LimitTransfers.row;
   putRecord(writer_, row);
   Diagnostic d = at(action.origin, std::move(failure));
   for (auto call = action.calls; call; call = call->outer) {
