@@ -82,6 +82,13 @@ class Motions {
     }
   }
 
+  /// True where what is told is an error.
+  bool refuses(std::optional<Failure> told) {
+    const bool refused = told && told->row->severity == Severity::error;
+    reportIf(std::move(told));
+    return refused;
+  }
+
   void put(const Vec3& toolEnd, cl::Motion::Kind kind, const std::string& name, int subscript) {
     if (!state_.output) {
       return;
@@ -147,12 +154,8 @@ class Motions {
 
   void perform(const Locate& l) {
     const auto since = facts_.begin();
-    if (auto told = motion::setAxis(state_, l, options_.axesFollow)) {
-      const bool refused = told->row->severity == Severity::error;
-      report(*std::move(told));
-      if (refused) {
-        return;
-      }
+    if (refuses(motion::setAxis(state_, l, options_.axesFollow))) {
+      return;
     }
     putFeed(l.feed);
     if (l.word == Word::FROM) {
@@ -219,7 +222,7 @@ class Motions {
   }
 
   void perform(const Startup& s) {
-    if (state_.cutterRefused) {
+    if (state_.cutterRefused || refuses(motion::unfitBand(state_))) {
       return;
     }
     const auto since = facts_.begin();
@@ -247,7 +250,7 @@ class Motions {
   }
 
   void perform(const Follow& f) {
-    if (state_.cutterRefused) {
+    if (state_.cutterRefused || refuses(motion::unfitBand(state_))) {
       return;
     }
     const auto since = facts_.begin();
@@ -279,6 +282,7 @@ class Motions {
     output_.commit();
     state_.toolEnd = result->toolEnd;
     state_.axis = result->axis;
+    state_.turnedHere = false;
     state_.forward = state_.lastAcross = result->forward;
     state_.positioned = true;
     lastDrive_ = f.drive;

@@ -9,8 +9,9 @@
 
 namespace arelem::motion {
 
-Failure missed(const Course& course) {
-  const CheckWatch& w = course.watches.front();
+namespace {
+/// Why one check surface did not end the motion.
+Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
   if (w.isTangent()) {
     const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
@@ -37,10 +38,25 @@ Failure missed(const Course& course) {
   }
   Failure never =
       fail(diag::CheckNotReached, w.surface().name, condition, w.nearest(), p.x(), p.y(), p.z());
+  if (w.startedAt()) {
+    return std::move(never).withHelp(
+        fmt::format("the tool is within the tolerance {} of it where the motion begins, which does "
+                    "not count",
+                    w.band()));
+  }
   if ((w.nearestPlace() - course.start.toolEnd).norm() <= tolerance::coincidence) {
     return std::move(never).withHelp("the tool moves away from it from the start on");
   }
   return never;
+}
+}  // namespace
+
+Failure missed(const Course& course) {
+  Failure all = missedOne(course, course.watches.front());
+  for (std::size_t i = 1; i < course.watches.size(); ++i) {
+    all = std::move(all).note(missedOne(course, course.watches[i]).message);
+  }
+  return all;
 }
 
 }  // namespace arelem::motion

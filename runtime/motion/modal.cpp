@@ -22,6 +22,8 @@ std::array<double, 4> spread(const std::vector<double>& values) {
   return all;
 }
 
+constexpr std::array<std::string_view, 3> bandOwner{"part", "drive", "check"};
+
 /// First number of the CUTTER record that the old system writes for OPTION, n, OFF.
 constexpr double endOfOption = 3.0;
 
@@ -56,6 +58,8 @@ std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis) 
       if (axis.vector.norm() <= tolerance::nullDirection) {
         return fail(diag::NullIndirection, "TLAXIS", axis.vector.norm());
       }
+      state.turnedHere = state.turnedHere ||
+                         (axis.vector.normalized() - state.axis).norm() > tolerance::nullDirection;
       state.axis = axis.vector.normalized();
       break;
     case Kind::keep:
@@ -112,6 +116,7 @@ std::optional<Failure> setCutter(State& state, const runtime::Parameter& p, bool
   }
   state.cutter = tool::joined(*profile);
   state.option = {};
+  state.toldOfBand = false;
   return used ? tool::shapeFault(*profile) : std::nullopt;
 }
 
@@ -128,6 +133,7 @@ void setCutterOption(State& state, const runtime::CutterOption& option, RecordWr
 }
 
 void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer) {
+  state.toldOfBand = false;
   switch (p.word) {
     case Word::TOLER:
       state.outer = spread(p.values);
@@ -153,6 +159,25 @@ void setParameter(State& state, const runtime::Parameter& p, RecordWriter& write
       state.vectorLimit = p.values[0];  // NUMPTS
       break;
   }
+}
+
+std::optional<Failure> unfitBand(State& state) {
+  const double farthest = state.toolEnd.cwiseAbs().maxCoeff();
+  const double radius = state.cutter ? state.cutter->maxRadius() : 0.0;
+  const double most = radius > 0.0 ? radius : state.longestVector;
+  for (const Role role : {partRole, driveRole, checkRole}) {
+    const double band = state.band(role);
+    const double rounding = tolerance::placeRounding * farthest;
+    if (band > 0.0 && rounding > tolerance::roundingOfBand * band) {
+      return fail(diag::TooFarOut, farthest, rounding, bandOwner[role], band);
+    }
+    if (band > most && !state.toldOfBand) {
+      state.toldOfBand = true;
+      return fail(diag::WideBand, bandOwner[role], band,
+                  radius > 0.0 ? "radius of the cutter" : "length of a cut vector", most);
+    }
+  }
+  return std::nullopt;
 }
 
 void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer) {
@@ -187,6 +212,7 @@ void moveTo(State& state, const Vec3& toolEnd) {
     state.forward = state.lastAcross = step;
   }
   state.toolEnd = toolEnd;
+  state.turnedHere = false;
   state.positioned = true;
   state.adrift = false;
 }
