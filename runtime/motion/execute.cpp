@@ -282,7 +282,6 @@ class Motions {
     output_.commit();
     state_.toolEnd = result->toolEnd;
     state_.axis = result->axis;
-    state_.turnedHere = false;
     state_.forward = state_.lastAcross = result->forward;
     state_.positioned = true;
     lastDrive_ = f.drive;

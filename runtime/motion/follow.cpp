@@ -52,7 +52,7 @@ class Follower {
     last_ = course_.start;
     auto bad = course_.isArc() ? runArc() : runChords();
     if (bad) {
-      return *std::move(bad);
+      return withStart(*std::move(bad));
     }
     result_.toolEnd = last_.toolEnd;
     result_.axis = last_.axis;
@@ -78,6 +78,23 @@ class Follower {
 
   // ---- what may go wrong ------------------------------------------------------------------------
 
+  /// A path that went on to its end because the tool stood at the check surface from the start on:
+  /// the fault is not with the surface that ended it.
+  [[nodiscard]] Failure withStart(Failure failure) const {
+    const bool ofPath =
+        failure.row == diag::ContactLost.row || failure.row == diag::RunsOffEnd.row ||
+        failure.row == diag::SurfacesParallel.row || failure.row == diag::CutVectorLimit.row;
+    for (const CheckWatch& w : course_.watches) {
+      if (ofPath && failure.help.empty() && w.startedAt() && !w.isTangent()) {
+        failure.help = fmt::format(
+            "the tool stands at check surface `{}` where the motion begins, which does not count: "
+            "it went on past it",
+            w.surface().name);
+      }
+    }
+    return failure;
+  }
+
   [[nodiscard]] Failure lost() {
     if (auto bad = course_.path.axis.fault(last_.toolEnd)) {
       return *std::move(bad);
@@ -101,7 +118,7 @@ class Follower {
         const CheckWatch& w = course_.watches.front();
         const Vec3 p = told(last_.toolEnd);
         const Vec3 q = told(w.nearestPlace());
-        return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, w.nearest(),
+        return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, told(w.nearest()),
                     w.surface().name, q.x(), q.y(), q.z());
       }
     }
@@ -119,8 +136,8 @@ class Follower {
       const Vec3 p = told(last_.toolEnd);
       const CheckWatch& w = course_.watches.front();
       const Vec3 q = told(w.nearestPlace());
-      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name, w.nearest(),
-                  q.x(), q.y(), q.z());
+      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name,
+                  told(w.nearest()), q.x(), q.y(), q.z());
     }
     return std::nullopt;
   }

@@ -18,8 +18,8 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
     const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
     return fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                gap < 0.0 ? "overlap" : "miss each other", std::abs(gap), where.x(), where.y(),
-                where.z());
+                gap < 0.0 ? "overlap" : "miss each other", std::abs(told(gap)), where.x(),
+                where.y(), where.z());
   }
   const std::string_view condition = certify::spell(w.condition());
   if (!w.wasClear() && w.nearest() <= w.band()) {
@@ -36,8 +36,8 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     }
     return seldom;
   }
-  Failure never =
-      fail(diag::CheckNotReached, w.surface().name, condition, w.nearest(), p.x(), p.y(), p.z());
+  Failure never = fail(diag::CheckNotReached, w.surface().name, condition, told(w.nearest()), p.x(),
+                       p.y(), p.z());
   if (w.startedAt()) {
     return std::move(never).withHelp(
         fmt::format("the tool is within the tolerance {} of it where the motion begins, which does "
