@@ -184,14 +184,19 @@ class Planner {
         Failure off = role == partRole
                           ? fail(diag::OffPartSurface, gap, name, 0.0 - g.inner, g.outer)
                           : fail(diag::OffDriveSurface, gap, name, 0.0 - g.inner, g.outer);
-        return !state_.turnedHere
-                   ? off
-                   : std::move(off).withHelp(
-                         "TLAXIS turned the tool about its end where it stood: write "
-                         "it before the startup, or go to the surfaces again");
+        return turnsWhereItStands() ? std::move(off).withHelp(
+                                          "TLAXIS turns a tool that stands about its end: it "
+                                          "belongs before the startup")
+                                    : off;
       }
     }
     return std::nullopt;
+  }
+
+  /// True where a TLAXIS with a vector may have turned the tool away from its surfaces.
+  [[nodiscard]] bool turnsWhereItStands() const {
+    const runtime::ToolAxis& rule = state_.axisRule;
+    return rule.kind == runtime::ToolAxis::Kind::vector && rule.vector != Vec3::UnitZ();
   }
 
   /// A tool that gouges because it stands in a hollow of the drive surface that is narrower than

@@ -110,11 +110,7 @@ class Motions {
         l.subscript);
   }
 
-  void showAxis() {
-    if (options_.axesFollow) {
-      motion::showAxis(state_, writer_);
-    }
-  }
+  void showAxis() { options_.axesFollow ? motion::showAxis(state_, writer_) : void(); }
 
   void perform(const Arc&) { curves_.begin(action()); }
 
@@ -222,7 +218,7 @@ class Motions {
   }
 
   void perform(const Startup& s) {
-    if (state_.cutterRefused || refuses(motion::unfitBand(state_))) {
+    if (state_.cutterRefused || refuses(motion::tooFarOut(state_))) {
       return;
     }
     const auto since = facts_.begin();
@@ -250,7 +246,7 @@ class Motions {
   }
 
   void perform(const Follow& f) {
-    if (state_.cutterRefused || refuses(motion::unfitBand(state_))) {
+    if (state_.cutterRefused || refuses(motion::tooFarOut(state_))) {
       return;
     }
     const auto since = facts_.begin();
@@ -312,6 +308,7 @@ class Motions {
     } else {
       motion::setParameter(state_, p, writer_);
     }
+    reportIf(motion::wideBand(state_));
   }
 
   void perform(const Toggle& t) {

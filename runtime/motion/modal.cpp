@@ -58,8 +58,6 @@ std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis) 
       if (axis.vector.norm() <= tolerance::nullDirection) {
         return fail(diag::NullIndirection, "TLAXIS", axis.vector.norm());
       }
-      state.turnedHere = state.turnedHere ||
-                         (axis.vector.normalized() - state.axis).norm() > tolerance::nullDirection;
       state.axis = axis.vector.normalized();
       break;
     case Kind::keep:
@@ -116,7 +114,6 @@ std::optional<Failure> setCutter(State& state, const runtime::Parameter& p, bool
   }
   state.cutter = tool::joined(*profile);
   state.option = {};
-  state.toldOfBand = false;
   return used ? tool::shapeFault(*profile) : std::nullopt;
 }
 
@@ -133,7 +130,6 @@ void setCutterOption(State& state, const runtime::CutterOption& option, RecordWr
 }
 
 void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer) {
-  state.toldOfBand = false;
   switch (p.word) {
     case Word::TOLER:
       state.outer = spread(p.values);
@@ -161,20 +157,28 @@ void setParameter(State& state, const runtime::Parameter& p, RecordWriter& write
   }
 }
 
-std::optional<Failure> unfitBand(State& state) {
-  const double farthest = state.toolEnd.cwiseAbs().maxCoeff();
-  const double radius = state.cutter ? state.cutter->maxRadius() : 0.0;
+std::optional<Failure> wideBand(const State& state) {
+  if (!state.cutter) {
+    return std::nullopt;
+  }
+  const double radius = state.cutter->maxRadius();
   const double most = radius > 0.0 ? radius : state.longestVector;
   for (const Role role : {partRole, driveRole, checkRole}) {
-    const double band = state.band(role);
-    const double rounding = tolerance::placeRounding * farthest;
-    if (band > 0.0 && rounding > tolerance::roundingOfBand * band) {
-      return fail(diag::TooFarOut, farthest, rounding, bandOwner[role], band);
-    }
-    if (band > most && !state.toldOfBand) {
-      state.toldOfBand = true;
+    if (const double band = state.band(role); band > most) {
       return fail(diag::WideBand, bandOwner[role], band,
                   radius > 0.0 ? "radius of the cutter" : "length of a cut vector", most);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> tooFarOut(const State& state) {
+  const double farthest = state.toolEnd.cwiseAbs().maxCoeff();
+  const double rounding = tolerance::placeRounding * farthest;
+  for (const Role role : {partRole, driveRole, checkRole}) {
+    const double band = state.band(role);
+    if (band > 0.0 && rounding > tolerance::roundingOfBand * band) {
+      return fail(diag::TooFarOut, farthest, rounding, bandOwner[role], band);
     }
   }
   return std::nullopt;
@@ -212,7 +216,6 @@ void moveTo(State& state, const Vec3& toolEnd) {
     state.forward = state.lastAcross = step;
   }
   state.toolEnd = toolEnd;
-  state.turnedHere = false;
   state.positioned = true;
   state.adrift = false;
 }

@@ -83,7 +83,6 @@ void putRecord(RecordWriter& writer, const DiagRow& row) {
 std::optional<Failure> ofMotion(State& state, std::optional<Failure> failure) {
   const bool wasAdrift = state.adrift;
   state.adrift = failure.has_value();
-  state.turnedHere = state.turnedHere && state.adrift;
   if (failure && state.part) {
     noteReach(state.part->entity, *failure);
   }

@@ -29,8 +29,6 @@ struct State {
   bool positioned = false;  ///< FROM or a motion was met
   bool adrift = false;      ///< the last motion failed: the tool is not where the program means it
   Vec3 axis = Vec3::UnitZ();
-  bool turnedHere = false;      ///< TLAXIS turned the tool since it came to where it stands
-  bool toldOfBand = false;      ///< that a tolerance is wider than the tool
   std::optional<Vec3> forward;  ///< last non-axial displacement or INDIRV/INDIRP
   /// Last displacement that was not along the axis: where the forward direction is axial.
   std::optional<Vec3> lastAcross;
