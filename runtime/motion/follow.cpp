@@ -52,7 +52,7 @@ class Follower {
     last_ = course_.start;
     auto bad = course_.isArc() ? runArc() : runChords();
     if (bad) {
-      return withStart(*std::move(bad));
+      return withStart(*std::move(bad), course_);
     }
     result_.toolEnd = last_.toolEnd;
     result_.axis = last_.axis;
@@ -77,23 +77,6 @@ class Follower {
   }
 
   // ---- what may go wrong ------------------------------------------------------------------------
-
-  /// A path that went on to its end because the tool stood at the check surface from the start on:
-  /// the fault is not with the surface that ended it.
-  [[nodiscard]] Failure withStart(Failure failure) const {
-    const bool ofPath =
-        failure.row == diag::ContactLost.row || failure.row == diag::RunsOffEnd.row ||
-        failure.row == diag::SurfacesParallel.row || failure.row == diag::CutVectorLimit.row;
-    for (const CheckWatch& w : course_.watches) {
-      if (ofPath && failure.help.empty() && w.startedAt() && !w.isTangent()) {
-        failure.help = fmt::format(
-            "the tool stands at check surface `{}` where the motion begins, which does not count: "
-            "it went on past it",
-            w.surface().name);
-      }
-    }
-    return failure;
-  }
 
   [[nodiscard]] Failure lost() {
     if (auto bad = course_.path.axis.fault(last_.toolEnd)) {

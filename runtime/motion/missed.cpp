@@ -59,4 +59,19 @@ Failure missed(const Course& course) {
   return all;
 }
 
+Failure withStart(Failure failure, const Course& course) {
+  const bool ofPath = failure.row == diag::ContactLost.row || failure.row == diag::RunsOffEnd.row ||
+                      failure.row == diag::SurfacesParallel.row ||
+                      failure.row == diag::CutVectorLimit.row;
+  for (const CheckWatch& w : course.watches) {
+    if (ofPath && failure.help.empty() && w.startedAt() && !w.isTangent()) {
+      failure.help = fmt::format(
+          "the tool stands at check surface `{}` where the motion begins, which does not count: it "
+          "went on past it",
+          w.surface().name);
+    }
+  }
+  return failure;
+}
+
 }  // namespace arelem::motion
