@@ -11,11 +11,6 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Cubics err: what a chord dips is taken for this share more.
 constexpr double cubicError = 1e-3;
-/// A kink at any place between two nodes, over which the gap's slope changes by 1, is off the cubic
-/// through a node in the middle by at most these shares of how the cubic through the ends misses
-/// that node's gap and slope.
-constexpr double kinkByGap = 1.5;
-constexpr double kinkBySlope = 0.6;
 /// Crossings of tangents nearer than this share to an end tell nothing new.
 constexpr double nearEnd = 0.05;
 
@@ -91,19 +86,12 @@ double longestChord(double bend, double from, double to, double inner, double ou
          std::sqrt(2.0 / std::abs(bend));
 }
 
-std::optional<double> foretold(const GapNode& a,
-                               const GapNode& b,
-                               const GapNode& between,
-                               double tolerance) {
+bool foretold(const GapNode& a, const GapNode& b, const GapNode& between, double tolerance) {
   const double length = b.along - a.along;
   const Cubic c(a, b);
   const double x = (between.along - a.along) / length;
-  const double gap = std::abs(c.at(x) - between.gap);
-  const double slope = std::abs(c.slopeAt(x) - between.slope * length);
-  if (gap > tolerance || slope > 8.0 * tolerance) {
-    return std::nullopt;
-  }
-  return kinkByGap * gap + kinkBySlope * slope;
+  return std::abs(c.at(x) - between.gap) <= tolerance &&
+         std::abs(c.slopeAt(x) - between.slope * length) <= 8.0 * tolerance;
 }
 
 double crossing(const GapNode& a, const GapNode& b) {
@@ -114,12 +102,8 @@ double crossing(const GapNode& a, const GapNode& b) {
   return a.along + (inside ? at : 0.5 * length);
 }
 
-double squaredFit(const GapLine& ends,
-                  const GapNode& a,
-                  const GapNode& b,
-                  double inner,
-                  double outer,
-                  double doubt) {
+double squaredFit(
+    const GapLine& ends, const GapNode& a, const GapNode& b, double inner, double outer) {
   // Ends lie on the line between them; rounding must not make a dip of that.
   const double rounding = 1e-9 * (inner + outer);
   const Extremes e = extremes(Cubic(a, b));
@@ -128,12 +112,12 @@ double squaredFit(const GapLine& ends,
   const double lowLine = line(e.leastAt);
   const double dip = (1.0 + cubicError) * (lowLine - e.least);
   if (dip > rounding) {
-    factor = std::max(0.0, lowLine + inner) / (dip + doubt);
+    factor = std::max(0.0, lowLine + inner) / dip;
   }
   const double highLine = line(e.greatestAt);
   const double rise = (1.0 + cubicError) * (e.greatest - highLine);
   if (rise > rounding) {
-    factor = std::min(factor, std::max(0.0, outer - highLine) / (rise + doubt));
+    factor = std::min(factor, std::max(0.0, outer - highLine) / rise);
   }
   return factor;
 }

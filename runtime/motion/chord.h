@@ -15,13 +15,12 @@ struct GapNode {
 /// bending away, so that the chord dips) that stays in [-inner, outer].
 [[nodiscard]] double longestChord(double bend, double from, double to, double inner, double outer);
 
-/// Where the cubic through `a` and `b` foretells `between`, a node halfway between them, but for
-/// `tolerance`: what the cubics through all three may be off. A smooth gap is off by a sixteenth of
-/// what was not foretold; a kink that happens to lie so that little of it shows there by this much.
-[[nodiscard]] std::optional<double> foretold(const GapNode& a,
-                                             const GapNode& b,
-                                             const GapNode& between,
-                                             double tolerance);
+/// True where the cubic through `a` and `b` foretells `between`, a node between them, but for
+/// `tolerance`: the gap is smooth there, and cubics through all three err by a sixteenth of that.
+[[nodiscard]] bool foretold(const GapNode& a,
+                            const GapNode& b,
+                            const GapNode& between,
+                            double tolerance);
 
 /// Where the tangents at two nodes cross, or the middle: there a gap whose contact jumps from one
 /// place of the cutter to another has its ridge.
@@ -42,13 +41,8 @@ struct GapLine {
 };
 
 /// Square of the factor by which to scale the length of a chord with these ends so that its part
-/// between `a` and `b` just fits the band; above 1 where there is room. The gap between them may be
-/// off its cubic by `doubt`.
-[[nodiscard]] double squaredFit(const GapLine& ends,
-                                const GapNode& a,
-                                const GapNode& b,
-                                double inner,
-                                double outer,
-                                double doubt);
+/// between `a` and `b` just fits the band; above 1 where there is room.
+[[nodiscard]] double squaredFit(
+    const GapLine& ends, const GapNode& a, const GapNode& b, double inner, double outer);
 
 }  // namespace arelem::motion

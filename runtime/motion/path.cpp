@@ -186,10 +186,9 @@ class ChordFit {
     smooth_ = smoothShare * (inner + outer);
     const GapNode middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
-    const auto doubt = foretold(first_, last_, middle, smooth_);
-    const int depth = doubt ? 0 : deepest;
-    consider(first_, middle, depth, doubt.value_or(0.0));
-    consider(middle, last_, depth, doubt.value_or(0.0));
+    const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
+    consider(first_, middle, depth);
+    consider(middle, last_, depth);
     return std::sqrt(squared_);
   }
 
@@ -210,18 +209,16 @@ class ChordFit {
     const Vec3 place = a_.toolEnd + along * direction_;
     return node(along, field_.at(place, turning_ ? turning_->axis(share) : a_.axis), place);
   }
-  /// `doubt`: how far the gap between the nodes may be off the cubic through them.
-  void consider(const GapNode& a, const GapNode& b, int depth, double doubt) {
+  void consider(const GapNode& a, const GapNode& b, int depth) {
     const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
     if (depth == 0 || kink <= kinkShare * (inner_ + outer_)) {
-      squared_ = std::min(squared_, squaredFit(ends_, a, b, inner_, outer_, std::min(doubt, kink)));
+      squared_ = std::min(squared_, squaredFit(ends_, a, b, inner_, outer_));
       return;
     }
     const GapNode between = measure(crossing(a, b));
-    const auto off = foretold(a, b, between, smooth_);
-    const int deeper = off ? 0 : depth - 1;
-    consider(a, between, deeper, off.value_or(0.0));
-    consider(between, b, deeper, off.value_or(0.0));
+    const int deeper = foretold(a, b, between, smooth_) ? 0 : depth - 1;
+    consider(a, between, deeper);
+    consider(between, b, deeper);
   }
 
   Field& field_;
