@@ -289,7 +289,7 @@ class Motions {
   }
 
   void jump(std::uint64_t key) {
-    auto place = labels_.from(key, index_, reporter_.failed(), 100000);
+    auto place = labels_.from(key, index_, reporter_.failed(), options_.limits.transfers);
     place ? void(index_ = *place) : report(place.takeFailure());
   }
 
