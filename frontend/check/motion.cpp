@@ -192,6 +192,18 @@ std::size_t Motion::countSurfaces(NodeId id) const {
   return count;
 }
 
+/// A name that nothing has behind the only check surface: told as a label that needs another one.
+bool Motion::isStrayLabel(const Node& node, const ir::Follow& motion, bool pending) {
+  if (node.kind != Kind::name || node.hasList || pending || motion.checks.size() != 1 ||
+      context_.names.find(node.text) != nullptr) {
+    return false;
+  }
+  context_.report(diagnose(node.span, diag::UndefinedSymbol, node.text)
+                      .withHelp("a label follows each of two check surfaces; with one the motion "
+                                "goes on at the next statement, where TRANTO may stand"));
+  return true;
+}
+
 /// [m,] [n, INTOF,] cs [, label] ... [, feed]
 bool Motion::followChecks(Word word,
                           NodeId id,
@@ -220,6 +232,9 @@ bool Motion::followChecks(Word word,
       context_.report(diagnose(node.span, diag::CheckWithoutLabel));
       return false;
     } else {
+      if (isStrayLabel(node, motion, pending)) {
+        return false;
+      }
       auto argument = item(id, word);
       if (!argument) {
         return false;

@@ -26,6 +26,7 @@ class Motion {
   std::optional<ir::Argument> item(NodeId id, Word word);
   bool surface(Word word, const ir::Argument& argument);
   bool followChecks(Word word, NodeId id, ir::Follow& motion, std::vector<CheckLabel>& labels);
+  bool isStrayLabel(const Node& node, const ir::Follow& motion, bool pending);
   bool wordItem(Word motion, const Node& node, ir::SurfaceUse& use, bool& pending);
   [[nodiscard]] std::size_t countSurfaces(NodeId id) const;
   [[nodiscard]] bool isSurfaceNode(const Node& node) const;

@@ -87,11 +87,10 @@ class BodySearch {
     piece_ = &piece;
     reach_ = piece.reach();
     length_ = piece.length();
-    widest_ = piece.widest();
     BodyResult result;
     boxes_.clear();
     steady_ = baseAt(0.5 * (from + to));
-    const Turn half = widest_ > 0.0 ? Turn{pi, -1.0, 0.0} : Turn{};
+    const Turn half = piece.widest() > 0.0 ? Turn{pi, -1.0, 0.0} : Turn{};
     boxes_.push_back(
         {0.5 * (from + to), 0.5 * (to - from), {}, half, 0.5, length_ > 0.0 ? 0.5 : 0.0, {}});
     while (!boxes_.empty()) {
@@ -135,9 +134,18 @@ class BodySearch {
     return {chord_->toolEnd(s), base.axis, angle.cosine * base.e1 + angle.sine * base.e2,
             angle.cosine * base.e2 - angle.sine * base.e1};
   }
+  /// Largest distance from the axis within a box: near a tip, where the surface may have one too,
+  /// that is little. An arc bulges beyond its ends.
+  [[nodiscard]] double widestIn(const Box& box) const {
+    const double bulge =
+        piece_->radius * (1.0 - std::cos((piece_->high - piece_->low) * box.halfShare));
+    return bulge + std::max(piece_->at(box.share - box.halfShare).rho,
+                            piece_->at(box.share + box.halfShare).rho);
+  }
   double measure(const Box& box) {
     frame_ = frameAt(box.s, box.angle);
     profile_ = piece_->at(box.share);
+    widest_ = widestIn(box);
     offset_ = profile_.rho * frame_.radial + profile_.z * frame_.axis;
     point_ = frame_.toolEnd + offset_;
     foot_ = surface_.foot(point_, hint_);
@@ -263,7 +271,8 @@ class BodySearch {
   typename S::Hint hint_{};
   const Chord* chord_ = nullptr;
   const Piece* piece_ = nullptr;
-  double reach_ = 0.0, length_ = 0.0, widest_ = 0.0;
+  double reach_ = 0.0, length_ = 0.0;
+  double widest_ = 0.0;  ///< within the box that was measured last
   std::vector<Box> boxes_;
   Base steady_;  ///< while the axis does not turn
   Frame frame_;

@@ -9,7 +9,6 @@ namespace arelem::runtime::interpret {
 
 namespace {
 
-constexpr std::size_t mostChecks = 2;
 constexpr double mostIntersections = 1000000.0;
 constexpr std::string_view startupForms =
     "GO/[{TO|ON|PAST},]ds[,[{TO|ON|PAST},]ps[,[{TO|ON|PAST|TANTO},]cs]][,feed]";
@@ -66,13 +65,15 @@ bool countsFit(State& state, const ir::Follow& follow, std::string_view word) {
                           fmt::format("{}/ds,[{{TO|ON|PAST}},]cs[,feed]", word)));
     return false;
   }
-  if (follow.checks.size() > mostChecks) {
-    state.report(diagnose(span, diag::CheckCount, follow.checks.size()));
+  const std::uint64_t most = state.options.limits.checks;
+  if (follow.checks.size() > most) {
+    state.report(diagnose(span, diag::CheckCount, follow.checks.size(), most));
     return false;
   }
   for (std::size_t i = 0; i < follow.checks.size() && follow.checks.size() > 1; ++i) {
     if (!follow.checks[i].label) {
-      state.report(diagnose(follow.checks[i].use.surface.span, diag::CheckLabel, i + 1));
+      state.report(diagnose(follow.checks[i].use.surface.span, diag::CheckLabel, i + 1,
+                            follow.checks.size()));
       return false;
     }
   }

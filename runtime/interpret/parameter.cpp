@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "ir/diag/interpret.h"
 #include "runtime/interpret/command.h"
@@ -35,7 +36,9 @@ std::string_view rule(Word word, double value) {
     case Word::MAXDP:
       return value > 0.0 ? "" : "the longest cut vector is positive";
     case Word::NUMPTS:
-      return value >= 1.0 ? "" : "the number of cut vectors is at least 1";
+      return value >= 1.0 && std::trunc(value) == value
+                 ? ""
+                 : "the number of cut vectors is whole and at least 1";
     default:
       return "";
   }

@@ -233,7 +233,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       const int passed = pointTool_ ? 1 : 2;
       if (now_.seen < wanted() && wanted() <= now_.seen + passed) {
         now_.free = 0.0;
-        return Hit{before, u, m.field, true};
+        return Hit{std::min(before, u - finestTangent), u, m.field, true};
       }
       if (touches(m.value)) {
         now_.seen += passed;
@@ -359,7 +359,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
           (turn > level) != (now_.lastTurn > level)) {
         now_.lastTurn = turn;
         now_.free = 0.0;
-        return Hit{before, u, inside, true, level};
+        // A touch at the end of a cut vector shows at the start of the next one: it may lie before.
+        return Hit{std::min(before, u - finest), u, inside, true, level};
       }
       // A start at a tangency is not counted; it must be left first.
       now_.armed = now_.armed || std::abs(turn) > tolerance::nullDirection;

@@ -9,6 +9,7 @@
 #include "runtime/motion/axis_choice.h"
 #include "runtime/motion/direction.h"
 #include "runtime/motion/route.h"
+#include "runtime/motion/told.h"
 
 namespace arelem::motion {
 
@@ -181,21 +182,32 @@ class Planner {
         if (auto bad = role == driveRole && gap < 0.0 ? doesNotFit() : std::nullopt) {
           return bad;
         }
-        return role == partRole ? fail(diag::OffPartSurface, gap, name, 0.0 - g.inner, g.outer)
-                                : fail(diag::OffDriveSurface, gap, name, 0.0 - g.inner, g.outer);
+        Failure off = role == partRole
+                          ? fail(diag::OffPartSurface, gap, name, 0.0 - g.inner, g.outer)
+                          : fail(diag::OffDriveSurface, gap, name, 0.0 - g.inner, g.outer);
+        return turnsWhereItStands() ? std::move(off).withHelp(
+                                          "TLAXIS turns a tool that stands about its end: it "
+                                          "belongs before the startup")
+                                    : off;
       }
     }
     return std::nullopt;
+  }
+
+  /// True where a TLAXIS with a vector may have turned the tool away from its surfaces.
+  [[nodiscard]] bool turnsWhereItStands() const {
+    const runtime::ToolAxis& rule = state_.axisRule;
+    return rule.kind == runtime::ToolAxis::Kind::vector && rule.vector != Vec3::UnitZ();
   }
 
   /// A tool that gouges because it stands in a hollow of the drive surface that is narrower than
   /// it.
   [[nodiscard]] std::optional<Failure> doesNotFit() const {
     const NamedSurface& s = course_.drive;
-    const Vec3& p = state_.toolEnd;
-    const double side = footOn(s.surface, p).distance < 0.0 ? -1.0 : 1.0;
+    const Vec3 p = told(state_.toolEnd);
+    const double side = footOn(s.surface, state_.toolEnd).distance < 0.0 ? -1.0 : 1.0;
     const double radius = course_.onDrive ? 0.0 : cutterFor(state_, driveRole)->maxRadius();
-    const double hollow = hollowRadius(s.surface, side, p);
+    const double hollow = hollowRadius(s.surface, side, state_.toolEnd);
     if (!(radius > hollow)) {
       return std::nullopt;
     }
@@ -247,8 +259,12 @@ class Planner {
     const double q = start.tangent.cross(Vec3(-start.contacts[1].normal)).dot(start.axis);
     const bool left = *state_.driveRelation == Word::TLLFT;
     if (left ? q > tolerance::coincidence : q < -tolerance::coincidence) {
-      course_.warnings.push_back(
-          fail(diag::WrongSide, spell(*state_.driveRelation), course_.drive.name));
+      Failure wrong = fail(diag::WrongSide, spell(*state_.driveRelation), course_.drive.name);
+      if (request_.heading == ir::Heading::back) {
+        wrong.help = fmt::format("the way back has on its left what was on the right: {}",
+                                 left ? "TLRGT" : "TLLFT");
+      }
+      course_.warnings.push_back(std::move(wrong));
     }
   }
 

@@ -82,6 +82,13 @@ class Motions {
     }
   }
 
+  /// True where what is told is an error.
+  bool refuses(std::optional<Failure> told) {
+    const bool refused = told && told->row->severity == Severity::error;
+    reportIf(std::move(told));
+    return refused;
+  }
+
   void put(const Vec3& toolEnd, cl::Motion::Kind kind, const std::string& name, int subscript) {
     if (!state_.output) {
       return;
@@ -103,11 +110,7 @@ class Motions {
         l.subscript);
   }
 
-  void showAxis() {
-    if (options_.axesFollow) {
-      motion::showAxis(state_, writer_);
-    }
-  }
+  void showAxis() { options_.axesFollow ? motion::showAxis(state_, writer_) : void(); }
 
   void perform(const Arc&) { curves_.begin(action()); }
 
@@ -147,12 +150,8 @@ class Motions {
 
   void perform(const Locate& l) {
     const auto since = facts_.begin();
-    if (auto told = motion::setAxis(state_, l, options_.axesFollow)) {
-      const bool refused = told->row->severity == Severity::error;
-      report(*std::move(told));
-      if (refused) {
-        return;
-      }
+    if (refuses(motion::setAxis(state_, l, options_.axesFollow))) {
+      return;
     }
     putFeed(l.feed);
     if (l.word == Word::FROM) {
@@ -219,7 +218,7 @@ class Motions {
   }
 
   void perform(const Startup& s) {
-    if (state_.cutterRefused) {
+    if (state_.cutterRefused || refuses(motion::tooFarOut(state_))) {
       return;
     }
     const auto since = facts_.begin();
@@ -247,7 +246,7 @@ class Motions {
   }
 
   void perform(const Follow& f) {
-    if (state_.cutterRefused) {
+    if (state_.cutterRefused || refuses(motion::tooFarOut(state_))) {
       return;
     }
     const auto since = facts_.begin();
@@ -290,11 +289,8 @@ class Motions {
   }
 
   void jump(std::uint64_t key) {
-    if (const auto place = labels_.from(key, index_)) {
-      index_ = *place;
-    } else {
-      report(fail(diag::TransferTarget));
-    }
+    auto place = labels_.from(key, index_, reporter_.failed(), options_.limits.transfers);
+    place ? void(index_ = *place) : report(place.takeFailure());
   }
 
   void perform(const Transfer& t) { jump(t.label); }
@@ -312,6 +308,7 @@ class Motions {
     } else {
       motion::setParameter(state_, p, writer_);
     }
+    reportIf(motion::wideBand(state_));
   }
 
   void perform(const Toggle& t) {

@@ -57,7 +57,7 @@ class Follower {
     last_ = course_.start;
     auto bad = course_.isArc() ? runArc() : runChords();
     if (bad) {
-      return *std::move(bad);
+      return withStart(*std::move(bad), course_);
     }
     result_.toolEnd = last_.toolEnd;
     result_.axis = last_.axis;
@@ -106,7 +106,7 @@ class Follower {
         const CheckWatch& w = course_.watches.front();
         const Vec3 p = told(last_.toolEnd);
         const Vec3 q = told(w.nearestPlace());
-        return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, w.nearest(),
+        return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, told(w.nearest()),
                     w.surface().name, q.x(), q.y(), q.z());
       }
     }
@@ -132,8 +132,8 @@ class Follower {
       const Vec3 p = told(last_.toolEnd);
       const CheckWatch& w = course_.watches.front();
       const Vec3 q = told(w.nearestPlace());
-      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name, w.nearest(),
-                  q.x(), q.y(), q.z());
+      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name,
+                  told(w.nearest()), q.x(), q.y(), q.z());
     }
     return std::nullopt;
   }

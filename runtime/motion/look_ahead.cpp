@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "ir/diag/limits.h"
+#include "ir/diag/motion.h"
+
 namespace arelem::motion {
 
 bool cutterIsUsed(const std::vector<runtime::Action>& actions, std::size_t index) {
@@ -29,7 +32,10 @@ Labels::Labels(const std::vector<runtime::Action>& actions) {
   }
 }
 
-std::optional<std::size_t> Labels::from(std::uint64_t key, std::size_t index) const {
+Result<std::size_t> Labels::from(std::uint64_t key,
+                                 std::size_t index,
+                                 bool failed,
+                                 std::uint64_t most) {
   std::optional<std::size_t> ahead, behind;
   const auto [first, last] = places_.equal_range(key);
   for (auto i = first; i != last; ++i) {
@@ -39,7 +45,16 @@ std::optional<std::size_t> Labels::from(std::uint64_t key, std::size_t index) co
       behind = std::max(behind.value_or(i->second), i->second);
     }
   }
-  return ahead ? ahead : behind;
+  if (ahead) {
+    return *ahead;
+  }
+  if (!behind) {
+    return fail(diag::TransferTarget);
+  }
+  if (failed) {
+    return fail(diag::NotGoneBack);
+  }
+  return ++goneBack_ > most ? Result<std::size_t>(fail(diag::LimitTransfers, most)) : *behind;
 }
 
 }  // namespace arelem::motion

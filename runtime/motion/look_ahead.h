@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ir/diag/result.h"
 #include "runtime/interpret/action.h"
 
 namespace arelem::motion {
@@ -14,10 +15,15 @@ namespace arelem::motion {
 class Labels {
  public:
   explicit Labels(const std::vector<runtime::Action>& actions);
-  /// The next place with this label, or, where there is none ahead, the last one behind.
-  [[nodiscard]] std::optional<std::size_t> from(std::uint64_t key, std::size_t index) const;
+  /// The next place with this label, or, where there is none ahead, the last one behind. Going back
+  /// is refused after an error, which might come again for ever, and more often than `most` times.
+  [[nodiscard]] Result<std::size_t> from(std::uint64_t key,
+                                         std::size_t index,
+                                         bool failed,
+                                         std::uint64_t most);
 
  private:
+  std::uint64_t goneBack_ = 0;
   std::unordered_multimap<std::uint64_t, std::size_t> places_;
 };
 

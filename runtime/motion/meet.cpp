@@ -97,7 +97,9 @@ std::optional<PathPoint> meet(Path& path,
   }
   // Where the chord crosses what the path only touches, the slope changes its sign.
   auto found = search(onPath, hit);
-  return found ? found : search(onPath, touch);
+  found = found ? found : search(onPath, touch);
+  // Where cut vectors join, a step along the path is shorter than it is wide.
+  return found || hit.low >= 0.0 ? found : search(onArc, touch);
 }
 
 }  // namespace arelem::motion

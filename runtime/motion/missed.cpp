@@ -9,16 +9,17 @@
 
 namespace arelem::motion {
 
-Failure missed(const Course& course) {
-  const CheckWatch& w = course.watches.front();
+namespace {
+/// Why one check surface did not end the motion.
+Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
   if (w.isTangent()) {
     const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
     const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
     const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
     return fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                gap < 0.0 ? "overlap" : "miss each other", std::abs(gap), where.x(), where.y(),
-                where.z());
+                gap < 0.0 ? "overlap" : "miss each other", std::abs(told(gap)), where.x(),
+                where.y(), where.z());
   }
   const std::string_view condition = certify::spell(w.condition());
   if (!w.wasClear() && w.nearest() <= w.band()) {
@@ -35,12 +36,42 @@ Failure missed(const Course& course) {
     }
     return seldom;
   }
-  Failure never =
-      fail(diag::CheckNotReached, w.surface().name, condition, w.nearest(), p.x(), p.y(), p.z());
+  Failure never = fail(diag::CheckNotReached, w.surface().name, condition, told(w.nearest()), p.x(),
+                       p.y(), p.z());
+  if (w.startedAt()) {
+    return std::move(never).withHelp(
+        fmt::format("the tool is within the tolerance {} of it where the motion begins, which does "
+                    "not count",
+                    w.band()));
+  }
   if ((w.nearestPlace() - course.start.toolEnd).norm() <= tolerance::coincidence) {
     return std::move(never).withHelp("the tool moves away from it from the start on");
   }
   return never;
+}
+}  // namespace
+
+Failure missed(const Course& course) {
+  Failure all = missedOne(course, course.watches.front());
+  for (std::size_t i = 1; i < course.watches.size(); ++i) {
+    all = std::move(all).note(missedOne(course, course.watches[i]).message);
+  }
+  return all;
+}
+
+Failure withStart(Failure failure, const Course& course) {
+  const bool ofPath = failure.row == diag::ContactLost.row || failure.row == diag::RunsOffEnd.row ||
+                      failure.row == diag::SurfacesParallel.row ||
+                      failure.row == diag::CutVectorLimit.row;
+  for (const CheckWatch& w : course.watches) {
+    if (ofPath && failure.help.empty() && w.startedAt() && !w.isTangent()) {
+      failure.help = fmt::format(
+          "the tool stands at check surface `{}` where the motion begins, which does not count: it "
+          "went on past it",
+          w.surface().name);
+    }
+  }
+  return failure;
 }
 
 }  // namespace arelem::motion

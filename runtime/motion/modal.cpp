@@ -22,6 +22,8 @@ std::array<double, 4> spread(const std::vector<double>& values) {
   return all;
 }
 
+constexpr std::array<std::string_view, 3> bandOwner{"part", "drive", "check"};
+
 /// First number of the CUTTER record that the old system writes for OPTION, n, OFF.
 constexpr double endOfOption = 3.0;
 
@@ -153,6 +155,33 @@ void setParameter(State& state, const runtime::Parameter& p, RecordWriter& write
       state.vectorLimit = p.values[0];  // NUMPTS
       break;
   }
+}
+
+std::optional<Failure> wideBand(const State& state) {
+  if (!state.cutter) {
+    return std::nullopt;
+  }
+  const double radius = state.cutter->maxRadius();
+  const double most = radius > 0.0 ? radius : state.longestVector;
+  for (const Role role : {partRole, driveRole, checkRole}) {
+    if (const double band = state.band(role); band > most) {
+      return fail(diag::WideBand, bandOwner[role], band,
+                  radius > 0.0 ? "radius of the cutter" : "length of a cut vector", most);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> tooFarOut(const State& state) {
+  const double farthest = state.toolEnd.cwiseAbs().maxCoeff();
+  const double rounding = tolerance::placeRounding * farthest;
+  for (const Role role : {partRole, driveRole, checkRole}) {
+    const double band = state.band(role);
+    if (band > 0.0 && rounding > tolerance::roundingOfBand * band) {
+      return fail(diag::TooFarOut, farthest, rounding, bandOwner[role], band);
+    }
+  }
+  return std::nullopt;
 }
 
 void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer) {

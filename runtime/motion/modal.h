@@ -27,6 +27,10 @@ void setRelation(State& state, const runtime::ToolRelation& relation);
 void setCutterOption(State& state, const runtime::CutterOption& option, RecordWriter& writer);
 /// INTOL, OUTTOL, TOLER, THICK, MAXDP, NUMPTS, with the records that they leave.
 void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer);
+/// The warning of a tolerance band that is wider than the tool.
+[[nodiscard]] std::optional<Failure> wideBand(const State& state);
+/// The error of a place whose coordinates are too large to keep the tolerances.
+[[nodiscard]] std::optional<Failure> tooFarOut(const State& state);
 /// MULTAX, NOPS, AUTOPS, 3DCALC, 2DCALC, NDTEST, GOUGCK.
 void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer);
 /// The tool goes straight to a place; a move that is not along its axis is the forward direction.

@@ -14,4 +14,10 @@ namespace arelem::motion {
   return place.unaryExpr([size](double x) { return std::abs(x) < size ? 0.0 : x; });
 }
 
+/// A length as messages tell it, without what is rounding. Part unit.
+[[nodiscard]] inline double told(double length) {
+  constexpr double rounding = 1e-9;
+  return std::abs(length) < rounding ? 0.0 : length;
+}
+
 }  // namespace arelem::motion
