@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -102,7 +103,7 @@ class RingSearch {
   Vec3 center_, first_, second_;
   surface::Mesh::Hint& hint_;
   std::vector<Look> looks_;
-  Look best_{0.0, tolerance::farAway};
+  Look best_{0.0, std::numeric_limits<double>::infinity()};
 };
 }  // namespace
 
