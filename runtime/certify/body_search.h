@@ -63,11 +63,13 @@ struct Box {
   double s, halfS;
   Turn angle, halfAngle;
   double share, halfShare;
-  surface::Bends bends;  ///< of the distance all over a box that contains it
+  surface::Bends bends;     ///< of the distance all over a box that contains it
+  double low = -unbounded;  ///< no gap is below
 };
 
 struct BodyResult {
   bool proven = false;
+  double low = -unbounded;    ///< no gap is below, if it is not proven
   int measured = 0;           ///< places
   double sample = unbounded;  ///< least gap measured
   double sampleAt = 0.0;      ///< its s
@@ -103,9 +105,15 @@ class BodySearch {
         result.sampleAt = box.s;
       }
       if (gap < aim || ++result.measured > budget) {
+        result.low = std::max(box.low, bound(box, gap, aim));
+        for (const Box& left : boxes_) {
+          result.low = std::min(result.low, left.low);
+        }
         return result;
       }
-      if (bound(box, gap, aim) < aim) {
+      const double below = bound(box, gap, aim);
+      if (below < aim) {
+        box.low = std::max(box.low, below);
         split(box);
       }
     }
@@ -135,6 +143,12 @@ class BodySearch {
     return {chord_->toolEnd(s), base.axis, angle.cosine * base.e1 + angle.sine * base.e2,
             angle.cosine * base.e2 - angle.sine * base.e1};
   }
+  /// Largest distance from the axis in the box: towards the axis turns matter less and less.
+  [[nodiscard]] double widest(const Box& box) const {
+    return length_ > 0.0 ? std::max(piece_->at(box.share - box.halfShare).rho,
+                                    piece_->at(box.share + box.halfShare).rho)
+                         : widest_;
+  }
   double measure(const Box& box) {
     frame_ = frameAt(box.s, box.angle);
     profile_ = piece_->at(box.share);
@@ -152,7 +166,7 @@ class BodySearch {
     const double turned = chord_->turn() * box.halfS;
     // How far a point of the box is from its center: on the cutter, and in all.
     const double onCutter =
-        std::min(2.0 * widest_, widest_ * box.halfAngle.radians) + length_ * box.halfShare;
+        widest(box) * std::min(2.0, box.halfAngle.radians) + length_ * box.halfShare;
     const double away = moved + turned * reach_ + onCutter;
     double best = gap - away;
     if (best >= aim) {
@@ -228,14 +242,14 @@ class BodySearch {
     }
     const double turned = chord_->turn() * box.halfS;
     const double bulge =
-        widest_ * (1.0 - box.halfAngle.cosine) + 0.5 * turned * turned * reach_ +
+        widest(box) * (1.0 - box.halfAngle.cosine) + 0.5 * turned * turned * reach_ +
         piece_->radius * (1.0 - std::cos((piece_->high - piece_->low) * box.halfShare));
     return least - bulge;
   }
 
   void split(const Box& box) {
     const double s = (chord_->length() + chord_->turn() * reach_) * box.halfS;
-    const double angle = widest_ * box.halfAngle.radians;
+    const double angle = widest(box) * box.halfAngle.radians;
     const double share = length_ * box.halfShare;
     Box first = box;
     Box second = box;
