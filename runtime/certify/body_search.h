@@ -63,11 +63,13 @@ struct Box {
   double s, halfS;
   Turn angle, halfAngle;
   double share, halfShare;
-  surface::Bends bends;  ///< of the distance all over a box that contains it
+  surface::Bends bends;     ///< of the distance all over a box that contains it
+  double low = -unbounded;  ///< no gap is below
 };
 
 struct BodyResult {
   bool proven = false;
+  double low = -unbounded;    ///< no gap is below, if it is not proven
   int measured = 0;           ///< places
   double sample = unbounded;  ///< least gap measured
   double sampleAt = 0.0;      ///< its s
@@ -102,9 +104,15 @@ class BodySearch {
         result.sampleAt = box.s;
       }
       if (gap < aim || ++result.measured > budget) {
+        result.low = std::max(box.low, bound(box, gap, aim));
+        for (const Box& left : boxes_) {
+          result.low = std::min(result.low, left.low);
+        }
         return result;
       }
-      if (bound(box, gap, aim) < aim) {
+      const double below = bound(box, gap, aim);
+      if (below < aim) {
+        box.low = std::max(box.low, below);
         split(box);
       }
     }
@@ -160,7 +168,7 @@ class BodySearch {
     const double turned = chord_->turn() * box.halfS;
     // How far a point of the box is from its center: on the cutter, and in all.
     const double onCutter =
-        std::min(2.0 * widest_, widest_ * box.halfAngle.radians) + length_ * box.halfShare;
+        widest_ * std::min(2.0, box.halfAngle.radians) + length_ * box.halfShare;
     const double away = moved + turned * reach_ + onCutter;
     double best = gap - away;
     if (best >= aim) {

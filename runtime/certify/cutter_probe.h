@@ -307,27 +307,30 @@ class CutterProbe final : public Probe {
     return true;
   }
 
-  /// `aim` if the gap of the pieces is proven to be at least that, else nothing; notes a lower gap
-  /// that was measured.
+  /// `aim` if the gap of the pieces is proven to be at least that, else what is known of it; notes
+  /// a lower gap that was measured.
   double searched(
       double from, double to, double aim, std::span<const Piece> pieces, Stretch& result) {
     if (aim > -unbounded && curve_.run(*this, from, to, aim, result)) {
       return aim;
     }
-    bool proven = inVain_ < patience && aim > -unbounded && result.sample >= aim;
+    if (inVain_ >= patience || aim == -unbounded || result.sample < aim) {
+      return -unbounded;
+    }
+    double low = aim;
     for (const Piece& p : pieces) {
-      if (!proven) {
-        break;
-      }
       const BodyResult r = search_.run(chord_, p, from, to, aim, budget);
       if (r.sample < result.sample) {
         result.sample = r.sample;
         result.sampleAt = r.sampleAt;
       }
-      proven = r.proven;
-      inVain_ += r.proven || r.sample < aim ? 0 : r.measured;
+      if (r.sample < aim) {
+        return -unbounded;
+      }
+      low = r.proven ? low : std::min(low, r.low);
+      inVain_ += r.proven ? 0 : r.measured;
     }
-    return proven ? aim : -unbounded;
+    return low;
   }
 
   /// The search in the plane, for surfaces along which nothing changes.

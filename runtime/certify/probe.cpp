@@ -3,6 +3,7 @@
 #include "runtime/certify/cutter_probe.h"
 #include "runtime/certify/mesh_point_probe.h"
 #include "runtime/certify/mesh_probe.h"
+#include "runtime/certify/mesh_ring_probe.h"
 
 namespace arelem::certify {
 
@@ -119,6 +120,9 @@ std::unique_ptr<Probe> makeProbe(const surface::AnySurface& any, const Relation&
           return std::make_unique<PointProbe<S>>(s, point);
         }
         if constexpr (std::is_same_v<S, surface::Mesh>) {
+          if (relation.cutter->ring) {
+            return makeMeshRingProbe(s, relation);
+          }
           if (isConvex(*relation.cutter)) {
             return std::make_unique<MeshProbe>(s, relation);
           }

@@ -146,7 +146,7 @@ std::optional<PathPoint> Stride::nextAlongFacets(const PathPoint& a, double cap)
     if (factor >= 1.0 - tolerance::coincidence) {
       tried.fits = length;
       best = std::move(b);
-    } else if (followed && !best && turned < mostTurns && turnAims()) {
+    } else if (followed && !best && turned < mostTurns && (turnAims() | learnTurn(a, *b))) {
       ++turned;
       continue;
     } else {
@@ -250,11 +250,15 @@ double curvature(double before, double behind, double length) {
 }
 }  // namespace
 
-/// Takes over the curvatures of a trial chord where their sign differs; true where one does.
+/// Takes over the curvatures of a trial chord where their sign differs; true where one does. Those
+/// of facets tell nothing.
 bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
   bool turns = false;
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
+    if (g.field->isFaceted()) {
+      continue;
+    }
     if (const auto slope = slopes(i, a, b)) {
       const double bend = curvature(slope->front(), slope->back(), (b.toolEnd - a.toolEnd).norm());
       turns = turns || (bend >= 0.0) != (g.bend >= 0.0);

@@ -5,6 +5,7 @@
 #include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/tool/contact_search.h"
+#include "runtime/tool/ring_contact.h"
 #include "runtime/tool/rounded.h"
 
 namespace arelem::tool {
@@ -172,11 +173,14 @@ Contact contactOf(const surface::Cylinder& s,
 /// The least gap of all triangles that the cutter may reach. Sides do not matter: a cutter that has
 /// a body touches a mesh from where it is.
 Contact contactOf(const surface::Mesh& s,
-                  double,
+                  double side,
                   const Profile& cutter,
                   const Vec3& te,
                   const Vec3& axis,
                   Search<surface::Mesh>& search) {
+  if (cutter.ring) {
+    return ringContact(s, side, cutter, te, axis, search.hint);
+  }
   const surface::MeshShape& shape = s.shape();
   if (search.hint.triangle < 0) {
     const Vec3 core = te + cutter.f * axis;
