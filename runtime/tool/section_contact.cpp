@@ -179,8 +179,7 @@ double SectionSearch::measure(const TabulatedCylinder& s, Ball& ball, const Vec2
 
 /// The nearest ball. Balls are measured only where they may have come as near as the nearest by the
 /// way of the tool.
-const SectionSearch::Ball& SectionSearch::nearestBall(const TabulatedCylinder& s,
-                                                      const Vec2& at) {
+const SectionSearch::Ball& SectionSearch::nearestBall(const TabulatedCylinder& s, const Vec2& at) {
   double least = measure(s, balls_[last_], at);
   for (std::size_t i = 0; i < ballCount_; ++i) {
     Ball& b = balls_[i];

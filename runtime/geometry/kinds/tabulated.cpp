@@ -136,9 +136,9 @@ Nearest nearestOf(const Piece& p, const Local& q, double bound) {
   }
   if (hasOneMinimum(p, q)) {
     // It lies at an end from which the distance rises, or between the ends.
-    const double end = q.x + q.y * slope(p, 0.0) <= 0.0                  ? 0.0
+    const double end = q.x + q.y * slope(p, 0.0) <= 0.0                   ? 0.0
                        : q.x - p.length + q.y * slope(p, p.length) >= 0.0 ? p.length
-                                                                         : -1.0;
+                                                                          : -1.0;
     return end >= 0.0 ? Nearest{end, squaredTo(p, q, end)} : descend(p, q, q.x);
   }
   // A cubic over a chord has at most three minima; the ends of its parts find them for the gentle
