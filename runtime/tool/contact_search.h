@@ -253,7 +253,6 @@ class ContactSearch {
   }
 
   using Grid = std::array<std::array<double, angles>, mostRows>;
-
   /// A minimum of the distance over the cutter, and its direction from the axis.
   struct Low {
     double gap;

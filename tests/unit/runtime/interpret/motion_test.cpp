@@ -197,7 +197,8 @@ TEST(Follows, ErrorsKeepTheirNumbers) {
   const ir::CheckUse plain{use(b, b.l2), {}, {}};
   const ir::CheckUse half{use(b, b.l2), b.num(1.5), {}};
   b.put(ir::Follow{ir::Heading::left, b.arg(b.at(b.l1)), {plain, plain}, {}});
-  b.put(ir::Follow{ir::Heading::left, b.arg(b.at(b.l1)), {plain, plain, plain}, {}});
+  const std::vector<ir::CheckUse> many(Limits{}.checks + 1, plain);
+  b.put(ir::Follow{ir::Heading::left, b.arg(b.at(b.l1)), many, {}});
   b.put(ir::Follow{ir::Heading::left, b.arg(b.at(b.l1)), {half}, {}});
   b.put(ir::Follow{ir::Heading::up, b.arg(b.at(b.l1)), {}, {}});
   EXPECT_THAT(all<Follow>(b.run()), IsEmpty());
