@@ -9,9 +9,7 @@ inline constexpr double defaultOutside = 0.0005;
 /// test (its number 503). Relative, and part unit.
 inline constexpr double startShare = 0.2;
 inline constexpr double startLength = 5e-5;
-/// What computing leaves of a coordinate, as a share of it, and how much of a tolerance band that
-/// may be. Relative.
-inline constexpr double placeRounding = 1e-14;
+/// How much of a tolerance band the rounding of coordinates may be. Relative.
 inline constexpr double roundingOfBand = 0.1;
 /// A generatrix of a cutter whose angle with the axis has a smaller sine is a wall along the axis.
 /// Dimensionless.

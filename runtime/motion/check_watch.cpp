@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ir/space/tolerance.h"
-#include "runtime/motion/least.h"
+#include "runtime/geometry/least.h"
 
 namespace arelem::motion {
 
@@ -132,7 +132,7 @@ void CheckWatch::findNearest(const Segment& s, Field& guide) {
     const std::size_t behind = std::min(i + 1, looks.size() - 1);
     const bool least = at[i] <= at[before] && at[i] <= at[behind] && at[i] < tolerance::farAway;
     if (least && at[i] <= nearest_ + looks[behind] - looks[before]) {
-      narrowLeast(away, looks[before], looks[behind], [&](double value, double width) {
+      geometry::narrowLeast(away, looks[before], looks[behind], [&](double value, double width) {
         return width > tolerance::sameSide && value <= nearest_ + steepest(s) * width;
       });
     }

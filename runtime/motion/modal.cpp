@@ -174,7 +174,7 @@ std::optional<Failure> wideBand(const State& state) {
 
 std::optional<Failure> tooFarOut(const State& state) {
   const double farthest = state.toolEnd.cwiseAbs().maxCoeff();
-  const double rounding = tolerance::placeRounding * farthest;
+  const double rounding = tolerance::rounding * farthest;
   for (const Role role : {partRole, driveRole, checkRole}) {
     const double band = state.band(role);
     if (band > 0.0 && rounding > tolerance::roundingOfBand * band) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "runtime/geometry/least.h"
+
 namespace arelem::tool {
 
 namespace {
@@ -80,22 +82,10 @@ class RingSearch {
     looks_.push_back(middle);
     divide(middle, b, depth - 1);
   }
-  /// By golden sections.
   void valley(double low, double high) {
-    constexpr double golden = 0.6180339887498949;
-    Look left = at(high - golden * (high - low));
-    Look right = at(low + golden * (high - low));
-    for (int i = 0; i < sections; ++i) {
-      if (left.gap <= right.gap) {
-        high = right.angle;
-        right = left;
-        left = at(high - golden * (high - low));
-      } else {
-        low = left.angle;
-        left = right;
-        right = at(low + golden * (high - low));
-      }
-    }
+    int left = sections;
+    geometry::narrowLeast([this](double angle) { return at(angle).gap; }, low, high,
+                          [&left](double, double) { return left-- > 0; });
   }
 
   const surface::Mesh& mesh_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "runtime/geometry/least.h"
 #include "runtime/geometry/triangle_tree.h"
 
 namespace arelem::tool {
@@ -155,7 +156,6 @@ Support levelled(const Support& a, const Support& b, const Vec3& along) {
 /// round: by symmetry it lies in the plane of axis and normal. The least of a convex function by
 /// golden sections. It may be a kink, where the bottom is as far as the side.
 Deepest deepestOf(const PlacedBody& body, const Facet& t, const Vec3& normal) {
-  constexpr double golden = 0.6180339887498949;
   const Vec3 start = body.te() - t.up.dot(body.te() - t.a) * t.up;
   const Vec3 across = body.axis() - t.up.dot(body.axis()) * t.up;
   const double steep = across.norm();
@@ -164,28 +164,10 @@ Deepest deepestOf(const PlacedBody& body, const Facet& t, const Vec3& normal) {
       steep > tolerance::rounding ? Vec3(across / steep) : Vec3(t.up.unitOrthogonal());
   const auto placeAt = [&](double s) -> Vec3 { return start + s * along; };
   const auto at = [&](double s) { return body.distance(placeAt(s)); };
-  double high = body.cutter().h + body.cutter().maxRadius();
-  double low = -high;
-  double x1 = high - golden * (high - low);
-  double x2 = low + golden * (high - low);
-  double f1 = at(x1);
-  double f2 = at(x2);
-  for (int i = 0; i < sections; ++i) {
-    if (f1 <= f2) {
-      high = x2;
-      x2 = x1;
-      f2 = f1;
-      x1 = high - golden * (high - low);
-      f1 = at(x1);
-    } else {
-      low = x1;
-      x1 = x2;
-      f1 = f2;
-      x2 = low + golden * (high - low);
-      f2 = at(x2);
-    }
-  }
-  const double middle = 0.5 * (low + high);
+  const double end = body.cutter().h + body.cutter().maxRadius();
+  int left = sections;
+  const double middle =
+      geometry::narrowLeast(at, -end, end, [&left](double, double) { return left-- > 0; });
   const Vec3 place = placeAt(middle);
   // Their slopes have different signs there, whether it is a kink or smooth.
   const double beside = besideDeepest * body.cutter().maxRadius();

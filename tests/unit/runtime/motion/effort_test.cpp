@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/geometry/least.h"
 #include "runtime/motion/field.h"
-#include "runtime/motion/least.h"
 
 namespace arelem::motion {
 namespace {
@@ -39,11 +39,11 @@ TEST(NarrowLeast, FindsTheLeastAndEnds) {
     best = std::min(best, y);
     return y;
   };
-  narrowLeast(f, 0.0, 3.0, [](double, double width) { return width > 1e-6; });
+  geometry::narrowLeast(f, 0.0, 3.0, [](double, double width) { return width > 1e-6; });
   EXPECT_NEAR(best, 2.0, 1e-10);
   EXPECT_LT(looks, 40);
   looks = 0;
-  narrowLeast(f, 0.0, 3.0, [](double value, double) { return value < 1.0; });
+  geometry::narrowLeast(f, 0.0, 3.0, [](double value, double) { return value < 1.0; });
   EXPECT_EQ(looks, 2);
 }
 

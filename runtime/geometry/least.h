@@ -1,11 +1,11 @@
 #pragma once
 
-namespace arelem::motion {
+namespace arelem::geometry {
 
 /// Looks at f by golden sections of [low, high] around where it is least, as long as `worth` says
-/// of the least value in sight and the width that it is for something.
+/// of the least value in sight and the width that it is for something. The middle of what is left.
 template <class F, class Worth>
-void narrowLeast(const F& f, double low, double high, const Worth& worth) {
+double narrowLeast(const F& f, double low, double high, const Worth& worth) {
   constexpr double golden = 0.6180339887498949;
   double left = high - golden * (high - low);
   double right = low + golden * (high - low);
@@ -25,6 +25,7 @@ void narrowLeast(const F& f, double low, double high, const Worth& worth) {
       atRight = f(right);
     }
   }
+  return 0.5 * (low + high);
 }
 
-}  // namespace arelem::motion
+}  // namespace arelem::geometry
