@@ -228,15 +228,21 @@ class Starter {
     const Vec3 from = approach();
     const auto extra = constraints(from);
     Settled found = settle(from, rule_, wanted(false, from), extra);
-    if (!found.ok) {
-      // From far away or across a kink Newton may miss what there is.
-      const Settled near = closest(from, rule_, wanted(false, from), extra);
-      const auto goals = wanted(false, near.toolEnd);
-      found = settle(near.toolEnd, rule_, goals, extra);
-      found = found.ok ? found : nearestAround(near, from, rule_, goals, extra);
+    // From far away or across a kink Newton may miss what there is; and where surfaces nearly touch
+    // each other, only places within the tolerances may be any.
+    for (const bool atRest : {false, true}) {
+      if (!found.ok) {
+        const Settled near = closest(from, rule_, wanted(atRest, from), extra);
+        const auto goals = wanted(atRest, near.toolEnd);
+        Settled tried = settle(near.toolEnd, rule_, goals, extra);
+        tried = tried.ok ? tried : nearestAround(near, from, rule_, goals, extra);
+        found = tried.ok || !atRest ? tried : found;
+      }
     }
     if (found.ok && !exact_) {
-      found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+      // Where there is no room for the gaps of a tool at rest, it stays where it touches.
+      const Settled atRest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+      found = atRest.ok ? atRest : found;
     }
     if (auto bad = rule_.fault(found.toolEnd)) {
       return *std::move(bad);
