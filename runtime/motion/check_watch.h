@@ -113,6 +113,7 @@ class CheckWatch {
     Vec3 last = Vec3::Zero();    ///< the last of them
     double free = 0.0;           ///< change of the measure that meets nothing for sure
     double farther = 0.0;        ///< looking closely: change that comes no nearer for sure
+    double nearFor = 0.0;        ///< length of the way within the band, up to here
     double lastTurn = 0.0;       ///< within the band: last component of the normal along the path
     Field* bandField = nullptr;  ///< the gap that is within its band, or null
   };
@@ -122,6 +123,9 @@ class CheckWatch {
   void restore(const Progress& progress) { now_ = progress; }
 
  private:
+  /// Cosine of the angle within which contact normals count as agreeing at a tangency.
+  static constexpr double agreeing = 0.5;
+
   struct Measure {
     double value = 0.0;  ///< signed measure whose zeros are the positions
     double rate = 1.0;   ///< bound of its change per length of path
@@ -130,8 +134,26 @@ class CheckWatch {
   };
   Measure measure(const Segment& segment, double along);
   [[nodiscard]] double steepest(const Segment& s) const {
-    return !s.turning || arm_ == 0.0 ? 1.0 : steepestTurning(s);
+    if (s.isArc() || (lines_.isZero() && !s.turning)) {
+      return 1.0;
+    }
+    return s.turning && arm_ > 0.0 ? steepestTurning(s) : across(s.direction);
   }
+  [[nodiscard]] double across(const Vec3& direction) const;
+  /// The same, where a gap has this slope along the segment.
+  [[nodiscard]] double slowest(const Segment& s, double slope) const {
+    return isLinear(s) ? std::abs(slope) : steepest(s);
+  }
+  [[nodiscard]] double nearStep(const Segment& s, double finest) const;
+  /// A tangency passes through its band in a length of the order of the root of the band.
+  [[nodiscard]] double tangentStep() const;
+  /// Where there may be something for the first time.
+  [[nodiscard]] double firstLook(const Segment& s) const {
+    const double most = steepest(s);
+    return now_.free > 0.0 && most > 0.0 ? now_.free / most : 0.0;
+  }
+  /// Gaps up to this may be contact, as cut vectors stray from the path.
+  [[nodiscard]] double reach() const { return band_ + pathBand_; }
   [[nodiscard]] double steepestTurning(const Segment& s) const;
   [[nodiscard]] bool isLinear(const Segment& segment) const {
     return plus_->flat() && !segment.turning && !segment.isArc();
@@ -140,7 +162,7 @@ class CheckWatch {
   [[nodiscard]] bool crosses(const Measure& measure);
   [[nodiscard]] double crossing(const Segment& segment, double low, double high);
   [[nodiscard]] bool near(const Measure& measure) const {
-    return std::abs(measure.value) <= band_ + pathBand_;
+    return std::abs(measure.value) <= reach();
   }
   [[nodiscard]] bool touchesHere(const Measure& measure);
   [[nodiscard]] bool slipsThrough(const Measure& measure, const Field* outsideBefore) const;
@@ -150,6 +172,20 @@ class CheckWatch {
   [[nodiscard]] int before() const {
     return (condition_ == ir::Condition::past) == now_.startedRemote ? 0 : 1;
   }
+  /// Both gaps at one place, where a tangency is looked for.
+  struct TangentLook {
+    Field* inside = nullptr;  ///< the gap within its band whose contact agrees with the guide's
+    double turn = 0.0;        ///< its change along the true path
+    bool near = false;        ///< a gap is within its band
+    double open = tolerance::farAway;  ///< no gap comes to its band before this length,
+    double free = tolerance::farAway;  ///< and at the segment's end is so far from it
+  };
+  TangentLook lookForTangency(const Segment& segment, double along, Field& guide);
+  static std::optional<double> slopeBefore(const Segment& segment, double along, Field& field);
+  std::optional<Hit> tangency(const Segment& segment,
+                              const TangentLook& look,
+                              double before,
+                              double along);
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   void note(double distance, const Vec3& place);
   [[nodiscard]] bool isSpent() const { return effort_ != nullptr && effort_->isSpent(); }
@@ -165,7 +201,8 @@ class CheckWatch {
   double pathBand_;
   bool tangent_;
   bool pointTool_;
-  double arm_;  ///< from the tool end to the farthest point of the tool
+  Vec3 lines_ = Vec3::Zero();  ///< of a check surface that is a cylinder of any cross-section
+  double arm_;                 ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
   double ignoredUntil_ = -1.0;

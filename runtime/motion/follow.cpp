@@ -145,6 +145,9 @@ class Follower {
     if (course_.turnsFirst && !turnAxis()) {
       return lost();
     }
+    if (stops_.isEndless()) {
+      return effort_.isSpent() ? tooMuch() : missed(course_);
+    }
     double cap = tolerance::farAway;
     for (;;) {
       if (auto bad = beyondLimits()) {
@@ -359,7 +362,7 @@ class NoSink final : public CutVectorSink {
 
 bool tellsNearest(const Failure& failure) {
   return failure.row == diag::CheckNotReached.row || failure.row == diag::NoTangency.row ||
-         failure.row == diag::CutVectorLimit.row;
+         failure.row == diag::CutVectorLimit.row || failure.row == diag::RunsOffEnd.row;
 }
 }  // namespace
 

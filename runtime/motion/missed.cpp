@@ -13,17 +13,18 @@ namespace {
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
+  const std::string_view condition = certify::spell(w.condition());
+  if (!w.wasClear() && w.nearest() <= w.band()) {
+    return fail(diag::CheckNeverLeft, w.surface().name, condition, w.band());
+  }
   if (w.isTangent()) {
     const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
     const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
     const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
-    return fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                gap < 0.0 ? "overlap" : "miss each other", std::abs(told(gap)), where.x(),
-                where.y(), where.z());
-  }
-  const std::string_view condition = certify::spell(w.condition());
-  if (!w.wasClear() && w.nearest() <= w.band()) {
-    return fail(diag::CheckNeverLeft, w.surface().name, condition, w.band());
+    Failure none = fail(diag::NoTangency, partner, w.surface().name, w.band(),
+                        gap < 0.0 ? "overlap" : "miss each other", std::abs(gap), where.x(),
+                        where.y(), where.z());
+    return !w.parallel() && gap <= w.band() ? std::move(none).withHelp("they cross there") : none;
   }
   if (w.touchedAny()) {
     const Vec3 last = told(w.lastContact());
