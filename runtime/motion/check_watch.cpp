@@ -39,8 +39,8 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
       pathBand_(pathBand),
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
       pointTool_(tool.cutter == nullptr),
+      pace_(surface.surface, tool.cutter),
       arm_(tool.cutter == nullptr ? 0.0 : std::hypot(tool.cutter->maxRadius(), tool.cutter->h)) {
-  lines_ = surface::generatrix(surface.surface);
   plus_ = makeField(surface.surface, 1.0, tool);
   minus_ = makeField(surface.surface, -1.0, tool);
 }
@@ -59,15 +59,6 @@ double CheckWatch::steepestTurning(const Segment& s) const {
   return 1.0 + 2.0 * arm_ * tangent / std::max(s.length, tolerance::sameSide);
 }
 
-/// Part of a unit direction that is across the lines of a cylinder, or of a plane: along them
-/// nothing changes.
-double CheckWatch::across(const Vec3& direction) const {
-  if (const auto* plane = std::get_if<surface::Plane>(&surface_.surface)) {
-    return std::abs(plane->normal.dot(direction));
-  }
-  return std::min(1.0, (direction - direction.dot(lines_) * lines_).norm());
-}
-
 double CheckWatch::tangentStep() const {
   return std::max(tangentShare * std::sqrt(band_), tolerance::sameSide);
 }
@@ -76,7 +67,7 @@ double CheckWatch::tangentStep() const {
 double CheckWatch::nearStep(const Segment& s, double finest) const {
   const double speed =
       !s.turning && !s.isArc()
-          ? std::max({across(s.direction), across(s.tangentFrom), across(s.tangentTo)})
+          ? std::max({pace_.most(s.direction), pace_.most(s.tangentFrom), pace_.most(s.tangentTo)})
           : 1.0;
   return std::max(finest / std::max(speed, tolerance::rounding), nearShare * now_.nearFor);
 }
@@ -90,15 +81,23 @@ CheckWatch::Measure CheckWatch::measure(const Segment& s, double along) {
   Measure m;
   m.field = plus_.get();
   tool::Contact c = plus_->at(at, axis);
+  m.rate = closing(s, m.field, c);
   if (!pointTool_) {
     const tool::Contact other = minus_->at(at, axis);
+    const double otherRate = closing(s, minus_.get(), other);
+    const double less = std::min(c.gap, other.gap);
+    const double lessRate = other.gap > c.gap ? m.rate : otherRate;
     if (other.gap > c.gap) {
       m.field = minus_.get();
       c = other;
+      m.rate = otherRate;
+    }
+    if (c.gap < 0.0) {
+      // In violation the tool may leave to either side.
+      m.rate = std::max(m.rate, lessRate * c.gap / less);
     }
   }
   m.value = c.gap;
-  m.rate = slowest(s, c.normal.dot(s.direction));
   m.turn = slopeAlong(c, at, s.tangentAt(along), s.spin());
   note(std::abs(m.value), at);
   return m;
@@ -236,7 +235,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       }
     }
     const double margin = now_.armed ? size : band_ - size + finest;
-    double step = m.rate > 0.0 ? std::max(margin / m.rate, finest) : tolerance::farAway;
+    const double rate = now_.armed ? m.rate : steepest(s);
+    double step = rate > 0.0 ? std::max(margin / rate, finest) : tolerance::farAway;
     if (now_.armed && near(m)) {
       // A touch shows in the slope: no longer steps here, and one look at the segment's end.
       step = std::min(step, nearStep(s, finestTangent));
@@ -245,13 +245,13 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
     now_.nearFor = near(m) ? now_.nearFor + step : 0.0;
     before = u;
     const double farther = size - nearest_;
-    if (close_ && m.rate > 0.0) {
-      step = std::min(step, std::max({closeShare * s.length, finest, farther / m.rate}));
+    if (close_ && rate > 0.0) {
+      step = std::min(step, std::max({closeShare * s.length, finest, farther / rate}));
     }
     u += step;
     if (u > s.length || before == s.length || isSpent()) {
-      now_.free = std::max(0.0, margin - m.rate * (s.length - before));
-      now_.farther = std::max(0.0, farther - m.rate * (s.length - before));
+      now_.free = std::max(0.0, margin - rate * (s.length - before));
+      now_.farther = std::max(0.0, farther - rate * (s.length - before));
       return std::nullopt;
     }
   }
@@ -278,7 +278,7 @@ CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, 
       }
       continue;
     }
-    const double rate = slowest(s, c.normal.dot(s.direction));
+    const double rate = closing(s, field, c);
     look.open = std::min(look.open, rate > 0.0 ? out / rate : tolerance::farAway);
     look.free = std::min(look.free, out - rate * (s.length - u));
   }

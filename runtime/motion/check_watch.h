@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/check_pace.h"
 #include "runtime/motion/effort.h"
 #include "runtime/motion/segment.h"
 #include "runtime/motion/state.h"
@@ -128,21 +129,23 @@ class CheckWatch {
 
   struct Measure {
     double value = 0.0;  ///< signed measure whose zeros are the positions
-    double rate = 1.0;   ///< bound of its change per length of path
+    double rate = 1.0;   ///< bound of how fast it comes to zero, per length of path
     double turn = 0.0;   ///< its change along the true path
     Field* field = nullptr;
   };
   Measure measure(const Segment& segment, double along);
+  /// The largest change of any gap per length of the segment.
   [[nodiscard]] double steepest(const Segment& s) const {
-    if (s.isArc() || (lines_.isZero() && !s.turning)) {
+    if (s.isArc()) {
       return 1.0;
     }
-    return s.turning && arm_ > 0.0 ? steepestTurning(s) : across(s.direction);
+    return s.turning && arm_ > 0.0 ? steepestTurning(s) : pace_.most(s.direction);
   }
-  [[nodiscard]] double across(const Vec3& direction) const;
-  /// The same, where a gap has this slope along the segment.
-  [[nodiscard]] double slowest(const Segment& s, double slope) const {
-    return isLinear(s) ? std::abs(slope) : steepest(s);
+  /// How fast a gap may come to zero from here on.
+  [[nodiscard]] double closing(const Segment& s, const Field* field, const tool::Contact& c) const {
+    return s.isArc() || s.turning ? steepest(s)
+                                  : pace_.closing(field == plus_.get() ? 1.0 : -1.0, c.gap,
+                                                  c.normal.dot(s.direction), s.direction);
   }
   [[nodiscard]] double nearStep(const Segment& s, double finest) const;
   /// A tangency passes through its band in a length of the order of the root of the band.
@@ -155,9 +158,6 @@ class CheckWatch {
   /// Gaps up to this may be contact, as cut vectors stray from the path.
   [[nodiscard]] double reach() const { return band_ + pathBand_; }
   [[nodiscard]] double steepestTurning(const Segment& s) const;
-  [[nodiscard]] bool isLinear(const Segment& segment) const {
-    return plus_->flat() && !segment.turning && !segment.isArc();
-  }
   [[nodiscard]] std::optional<Hit> scanCrossing(const Segment& segment);
   [[nodiscard]] bool crosses(const Measure& measure);
   [[nodiscard]] double crossing(const Segment& segment, double low, double high);
@@ -201,8 +201,8 @@ class CheckWatch {
   double pathBand_;
   bool tangent_;
   bool pointTool_;
-  Vec3 lines_ = Vec3::Zero();  ///< of a check surface that is a cylinder of any cross-section
-  double arm_;                 ///< from the tool end to the farthest point of the tool
+  CheckPace pace_;
+  double arm_;  ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
   double ignoredUntil_ = -1.0;
