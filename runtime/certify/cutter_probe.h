@@ -5,11 +5,20 @@
 #include "runtime/certify/body_search.h"
 #include "runtime/certify/core_probe.h"
 #include "runtime/certify/curve_search.h"
-#include "runtime/geometry/convex_solid.h"
 #include "runtime/tool/contact.h"
 #include "runtime/tool/rounded.h"
 
 namespace arelem::certify {
+
+/// True where the solid on the negative side is convex; then the distance is a convex function.
+template <surface::Surface S>
+[[nodiscard]] bool isConvexSolid(const S& s) {
+  if constexpr (requires { s.isConvex(); }) {
+    return s.isConvex();
+  } else {
+    return std::is_same_v<S, surface::Cylinder> || std::is_same_v<S, surface::Cone>;
+  }
+}
 
 /// A cutter against any kind of surface. It takes one of four ways:
 ///   wall     a wall along the axis meets the cutter as a ball of its largest radius
@@ -33,7 +42,7 @@ class CutterProbe final : public Probe {
         curve_(surface_, cutter_, relation_),
         pieces_(piecesOf(cutter_)) {
     relation_.cutter = &cutter_;
-    convex_ = relation.side > 0.0 && surface::isConvexSolid(surface_) && isConvex(cutter_);
+    convex_ = relation.side > 0.0 && isConvexSolid(surface_) && isConvex(cutter_);
     for (const Piece& p : pieces_) {
       reach_ = std::max(reach_, p.reach() + p.ball);
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
-#include "runtime/geometry/convex_solid.h"
+#include "runtime/certify/cutter_probe.h"
 #include "runtime/tool/rounded.h"
 
 namespace arelem::motion {
@@ -12,7 +12,7 @@ namespace arelem::motion {
 namespace {
 template <surface::Surface S>
 bool bulges(const S& s) {
-  return std::is_same_v<S, surface::Sphere> || surface::isConvexSolid(s);
+  return std::is_same_v<S, surface::Sphere> || certify::isConvexSolid(s);
 }
 }  // namespace
 

@@ -45,13 +45,6 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
   minus_ = makeField(surface.surface, -1.0, tool);
 }
 
-void CheckWatch::note(double distance, const Vec3& place) {
-  if (distance < nearest_) {
-    nearest_ = distance;
-    nearestPlace_ = place;
-  }
-}
-
 /// Largest change of any gap per length of the segment. The axis turns fastest in the middle, by
 /// twice the tangent of half the angle per length.
 double CheckWatch::steepestTurning(const Segment& s) const {
@@ -99,7 +92,7 @@ CheckWatch::Measure CheckWatch::measure(const Segment& s, double along) {
   }
   m.value = c.gap;
   m.turn = slopeAlong(c, at, s.tangentAt(along), s.spin());
-  note(std::abs(m.value), at);
+  nearest_.take(std::abs(m.value), at);
   return m;
 }
 
@@ -115,7 +108,7 @@ void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
   now_.outside = m.field;
   now_.positive = m.value > 0.0;
   now_.startedRemote = now_.positive;
-  nearest_ = std::numeric_limits<double>::infinity();
+  nearest_ = nearestFacing_ = {};
 }
 
 std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& guide) {
@@ -244,7 +237,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
     }
     now_.nearFor = near(m) ? now_.nearFor + step : 0.0;
     before = u;
-    const double farther = size - nearest_;
+    const double farther = size - nearest();
     if (close_ && rate > 0.0) {
       step = std::min(step, std::max({closeShare * s.length, finest, farther / rate}));
     }
@@ -267,9 +260,7 @@ CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, 
     const tool::Contact c = field->at(at, axis);
     const bool agrees = c.normal.dot(guideNormal) > agreeing;
     const double out = std::abs(c.gap) - reach();
-    if (agrees) {
-      note(std::abs(c.gap), at);
-    }
+    (agrees ? nearestFacing_ : nearest_).take(std::abs(c.gap), at);
     if (out <= 0.0) {
       look.near = true;
       if (agrees) {

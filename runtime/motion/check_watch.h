@@ -51,7 +51,7 @@ class CheckWatch {
   void lookClosely(const CheckWatch& before) {
     close_ = true;
     nearest_ = before.nearest_;
-    nearestPlace_ = before.nearestPlace_;
+    nearestFacing_ = before.nearestFacing_;
   }
   /// From now on scans end, without a result, once the effort is spent.
   void spend(const Effort& effort) { effort_ = &effort; }
@@ -85,8 +85,10 @@ class CheckWatch {
   [[nodiscard]] const NamedSurface& surface() const { return surface_; }
   [[nodiscard]] ir::Condition condition() const { return condition_; }
   [[nodiscard]] double band() const { return band_; }
-  [[nodiscard]] double nearest() const { return nearest_; }
-  [[nodiscard]] const Vec3& nearestPlace() const { return nearestPlace_; }
+  /// The nearest approach; of tangencies that where check surface and guide face one way, if they
+  /// do so anywhere.
+  [[nodiscard]] double nearest() const { return approach().distance; }
+  [[nodiscard]] const Vec3& nearestPlace() const { return approach().place; }
   /// Looking closely for a tangency: the gap, negative for an overlap, and place where the surfaces
   /// are parallel and touch least badly; none where they are parallel nowhere.
   struct Parallel {
@@ -101,6 +103,8 @@ class CheckWatch {
   [[nodiscard]] bool touchedAny() const { return now_.seen > 0; }
   [[nodiscard]] const Vec3& lastContact() const { return now_.last; }
   [[nodiscard]] bool wasClear() const { return now_.armed; }
+  /// True where the tool is within the tolerance from the start on.
+  [[nodiscard]] bool neverLeft() const { return !wasClear() && nearest() <= band_; }
   /// True where the tool was at the surface, within its tolerance, when the motion began.
   [[nodiscard]] bool startedAt() const { return startedAt_; }
 
@@ -187,7 +191,19 @@ class CheckWatch {
                               double before,
                               double along);
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
-  void note(double distance, const Vec3& place);
+  /// A distance from the surface, and where it was.
+  struct Approach {
+    double distance = std::numeric_limits<double>::infinity();
+    Vec3 place = Vec3::Zero();
+    void take(double other, const Vec3& where) {
+      if (other < distance) {
+        *this = {other, where};
+      }
+    }
+  };
+  [[nodiscard]] const Approach& approach() const {
+    return nearestFacing_.distance < tolerance::farAway ? nearestFacing_ : nearest_;
+  }
   [[nodiscard]] bool isSpent() const { return effort_ != nullptr && effort_->isSpent(); }
   void findNearest(const Segment& segment, Field& guide);
   void findParallel(const Segment& segment, const std::vector<double>& looks, Field& guide);
@@ -210,8 +226,7 @@ class CheckWatch {
   bool close_ = false;
   bool startedAt_ = false;
   std::vector<double> looks_;  ///< lengths along the segment, where looked at closely
-  double nearest_ = std::numeric_limits<double>::infinity();
-  Vec3 nearestPlace_ = Vec3::Zero();
+  Approach nearest_, nearestFacing_;
   std::optional<Parallel> parallel_;
 };
 

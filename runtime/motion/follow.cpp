@@ -104,6 +104,9 @@ class Follower {
       const double length = surface::endBefore(surface->surface, contact->point);
       if (length > 0.0) {
         const CheckWatch& w = course_.watches.front();
+        if (w.neverLeft()) {
+          return missed(course_);
+        }
         const Vec3 p = told(last_.toolEnd);
         const Vec3 q = told(w.nearestPlace());
         return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, told(w.nearest()),

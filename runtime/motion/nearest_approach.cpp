@@ -33,9 +33,9 @@ void CheckWatch::findNearest(const Segment& s, Field& guide) {
     const std::size_t before = i > 0 ? i - 1 : 0;
     const std::size_t behind = std::min(i + 1, looks.size() - 1);
     const bool least = at[i] <= at[before] && at[i] <= at[behind] && at[i] < tolerance::farAway;
-    if (least && at[i] <= nearest_ + looks[behind] - looks[before]) {
+    if (least && at[i] <= nearest() + looks[behind] - looks[before]) {
       geometry::narrowLeast(away, looks[before], looks[behind], [&](double value, double width) {
-        return width > tolerance::sameSide && value <= nearest_ + steepest(s) * width;
+        return width > tolerance::sameSide && value <= nearest() + steepest(s) * width;
       });
     }
   }
@@ -45,10 +45,11 @@ void CheckWatch::findNearest(const Segment& s, Field& guide) {
 /// Where the gap along the path neither opens nor closes check surface and guide are parallel.
 void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks, Field& guide) {
   for (Field* field : {plus_.get(), minus_.get()}) {
-    const auto opens = [&](double u) -> bool {
+    const auto slope = [&](double u) {
       const tool::Contact c = field->at(s.at(u), s.axisAt(u));
-      return slopeAlong(c, s.at(u), s.tangentAt(u), s.spin()) > 0.0;
+      return slopeAlong(c, s.at(u), s.tangentAt(u), s.spin());
     };
+    const auto opens = [&](double u) -> bool { return slope(u) > 0.0; };
     bool second = opens(looks.front());
     for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
       double low = looks[i];
@@ -63,6 +64,10 @@ void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks
           break;
         }
         (opens(middle) == first ? low : high) = middle;
+      }
+      // Where the slope jumps the contact does: they are not parallel.
+      if (std::min(std::abs(slope(low)), std::abs(slope(high))) > tolerance::nullDirection) {
+        continue;
       }
       const Vec3 place = s.at(low);
       const tool::Contact c = field->at(place, s.axisAt(low));
@@ -88,20 +93,22 @@ void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks
   }
 }
 
-/// The smaller gap of those whose contact agrees with that of the guide.
+/// The smaller gap of those whose contact agrees with that of the guide; of all where none ever
+/// did.
 double CheckWatch::missOfTangency(const Segment& s, double u, Field& guide) {
   const Vec3 at = s.at(u);
   const Vec3 axis = s.axisAt(u);
   const Vec3 guideNormal = guide.at(at, axis).normal;
   double miss = tolerance::farAway;
+  double other = tolerance::farAway;
   for (Field* field : {plus_.get(), minus_.get()}) {
     const tool::Contact c = field->at(at, axis);
-    if (c.normal.dot(guideNormal) > agreeing) {
-      miss = std::min(miss, std::abs(c.gap));
-    }
+    double& least = c.normal.dot(guideNormal) > agreeing ? miss : other;
+    least = std::min(least, std::abs(c.gap));
   }
-  note(miss, at);
-  return miss;
+  nearestFacing_.take(miss, at);
+  nearest_.take(other, at);
+  return nearestFacing_.distance < tolerance::farAway ? miss : other;
 }
 
 }  // namespace arelem::motion
