@@ -1,5 +1,6 @@
 #include "runtime/motion/startup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -201,6 +202,16 @@ class Starter {
     return list;
   }
 
+  /// True where the tool keeps all tolerances: in a hollow of its own radius it has no other place
+  /// than that without a gap.
+  [[nodiscard]] bool isWithin(const Vec3& toolEnd) {
+    return std::all_of(goals_.begin(), goals_.end(), [&](const Goal& goal) {
+      const double gap = goal.field->at(toolEnd, rule_.at(toolEnd)).gap;
+      return gap >= -state_.inner[goal.role] - tolerance::sameSide &&
+             gap <= state_.outer[goal.role] + tolerance::sameSide;
+    });
+  }
+
   /// The pseudo surfaces that make the position unique where a direction is given.
   std::vector<Constraint> constraints(const Vec3& from) {
     std::vector<Constraint> list;
@@ -240,9 +251,8 @@ class Starter {
       }
     }
     if (found.ok && !exact_) {
-      // Where there is no room for the gaps of a tool at rest, it stays where it touches.
-      const Settled atRest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
-      found = atRest.ok ? atRest : found;
+      const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+      found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
     if (auto bad = rule_.fault(found.toolEnd)) {
       return *std::move(bad);
