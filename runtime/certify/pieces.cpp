@@ -1,4 +1,4 @@
-#include "runtime/certify/rim_search.h"
+#include "runtime/certify/body_search.h"
 
 namespace arelem::certify {
 

@@ -8,9 +8,6 @@
 
 namespace arelem::certify {
 
-/// Least over |x| <= half, half <= pi, of first (1 - cos x) + second sin x.
-[[nodiscard]] double leastOfTurn(double first, double second, const Turn& half);
-
 /// Proof that no place of a circle is nearer to a surface than some gap: branch and bound over the
 /// angle. At the chord 2 rho sin(x / 2) from a place of the circle its distance is at least
 /// d + n . (y - y0) + low (2 rho sin(x / 2))^2 / 2: a sum of cosine and sine of x, the least of
