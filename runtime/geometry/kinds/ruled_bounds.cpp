@@ -119,9 +119,10 @@ void Ruled::Sheet::makeRows() {
     }
     rows_.swap(finer);
   }
-  for (std::size_t i = 0; i + rowsOfABlock <= rows_.size(); i += rowsOfABlock) {
+  for (std::size_t i = 0; i < rows_.size(); i += rowsOfABlock) {
     blocks_.push_back(blockFrom(i));
   }
+  around_ = std::make_unique<Surroundings[]>(blocks_.size() * cellsOfARow);
 }
 
 Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
@@ -138,7 +139,12 @@ Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
   if (a && b) {
     row.first = a->first * half;
     row.second = b->first * half;
+    row.twist =
+        std::min(row.first + row.second, (middle.byFG.norm() + secondsApart(*a, *b) * half) * half);
   }
+  row.length = row.along.norm();
+  row.perSquared = row.length > 0.0 ? 1.0 / (row.length * row.length) : 0.0;
+  row.proper = properPart(f);
   return row;
 }
 
@@ -162,9 +168,10 @@ Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
 }
 
 Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
-  Row block = rulingsBetween(rows_[row].low, rows_[row + rowsOfABlock - 1].high);
+  const std::size_t end = std::min(row + rowsOfABlock, rows_.size());
+  Row block = rulingsBetween(rows_[row].low, rows_[end - 1].high);
   block.cells = rows_[row].cells;
-  for (std::size_t i = row + 1; i < row + rowsOfABlock; ++i) {
+  for (std::size_t i = row + 1; i < end; ++i) {
     for (std::size_t k = 0; k < cellsOfARow; ++k) {
       block.cells[k] = hull(block.cells[k], rows_[i].cells[k]);
     }
@@ -174,22 +181,19 @@ Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
 
 /// Widens `all` by the cells of a row within `reach` of a place, and empties it where they are not
 /// known; false where none is within reach. A place at g is off the ruling in the middle by at most
-/// the moves on both curves, each by its weight there.
+/// the spread there, which grows with g by the twist at most.
 bool Ruled::Sheet::widenBy(const Row& row,
                            const Vec3& place,
                            double reach,
                            std::optional<Bends>& all) {
-  const double length = row.along.norm();
-  const double spread = row.first + row.second;
-  const Vec3 rest = place - row.from;
-  if (!(length > spread)) {
+  const double length = row.length;
+  if (!(length > row.twist)) {
     all.reset();
     return true;
   }
-  const double g = rest.dot(row.along) / (length * length);
-  const double here = reach + std::abs(1.0 - g) * row.first + std::abs(g) * row.second;
-  const double most = here + here / (length - spread) * spread;
-  const double squared = most * most - (rest - g * row.along).squaredNorm();
+  const auto [g, away] = row.lineTo(place);
+  const double most = (reach + row.spreadAt(g)) * length / (length - row.twist);
+  const double squared = most * most - away * away;
   if (squared < 0.0) {
     return false;
   }

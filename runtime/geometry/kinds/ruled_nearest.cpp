@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/geometry/kinds/ruled_sheet.h"
+
+/// Which of the feet of a point on a ruled surface is the nearest.
+namespace arelem::surface {
+
+namespace {
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+/// Parts of the sheet about a place that are looked at: the largest, in distances between the ends
+/// of a curve, how much smaller each is than the one before, and how many.
+constexpr double largestPart = 2.0;
+constexpr double smallerPart = 0.7;
+constexpr int mostParts = 12;
+/// Feet nearer than the best by less than this share of its distance are as near.
+constexpr double asNear = 1e-12;
+/// Rulings cross where the area of the sheet by f and g falls to this share of that in the middle.
+constexpr double crossing = 1e-3;
+/// Rulings from which a foot is looked for.
+constexpr std::size_t mostStarts = 16;
+}  // namespace
+
+/// The normal byF x byG changes linearly along a ruling. Where it all but vanishes the ruling meets
+/// the next.
+Ruled::Sheet::Range Ruled::Sheet::properPart(double f) const {
+  const SheetPlace s = at(f, 0.0);
+  const Vec3 start = s.byF.cross(s.byG);
+  const Vec3 change = s.byFG.cross(s.byG);
+  const Vec3 middle = start + 0.5 * change;
+  Range range;
+  const double squared = change.squaredNorm();
+  if (start.cross(change).squaredNorm() <= crossing * crossing * squared * middle.squaredNorm() &&
+      squared > 0.0) {
+    const double g = -start.dot(change) / squared;
+    (g < 0.5 ? range.low : range.high) = g;
+  }
+  return range;
+}
+
+Ruled::Sheet::Part Ruled::Sheet::partAbout(std::size_t block,
+                                           const Vec3& place,
+                                           double reach) const {
+  Part part{Bends(nothing)};
+  const auto count = static_cast<int>(blocks_.size());
+  const auto middle = static_cast<int>(block);
+  for (const int way : {-1, 1}) {
+    bool together = true;
+    for (int i = way < 0 ? middle : middle + 1; i >= 0 && i < count; i += way) {
+      const Row& row = blocks_[static_cast<std::size_t>(i)];
+      if (together) {
+        together = widenBy(row, place, reach, part.curvatures);
+        if (!part.curvatures) {
+          return part;
+        }
+      } else if (row.leastFrom(row.lineTo(place)) < reach) {
+        part.alone = false;
+      }
+    }
+    if (together) {
+      part.curvatures.reset();  // beyond the last row nothing is known
+    }
+  }
+  return part;
+}
+
+/// A ball that touches the sheet and is not sharper than the sheet bends towards it holds no place
+/// of the part about the place where it touches; and none at all if it is no larger than that part.
+void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) const {
+  const Row& row = blocks_[block];
+  const double halfG = 0.5 / cellsOfARuling;
+  const double g = (cell + 0.5) / cellsOfARuling - rulingsBeside;
+  const Vec3 place = row.from + g * row.along;
+  const double spread = std::max(row.spreadAt(g - halfG), row.spreadAt(g + halfG));
+  const double inCell = spread + halfG * row.along.norm();
+  double above = 0.0;
+  double below = 0.0;
+  double alone = 0.0;
+  double reach = largestPart * (atHigh_[0].place - atLow_[0].place).cwiseAbs().maxCoeff();
+  for (int i = 0; i < mostParts && 0.5 * reach > std::min(above, below); ++i) {
+    const Part part = partAbout(block, place, reach + inCell);
+    if (part.curvatures && part.alone) {
+      alone = std::max(alone, reach);
+      above = std::max(above, std::min(0.5 * reach, 1.0 / std::max(0.0, -part.curvatures->low)));
+      below = std::max(below, std::min(0.5 * reach, 1.0 / std::max(0.0, part.curvatures->high)));
+    }
+    reach *= smallerPart;
+  }
+  known.above.store(above, std::memory_order_relaxed);
+  known.below.store(below, std::memory_order_relaxed);
+  known.alone.store(alone, std::memory_order_release);
+}
+
+const Ruled::Sheet::Surroundings* Ruled::Sheet::surroundings(double f, double g) const {
+  const double number = std::floor((g + rulingsBeside) * cellsOfARuling);
+  if (blocks_.empty() || !(number >= 0.0 && number < cellsOfARow && f >= blocks_.front().low &&
+                           f <= blocks_.back().high)) {
+    return nullptr;
+  }
+  const auto here = std::partition_point(blocks_.begin(), blocks_.end(),
+                                         [&](const Row& row) { return row.high < f; });
+  const auto block = std::min(static_cast<std::size_t>(here - blocks_.begin()), blocks_.size() - 1);
+  const int cell = static_cast<int>(number);
+  Surroundings& known = around_[block * cellsOfARow + static_cast<std::size_t>(cell)];
+  if (known.alone.load(std::memory_order_acquire) < 0.0) {
+    lookAround(block, cell, known);
+  }
+  return &known;
+}
+
+bool Ruled::Sheet::isNearest(const Foot& foot, const Hint& hint) const {
+  const Surroundings* known = surroundings(hint.f, hint.g);
+  return known != nullptr &&
+         std::abs(foot.distance) <=
+             (foot.distance > 0.0 ? known->above : known->below).load(std::memory_order_relaxed);
+}
+
+/// Rows of which no place can be nearer than the best are left out; of the others those whose
+/// ruling in the middle is nearer than that of the rows beside them are where feet may be.
+Foot Ruled::Sheet::nearest(const Vec3& p, const Foot* known, Hint& hint) const {
+  struct Start {
+    const Row* row;
+    Row::Line line;
+  };
+  std::array<Start, mostStarts> starts;
+  std::size_t found = 0;
+  std::array<double, mostBlocks> least;
+  const std::size_t count = blocks_.size();
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    least[i] = blocks_[i].leastFrom(blocks_[i].lineTo(p));
+    first = least[i] < least[first] ? i : first;
+  }
+  double best = known != nullptr ? std::abs(known->distance) : unbounded;
+  double upper = best;
+  const auto rowsEnd = [&](std::size_t block) {
+    return std::min((block + 1) * rowsOfABlock, rows_.size());
+  };
+  for (std::size_t i = first * rowsOfABlock; i < rowsEnd(first); ++i) {
+    upper = std::min(upper, rows_[i].properLineTo(p).away);
+  }
+  double before = unbounded;
+  Start here{nullptr, {0.0, unbounded}};
+  const auto go = [&](const Start& next) {
+    if (here.row != nullptr && here.line.away <= before && here.line.away < next.line.away &&
+        found < mostStarts) {
+      starts[found++] = here;
+    }
+    before = here.line.away;
+    here = next;
+  };
+  for (std::size_t block = 0; block < count; ++block) {
+    if (least[block] > upper) {
+      go({nullptr, {0.0, unbounded}});
+      continue;
+    }
+    for (std::size_t i = block * rowsOfABlock; i < rowsEnd(block); ++i) {
+      go({&rows_[i], rows_[i].properLineTo(p)});
+      upper = std::min(upper, here.line.away);
+    }
+  }
+  go({nullptr, {0.0, unbounded}});
+  std::sort(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(found),
+            [](const Start& a, const Start& b) { return a.line.away < b.line.away; });
+  Foot result = known != nullptr ? *known : Foot{};
+  const Hint old = hint;
+  for (std::size_t i = 0; i < found; ++i) {
+    const Row& row = *starts[i].row;
+    const double width = row.high - row.low;
+    const bool again = known != nullptr && old.f > row.low - width && old.f < row.high + width;
+    if (again || row.leastFrom(row.lineTo(p)) > best) {
+      continue;
+    }
+    const double f = 0.5 * (row.low + row.high);
+    const double g = starts[i].line.g;
+    Hint other{true, f, g, f, g, at(f, g)};
+    const Foot foot = settle(p, other);
+    const double away = std::abs(foot.distance);
+    if (away < best * (1.0 - asNear) && (properPart(other.f).holds(other.g) || best == unbounded)) {
+      best = away;
+      result = foot;
+      hint = other;
+    }
+  }
+  return result;
+}
+
+}  // namespace arelem::surface
