@@ -14,6 +14,8 @@ constexpr int newtonLimit = 15;
 /// Rulings on the way to a foot that Newton does not find, and the first stride between them.
 constexpr int rulingsLimit = 100;
 constexpr double firstStride = 1.0 / 64.0;
+/// A place this near to the foot, as a share of what is asked about, does for its bends.
+constexpr double sameFoot = 1e-3;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// A Newton step of f and g at most this long is the last. What is left is its square, in
 /// curvatures of the sheet, and that of the distance the square of that; the sheet at its end is
@@ -125,27 +127,31 @@ Vec3 Ruled::ruling(const Vec3& p) const {
 }
 
 Bends Ruled::bends(const Vec3& p, const Foot& foot, double radius) const {
-  const Vec3 on = p - foot.distance * foot.normal;
-  Hint hint;
-  (void)this->foot(on, hint);
-  if (!((sheet_->at(hint.f, hint.g).place - on).norm() <= tolerance::sameSide)) {
-    hint = {};
-    (void)this->foot(p, hint);
-  }
-  return bends(p, foot, radius, hint);
+  return bends(p, foot, radius, {});
 }
 
-Bends Ruled::bends(const Vec3&, const Foot& foot, double radius, const Hint& hint) const {
+Bends Ruled::bends(const Vec3& p, const Foot& foot, double radius, const Hint& hint) const {
   const Bends any = bendsOfAnySet(foot.distance, radius);
   const double away = std::abs(foot.distance);
+  const Vec3 on = p - foot.distance * foot.normal;
+  Hint near = hint;
+  const auto off = [&] { return (sheet_->at(near.f, near.g).place - on).norm(); };
+  if (!near.valid || !(off() <= sameFoot * (1.0 + away + radius))) {
+    near = {};
+    (void)this->foot(on, near);
+    if (!(off() <= tolerance::sameSide)) {
+      near = {};
+      (void)this->foot(p, near);
+    }
+  }
   // Feet of all places within the radius lie within 2 (away + radius) of the foot.
-  const auto range = sheet_->curvatures(hint.f, hint.g, 2.0 * (away + radius));
-  if (!range) {
+  const Sheet::Part part = sheet_->curvatures(near.f, near.g, 2.0 * (away + radius) + off());
+  if (!part.curvatures) {
     return any;
   }
-  const double sharpest = std::max(std::abs(range->low), std::abs(range->high));
-  return both(
-      any, bendsOfCurvature(*range, foot.distance, radius, sharpest * (away + 3.0 * radius) < 1.0));
+  const double sharpest = std::max(std::abs(part.curvatures->low), std::abs(part.curvatures->high));
+  return both(any, bendsOfCurvature(*part.curvatures, foot.distance, radius,
+                                    part.alone && sharpest * (away + 3.0 * radius) < 1.0));
 }
 
 }  // namespace arelem::surface

@@ -14,6 +14,20 @@ constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
 }  // namespace
 
+Ruled::Sheet::Part Ruled::Sheet::curvatures(double f, double g, double reach) const {
+  Part part{curvaturesInCells(f, g, reach)};
+  if (!part.curvatures) {
+    part.curvatures = curvaturesAround(f, g, reach);
+    return part;
+  }
+  const Surroundings* known = surroundings(f, g);
+  if (known == nullptr || !(known->alone.load(std::memory_order_relaxed) >= reach)) {
+    const Part all = partAbout(blockOf(f), at(f, g).place, reach);
+    return all.alone ? part : all;
+  }
+  return part;
+}
+
 /// Over the places within `reach`, by way of the parameters there.
 std::optional<Bends> Ruled::Sheet::curvaturesAround(double f, double g, double reach) const {
   const SheetPlace s = at(f, g);
@@ -91,38 +105,54 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
 }
 
 void Ruled::Sheet::makeRows() {
-  const int count = std::max(1, static_cast<int>((high_ - low_) * rowsOfASpan));
   if (!(low_ < high_)) {
     return;
   }
-  const auto evenly = [&](double from, double to, int number) {
-    for (int i = 0; i < number; ++i) {
-      rows_.push_back(
-          rowBetween(from + (to - from) * i / number, from + (to - from) * (i + 1) / number));
-    }
-  };
-  evenly(low_ - reachOfACurve, low_, rowsBeside);
-  evenly(low_, high_, count);
-  evenly(high_, high_ + reachOfACurve, rowsBeside);
-  int halved = 0;
-  for (int depth = 0; depth < deepestRow; ++depth) {
-    std::vector<Row> finer;
-    for (const Row& row : rows_) {
-      if (row.isKnown() || halved >= mostRowsHalved) {
-        finer.push_back(row);
-        continue;
-      }
-      ++halved;
-      const double middle = 0.5 * (row.low + row.high);
-      finer.push_back(rowBetween(row.low, middle));
-      finer.push_back(rowBetween(middle, row.high));
-    }
-    rows_.swap(finer);
-  }
+  addRows(low_ - reachOfACurve, low_, rowsBeside);
+  addRows(low_, high_, std::max(rowsOfABlock, static_cast<int>((high_ - low_) * rowsOfASpan)));
+  addRows(high_, high_ + reachOfACurve, rowsBeside);
   for (std::size_t i = 0; i < rows_.size(); i += rowsOfABlock) {
     blocks_.push_back(blockFrom(i));
   }
   around_ = std::make_unique<Surroundings[]>(blocks_.size() * cellsOfARow);
+}
+
+/// Whole blocks: where the curves end, rows of one block would know little of each other.
+void Ruled::Sheet::addRows(double from, double to, int number) {
+  std::vector<Row> rows;
+  for (int i = 0; i < number; ++i) {
+    rows.push_back(
+        rowBetween(from + (to - from) * i / number, from + (to - from) * (i + 1) / number));
+  }
+  const auto halve = [this](std::vector<Row>& all, const Row& row) {
+    const double middle = 0.5 * (row.low + row.high);
+    all.push_back(rowBetween(row.low, middle));
+    all.push_back(rowBetween(middle, row.high));
+  };
+  int halved = 0;
+  for (int depth = 0; depth < deepestRow; ++depth) {
+    std::vector<Row> finer;
+    for (const Row& row : rows) {
+      if (row.isKnown() || halved >= mostRowsHalved) {
+        finer.push_back(row);
+      } else {
+        ++halved;
+        halve(finer, row);
+      }
+    }
+    rows.swap(finer);
+  }
+  const std::size_t rest = rows.size() % rowsOfABlock;
+  const std::size_t halves = rest == 0 ? 0 : rowsOfABlock - rest;
+  std::vector<Row> whole;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i < halves) {
+      halve(whole, rows[i]);
+    } else {
+      whole.push_back(rows[i]);
+    }
+  }
+  rows_.insert(rows_.end(), whole.begin(), whole.end());
 }
 
 Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
@@ -168,7 +198,7 @@ Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
 }
 
 Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
-  const std::size_t end = std::min(row + rowsOfABlock, rows_.size());
+  const std::size_t end = row + rowsOfABlock;
   Row block = rulingsBetween(rows_[row].low, rows_[end - 1].high);
   block.cells = rows_[row].cells;
   for (std::size_t i = row + 1; i < end; ++i) {

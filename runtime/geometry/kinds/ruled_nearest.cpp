@@ -12,8 +12,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// Parts of the sheet about a place that are looked at: the largest, in distances between the ends
 /// of a curve, how much smaller each is than the one before, and how many.
 constexpr double largestPart = 2.0;
-constexpr double smallerPart = 0.7;
-constexpr int mostParts = 12;
+constexpr double smallerPart = 0.8;
+constexpr int mostParts = 20;
 /// Feet nearer than the best by less than this share of its distance are as near.
 constexpr double asNear = 1e-12;
 /// Rulings cross where the area of the sheet by f and g falls to this share of that in the middle.
@@ -48,15 +48,10 @@ Ruled::Sheet::Part Ruled::Sheet::partAbout(std::size_t block,
   for (const int way : {-1, 1}) {
     bool together = true;
     for (int i = way < 0 ? middle : middle + 1; i >= 0 && i < count; i += way) {
-      const Row& row = blocks_[static_cast<std::size_t>(i)];
-      if (together) {
-        together = widenBy(row, place, reach, part.curvatures);
-        if (!part.curvatures) {
-          return part;
-        }
-      } else if (row.leastFrom(row.lineTo(place)) < reach) {
-        part.alone = false;
-      }
+      const bool within =
+          widenBy(blocks_[static_cast<std::size_t>(i)], place, reach, part.curvatures);
+      part.alone = part.alone && (together || !within);
+      together = together && within;
     }
     if (together) {
       part.curvatures.reset();  // beyond the last row nothing is known
@@ -80,8 +75,8 @@ void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) 
   double reach = largestPart * (atHigh_[0].place - atLow_[0].place).cwiseAbs().maxCoeff();
   for (int i = 0; i < mostParts && 0.5 * reach > std::min(above, below); ++i) {
     const Part part = partAbout(block, place, reach + inCell);
+    alone = part.alone ? std::max(alone, reach) : alone;
     if (part.curvatures && part.alone) {
-      alone = std::max(alone, reach);
       above = std::max(above, std::min(0.5 * reach, 1.0 / std::max(0.0, -part.curvatures->low)));
       below = std::max(below, std::min(0.5 * reach, 1.0 / std::max(0.0, part.curvatures->high)));
     }
@@ -98,9 +93,7 @@ const Ruled::Sheet::Surroundings* Ruled::Sheet::surroundings(double f, double g)
                            f <= blocks_.back().high)) {
     return nullptr;
   }
-  const auto here = std::partition_point(blocks_.begin(), blocks_.end(),
-                                         [&](const Row& row) { return row.high < f; });
-  const auto block = std::min(static_cast<std::size_t>(here - blocks_.begin()), blocks_.size() - 1);
+  const std::size_t block = blockOf(f);
   const int cell = static_cast<int>(number);
   Surroundings& known = around_[block * cellsOfARow + static_cast<std::size_t>(cell)];
   if (known.alone.load(std::memory_order_acquire) < 0.0) {
@@ -134,10 +127,7 @@ Foot Ruled::Sheet::nearest(const Vec3& p, const Foot* known, Hint& hint) const {
   }
   double best = known != nullptr ? std::abs(known->distance) : unbounded;
   double upper = best;
-  const auto rowsEnd = [&](std::size_t block) {
-    return std::min((block + 1) * rowsOfABlock, rows_.size());
-  };
-  for (std::size_t i = first * rowsOfABlock; i < rowsEnd(first); ++i) {
+  for (std::size_t i = first * rowsOfABlock; i < (first + 1) * rowsOfABlock; ++i) {
     upper = std::min(upper, rows_[i].properLineTo(p).away);
   }
   double before = unbounded;
@@ -155,7 +145,7 @@ Foot Ruled::Sheet::nearest(const Vec3& p, const Foot* known, Hint& hint) const {
       go({nullptr, {0.0, unbounded}});
       continue;
     }
-    for (std::size_t i = block * rowsOfABlock; i < rowsEnd(block); ++i) {
+    for (std::size_t i = block * rowsOfABlock; i < (block + 1) * rowsOfABlock; ++i) {
       go({&rows_[i], rows_[i].properLineTo(p)});
       upper = std::min(upper, here.line.away);
     }

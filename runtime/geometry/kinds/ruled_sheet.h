@@ -19,7 +19,7 @@ namespace arelem::surface {
 /// last: motions run on there along the rulings, which have no end.
 inline constexpr int rowsOfASpan = 128;
 inline constexpr int rowsOfABlock = 8;
-/// Rows of which not all cells between the curves are known are halved, so often and so many.
+/// Rows of which not all cells are known are halved, so often and so many.
 inline constexpr int deepestRow = 6;
 inline constexpr int mostRowsHalved = 512;
 /// Rows over the tangents of the curves on each side.
@@ -28,7 +28,7 @@ inline constexpr int cellsOfARuling = 4;
 inline constexpr int rulingsBeside = 3;
 inline constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
 /// More blocks of rows than there can be.
-inline constexpr int mostBlocks = 160;
+inline constexpr int mostBlocks = 256;
 
 class Ruled::Sheet {
  public:
@@ -53,12 +53,15 @@ class Ruled::Sheet {
            second_.isSmooth(f1, f2);
   }
 
-  /// Bounds of the normal curvatures of the sheet, positive where it bends away from its normal,
-  /// within `reach` of the place at f and g. None where it is not smooth or turns too much there.
-  [[nodiscard]] std::optional<Bends> curvatures(double f, double g, double reach) const {
-    const auto inCells = curvaturesInCells(f, g, reach);
-    return inCells ? inCells : curvaturesAround(f, g, reach);
-  }
+  /// The part of the sheet about a place.
+  struct Part {
+    /// Bounds of its normal curvatures, positive where it bends away from its normal. None where it
+    /// is not smooth or turns too much.
+    std::optional<Bends> curvatures;
+    bool alone = true;  ///< no other part is as near; else its curvatures are among them
+  };
+  /// Within `reach` of the place at f and g.
+  [[nodiscard]] Part curvatures(double f, double g, double reach) const;
 
   /// Goes down from the place of the hint to the nearest one about it; f and g are exact then, and
   /// `near` is next to them.
@@ -110,11 +113,8 @@ class Ruled::Sheet {
                             : -std::numeric_limits<double>::infinity();
     }
 
-    /// Between the curves.
     [[nodiscard]] bool isKnown() const {
-      const auto begin = cells.begin() + cellsOfARuling * rulingsBeside;
-      return std::all_of(begin, begin + cellsOfARuling,
-                         [](const auto& c) { return c.has_value(); });
+      return std::all_of(cells.begin(), cells.end(), [](const auto& c) { return c.has_value(); });
     }
   };
   /// What is known about all places of a cell of a block. Part unit; negative where not looked at.
@@ -124,17 +124,13 @@ class Ruled::Sheet {
     std::atomic<double> above{-1.0}, below{-1.0};
     std::atomic<double> alone{-1.0};  ///< no part of the sheet but that about the place is so near
   };
-  /// A part of the sheet that lies together.
-  struct Part {
-    std::optional<Bends> curvatures;
-    bool alone = true;  ///< no other one is within reach
-  };
   struct Bounded {
     Bends curvatures;
     double stretch = 1.0;  ///< ways along the sheet over straight ones
   };
 
   void makeRows();
+  void addRows(double from, double to, int number);
   /// Without cells yet.
   [[nodiscard]] Row rulingsBetween(double low, double high) const;
   [[nodiscard]] Row rowBetween(double low, double high) const;
@@ -143,6 +139,12 @@ class Ruled::Sheet {
   /// Of the rulings where the sheet is not turned over: one that crosses the next goes on behind
   /// the crossing with its sides exchanged.
   [[nodiscard]] Range properPart(double f) const;
+  /// The block of the ruling at f, or that next to it.
+  [[nodiscard]] std::size_t blockOf(double f) const {
+    const auto here = std::partition_point(blocks_.begin(), blocks_.end(),
+                                           [&](const Row& row) { return row.high < f; });
+    return std::min(static_cast<std::size_t>(here - blocks_.begin()), blocks_.size() - 1);
+  }
   [[nodiscard]] const Surroundings* surroundings(double f, double g) const;
   void lookAround(std::size_t block, int cell, Surroundings& known) const;
   /// What is within reach of a place of a block.
