@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/certify/prove.h"
 #include "runtime/motion/settle.h"
 
 namespace arelem::motion {
@@ -183,7 +184,7 @@ class ChordFit {
   double run(double inner, double outer) {
     inner_ = inner;
     outer_ = outer;
-    smooth_ = smoothShare * (inner + outer);
+    smooth_ = std::min(smoothShare * (inner + outer), certify::slackOf(inner + outer));
     const GapNode middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
@@ -195,7 +196,8 @@ class ChordFit {
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
 
  private:
-  /// Nodes that a cubic foretells but for this share of the band are smooth.
+  /// Nodes that a cubic foretells but for this share of the band, and for no more than the
+  /// certificate allows beyond it, are smooth.
   static constexpr double smoothShare = 2e-3;
   /// Of kinks that no cubic foretells what is left of the band may be this share of it.
   static constexpr double kinkShare = 1e-4;
