@@ -187,9 +187,8 @@ Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
   if (!a || !b) {
     return row;
   }
-  const double halfG = 0.5 / cellsOfARuling;
   for (int k = 0; k < cellsOfARow; ++k) {
-    const double g = (k + 0.5) / cellsOfARuling - rulingsBeside;
+    const auto [g, halfG] = cellOf(k);
     if (const auto bounded = curvaturesOf(at(f, g), g, half, halfG, *a, *b)) {
       row.cells[static_cast<std::size_t>(k)] = bounded->curvatures;
     }
@@ -228,14 +227,14 @@ bool Ruled::Sheet::widenBy(const Row& row,
     return false;
   }
   const double half = std::sqrt(squared) / length;
-  const double from = (g - half + rulingsBeside) * cellsOfARuling;
-  const double to = (g + half + rulingsBeside) * cellsOfARuling;
-  if (!(from >= 0.0 && to < cellsOfARow)) {
+  const int from = cellAt(g - half);
+  const int to = cellAt(g + half);
+  if (from < 0 || to >= cellsOfARow) {
     all.reset();
     return true;
   }
-  for (auto k = static_cast<std::size_t>(from); all && k <= static_cast<std::size_t>(to); ++k) {
-    all = hull(all, row.cells[k]);
+  for (int k = from; all && k <= to; ++k) {
+    all = hull(all, row.cells[static_cast<std::size_t>(k)]);
   }
   return true;
 }

@@ -64,8 +64,7 @@ Ruled::Sheet::Part Ruled::Sheet::partAbout(std::size_t block,
 /// of the part about the place where it touches; and none at all if it is no larger than that part.
 void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) const {
   const Row& row = blocks_[block];
-  const double halfG = 0.5 / cellsOfARuling;
-  const double g = (cell + 0.5) / cellsOfARuling - rulingsBeside;
+  const auto [g, halfG] = cellOf(cell);
   const Vec3 place = row.from + g * row.along;
   const double spread = std::max(row.spreadAt(g - halfG), row.spreadAt(g + halfG));
   const double inCell = spread + halfG * row.along.norm();
@@ -88,13 +87,12 @@ void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) 
 }
 
 const Ruled::Sheet::Surroundings* Ruled::Sheet::surroundings(double f, double g) const {
-  const double number = std::floor((g + rulingsBeside) * cellsOfARuling);
-  if (blocks_.empty() || !(number >= 0.0 && number < cellsOfARow && f >= blocks_.front().low &&
-                           f <= blocks_.back().high)) {
+  const int cell = cellAt(g);
+  if (blocks_.empty() ||
+      !(cell >= 0 && cell < cellsOfARow && f >= blocks_.front().low && f <= blocks_.back().high)) {
     return nullptr;
   }
   const std::size_t block = blockOf(f);
-  const int cell = static_cast<int>(number);
   Surroundings& known = around_[block * cellsOfARow + static_cast<std::size_t>(cell)];
   if (known.alone.load(std::memory_order_acquire) < 0.0) {
     lookAround(block, cell, known);

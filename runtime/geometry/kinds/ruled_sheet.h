@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "runtime/geometry/kinds/ruled.h"
+#include "runtime/geometry/kinds/ruled_cells.h"
 #include "runtime/geometry/kinds/ruled_curve.h"
 
 /// What a ruled surface knows of itself. Private to runtime/geometry/kinds.
 namespace arelem::surface {
 
-/// Parts of the sheet with known curvatures: rows of rulings for each curve distance, and cells of
-/// each for each distance of the curves, from some of those before the first to as many behind the
-/// last: motions run on there along the rulings, which have no end.
+/// Parts of the sheet with known curvatures: rows of rulings for each curve distance, in cells.
 inline constexpr int rowsOfASpan = 128;
 inline constexpr int rowsOfABlock = 8;
 /// Rows of which not all cells are known are halved, so often and so many.
@@ -24,9 +23,6 @@ inline constexpr int deepestRow = 6;
 inline constexpr int mostRowsHalved = 512;
 /// Rows over the tangents of the curves on each side.
 inline constexpr int rowsBeside = 16;
-inline constexpr int cellsOfARuling = 4;
-inline constexpr int rulingsBeside = 3;
-inline constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
 /// More blocks of rows than there can be.
 inline constexpr int mostBlocks = 256;
 
@@ -113,8 +109,10 @@ class Ruled::Sheet {
                             : -std::numeric_limits<double>::infinity();
     }
 
+    /// All but the far cells.
     [[nodiscard]] bool isKnown() const {
-      return std::all_of(cells.begin(), cells.end(), [](const auto& c) { return c.has_value(); });
+      return std::all_of(cells.begin() + farCells, cells.end() - farCells,
+                         [](const auto& c) { return c.has_value(); });
     }
   };
   /// What is known about all places of a cell of a block. Part unit; negative where not looked at.
