@@ -114,6 +114,8 @@ void Ruled::Sheet::makeRows() {
   for (std::size_t i = 0; i < rows_.size(); i += rowsOfABlock) {
     blocks_.push_back(blockFrom(i));
   }
+  strips_.assign(rows_.begin(), rows_.end());
+  blockStrips_.assign(blocks_.begin(), blocks_.end());
   around_ = std::make_unique<Surroundings[]>(blocks_.size() * cellsOfARow);
 }
 
@@ -155,11 +157,11 @@ void Ruled::Sheet::addRows(double from, double to, int number) {
   rows_.insert(rows_.end(), whole.begin(), whole.end());
 }
 
-Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
+Ruled::Sheet::Strip Ruled::Sheet::rulingsBetween(double low, double high) const {
   const double f = 0.5 * (low + high);
   const double half = 0.5 * (high - low);
   const SheetPlace middle = at(f, 0.0);
-  Row row;
+  Strip row;
   row.low = low;
   row.high = high;
   row.from = middle.place;
@@ -179,7 +181,7 @@ Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
 }
 
 Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
-  Row row = rulingsBetween(low, high);
+  Row row{rulingsBetween(low, high), {}};
   const double f = 0.5 * (low + high);
   const double half = 0.5 * (high - low);
   const auto a = range(first_, f, half);
@@ -187,9 +189,11 @@ Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
   if (!a || !b) {
     return row;
   }
+  CurvePlace first, second;
+  curves(f, first, second);
   for (int k = 0; k < cellsOfARow; ++k) {
     const auto [g, halfG] = cellOf(k);
-    if (const auto bounded = curvaturesOf(at(f, g), g, half, halfG, *a, *b)) {
+    if (const auto bounded = curvaturesOf(between(first, second, g), g, half, halfG, *a, *b)) {
       row.cells[static_cast<std::size_t>(k)] = bounded->curvatures;
     }
   }
@@ -198,8 +202,7 @@ Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
 
 Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
   const std::size_t end = row + rowsOfABlock;
-  Row block = rulingsBetween(rows_[row].low, rows_[end - 1].high);
-  block.cells = rows_[row].cells;
+  Row block{rulingsBetween(rows_[row].low, rows_[end - 1].high), rows_[row].cells};
   for (std::size_t i = row + 1; i < end; ++i) {
     for (std::size_t k = 0; k < cellsOfARow; ++k) {
       block.cells[k] = hull(block.cells[k], rows_[i].cells[k]);

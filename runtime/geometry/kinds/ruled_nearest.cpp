@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "runtime/geometry/kinds/ruled_sheet.h"
 
@@ -107,63 +108,88 @@ bool Ruled::Sheet::isNearest(const Foot& foot, const Hint& hint) const {
              (foot.distance > 0.0 ? known->above : known->below).load(std::memory_order_relaxed);
 }
 
+/// Notes, of rulings one beside the other, those that are nearer than both beside them.
+class Ruled::Sheet::Lows {
+ public:
+  struct Low {
+    const Strip* row = nullptr;
+    Strip::Line line{0.0, unbounded};
+  };
+  void take(const Low& next) {
+    if (here_.row != nullptr && here_.line.away <= before_ && here_.line.away < next.line.away &&
+        count_ < mostStarts) {
+      list_[count_++] = here_;
+    }
+    before_ = here_.line.away;
+    here_ = next;
+  }
+  /// The nearest first.
+  [[nodiscard]] std::span<const Low> sorted() {
+    take({});
+    const auto end = list_.begin() + static_cast<std::ptrdiff_t>(count_);
+    std::sort(list_.begin(), end,
+              [](const Low& a, const Low& b) { return a.line.away < b.line.away; });
+    return {list_.begin(), end};
+  }
+
+ private:
+  double before_ = unbounded;
+  Low here_;
+  std::array<Low, mostStarts> list_;
+  std::size_t count_ = 0;
+};
+
 /// Rows of which no place can be nearer than the best are left out; of the others those whose
 /// ruling in the middle is nearer than that of the rows beside them are where feet may be.
-Foot Ruled::Sheet::nearest(const Vec3& p, const Foot* known, Hint& hint) const {
-  struct Start {
-    const Row* row;
-    Row::Line line;
-  };
-  std::array<Start, mostStarts> starts;
-  std::size_t found = 0;
+Ruled::Sheet::Lows Ruled::Sheet::lows(const Vec3& p, double upper) const {
   std::array<double, mostBlocks> least;
-  const std::size_t count = blocks_.size();
+  const std::size_t count = blockStrips_.size();
   std::size_t first = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    least[i] = blocks_[i].leastFrom(blocks_[i].lineTo(p));
+    least[i] = blockStrips_[i].leastFrom(blockStrips_[i].lineTo(p));
     first = least[i] < least[first] ? i : first;
   }
-  double best = known != nullptr ? std::abs(known->distance) : unbounded;
-  double upper = best;
-  for (std::size_t i = first * rowsOfABlock; i < (first + 1) * rowsOfABlock; ++i) {
-    upper = std::min(upper, rows_[i].properLineTo(p).away);
-  }
-  double before = unbounded;
-  Start here{nullptr, {0.0, unbounded}};
-  const auto go = [&](const Start& next) {
-    if (here.row != nullptr && here.line.away <= before && here.line.away < next.line.away &&
-        found < mostStarts) {
-      starts[found++] = here;
+  if (upper == unbounded && count > 0) {
+    for (std::size_t i = first * rowsOfABlock; i < (first + 1) * rowsOfABlock; ++i) {
+      upper = std::min(upper, strips_[i].properLineTo(p).away);
     }
-    before = here.line.away;
-    here = next;
-  };
+  }
+  Lows found;
   for (std::size_t block = 0; block < count; ++block) {
     if (least[block] > upper) {
-      go({nullptr, {0.0, unbounded}});
+      found.take({});
       continue;
     }
     for (std::size_t i = block * rowsOfABlock; i < (block + 1) * rowsOfABlock; ++i) {
-      go({&rows_[i], rows_[i].properLineTo(p)});
-      upper = std::min(upper, here.line.away);
+      const Strip::Line line = strips_[i].properLineTo(p);
+      found.take({&strips_[i], line});
+      upper = std::min(upper, line.away);
     }
   }
-  go({nullptr, {0.0, unbounded}});
-  std::sort(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(found),
-            [](const Start& a, const Start& b) { return a.line.away < b.line.away; });
+  return found;
+}
+
+Foot Ruled::Sheet::nearest(const Vec3& p, const Foot* known, Hint& hint) const {
+  const auto from = [&](double f, double g, Hint& other) {
+    other = {true, f, g, f, g, at(f, g)};
+    return settle(p, other);
+  };
+  if (blockStrips_.empty()) {
+    return from(0.5 * (low_ + high_), 0.5, hint);
+  }
+  const bool isKnown = known != nullptr && std::isfinite(known->distance);
+  double best = isKnown ? std::abs(known->distance) : unbounded;
   Foot result = known != nullptr ? *known : Foot{};
-  const Hint old = hint;
-  for (std::size_t i = 0; i < found; ++i) {
-    const Row& row = *starts[i].row;
-    const double width = row.high - row.low;
-    const bool again = known != nullptr && old.f > row.low - width && old.f < row.high + width;
-    if (again || row.leastFrom(row.lineTo(p)) > best) {
+  const double old = hint.f;
+  Lows found = lows(p, best);
+  for (const Lows::Low& low : found.sorted()) {
+    const double width = low.row->high - low.row->low;
+    const bool again = isKnown && old > low.row->low - width && old < low.row->high + width;
+    if (again || low.row->leastFrom(low.row->lineTo(p)) > best) {
       continue;
     }
-    const double f = 0.5 * (row.low + row.high);
-    const double g = starts[i].line.g;
-    Hint other{true, f, g, f, g, at(f, g)};
-    const Foot foot = settle(p, other);
+    Hint other;
+    const Foot foot = from(0.5 * (low.row->low + low.row->high), low.line.g, other);
     const double away = std::abs(foot.distance);
     if (away < best * (1.0 - asNear) && (properPart(other.f).holds(other.g) || best == unbounded)) {
       best = away;

@@ -20,11 +20,11 @@ inline constexpr int rowsOfASpan = 128;
 inline constexpr int rowsOfABlock = 8;
 /// Rows of which not all cells are known are halved, so often and so many.
 inline constexpr int deepestRow = 6;
-inline constexpr int mostRowsHalved = 512;
+inline constexpr int mostRowsHalved = 128;
 /// Rows over the tangents of the curves on each side.
 inline constexpr int rowsBeside = 16;
 /// More blocks of rows than there can be.
-inline constexpr int mostBlocks = 256;
+inline constexpr int mostBlocks = 160;
 
 class Ruled::Sheet {
  public:
@@ -39,6 +39,9 @@ class Ruled::Sheet {
   [[nodiscard]] SheetPlace at(double f, double g) const {
     CurvePlace a, b;
     curves(f, a, b);
+    return between(a, b, g);
+  }
+  [[nodiscard]] static SheetPlace between(const CurvePlace& a, const CurvePlace& b, double g) {
     return {(1.0 - g) * a.place + g * b.place, (1.0 - g) * a.first + g * b.first, b.place - a.place,
             (1.0 - g) * a.second + g * b.second, b.first - a.first};
   }
@@ -73,8 +76,8 @@ class Ruled::Sheet {
     double high = std::numeric_limits<double>::infinity();
     [[nodiscard]] bool holds(double x) const { return x >= low && x <= high; }
   };
-  /// The rulings about one, and what is known of them between those beside the curves.
-  struct Row {
+  /// The rulings about one.
+  struct Strip {
     double low = 0.0, high = 0.0;                    ///< fractions
     Vec3 from = Vec3::Zero(), along = Vec3::Zero();  ///< of the ruling in the middle
     /// How far the others are from it on the curves, and how much their ways from one curve to the
@@ -82,7 +85,6 @@ class Ruled::Sheet {
     double first = std::numeric_limits<double>::infinity(), second = first, twist = first;
     double length = 0.0, perSquared = 0.0;  ///< of along, and 1 over its square
     Range proper;
-    std::array<std::optional<Bends>, cellsOfARow> cells;
 
     /// The place of the ruling in the middle next to p, and how far they are apart.
     struct Line {
@@ -103,15 +105,20 @@ class Ruled::Sheet {
     [[nodiscard]] double spreadAt(double g) const {
       return std::min(first + std::abs(g) * twist, second + std::abs(1.0 - g) * twist);
     }
-    /// No place of the row is nearer to p than this.
+    /// No place of them is nearer to p than this.
     [[nodiscard]] double leastFrom(const Line& line) const {
       return length > twist ? line.away * (1.0 - twist / length) - spreadAt(line.g)
                             : -std::numeric_limits<double>::infinity();
     }
+  };
+  /// What is known of them.
+  struct Row : Strip {
+    std::array<std::optional<Bends>, cellsOfARow> cells;
 
-    /// All but the far cells.
+    /// Between the curves and as far beside them.
     [[nodiscard]] bool isKnown() const {
-      return std::all_of(cells.begin() + farCells, cells.end() - farCells,
+      const auto begin = cells.begin() + cellAt(-1.0);
+      return std::all_of(begin, begin + 3 * cellsOfARuling,
                          [](const auto& c) { return c.has_value(); });
     }
   };
@@ -129,8 +136,7 @@ class Ruled::Sheet {
 
   void makeRows();
   void addRows(double from, double to, int number);
-  /// Without cells yet.
-  [[nodiscard]] Row rulingsBetween(double low, double high) const;
+  [[nodiscard]] Strip rulingsBetween(double low, double high) const;
   [[nodiscard]] Row rowBetween(double low, double high) const;
   /// The rows from one on as one.
   [[nodiscard]] Row blockFrom(std::size_t row) const;
@@ -139,10 +145,13 @@ class Ruled::Sheet {
   [[nodiscard]] Range properPart(double f) const;
   /// The block of the ruling at f, or that next to it.
   [[nodiscard]] std::size_t blockOf(double f) const {
-    const auto here = std::partition_point(blocks_.begin(), blocks_.end(),
-                                           [&](const Row& row) { return row.high < f; });
-    return std::min(static_cast<std::size_t>(here - blocks_.begin()), blocks_.size() - 1);
+    const auto here = std::partition_point(blockStrips_.begin(), blockStrips_.end(),
+                                           [&](const Strip& strip) { return strip.high < f; });
+    return std::min(static_cast<std::size_t>(here - blockStrips_.begin()), blocks_.size() - 1);
   }
+  class Lows;
+  /// Rulings next to p; `upper` is nearer than which a foot must be.
+  [[nodiscard]] Lows lows(const Vec3& p, double upper) const;
   [[nodiscard]] const Surroundings* surroundings(double f, double g) const;
   void lookAround(std::size_t block, int cell, Surroundings& known) const;
   /// What is within reach of a place of a block.
@@ -201,7 +210,8 @@ class Ruled::Sheet {
   double low_, high_;
   std::array<CurvePlace, 2> atLow_, atHigh_;
   std::vector<Row> rows_, blocks_;
-  std::unique_ptr<Surroundings[]> around_;  ///< of the cells of blocks, as they are asked for
+  std::vector<Strip> strips_, blockStrips_;  ///< of them, close together
+  std::unique_ptr<Surroundings[]> around_;   ///< of the cells of blocks, as they are asked for
 };
 
 }  // namespace arelem::surface
