@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/certify/prove.h"
 #include "runtime/motion/settle.h"
 
 namespace arelem::motion {
@@ -183,7 +184,7 @@ class ChordFit {
   double run(double inner, double outer) {
     inner_ = inner;
     outer_ = outer;
-    smooth_ = std::min(smoothShare * (inner + outer), smoothLength);
+    smooth_ = std::min(smoothShare * (inner + outer), certify::slackOf(inner + outer));
     const GapNode middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
@@ -195,11 +196,9 @@ class ChordFit {
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
 
  private:
-  /// Nodes that a cubic foretells but for this share of the band, and for this length in part
-  /// units, are smooth. Where the curvature jumps, halves of a chord are off by a quarter of that:
-  /// less than the slack of the certificate.
+  /// Nodes that a cubic foretells but for this share of the band, and for no more than the
+  /// certificate allows beyond it, are smooth.
   static constexpr double smoothShare = 2e-3;
-  static constexpr double smoothLength = 2.0 * tolerance::certifiedSlack;
   /// Of kinks that no cubic foretells what is left of the band may be this share of it.
   static constexpr double kinkShare = 1e-4;
   static constexpr int deepest = 12;

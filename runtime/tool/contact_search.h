@@ -158,8 +158,8 @@ class ContactSearch {
 
   /// How much the distance bends towards the cutter within `radius` of q; kept in the search.
   double boundAround(const Vec3& q, const Contact& c, double radius) {
-    const surface::Bends bends =
-        surface_.bends(q, {side_ * (c.gap + cutter_.r), side_ * c.normal}, radius);
+    const surface::Bends bends = surface::bendsOf(
+        surface_, q, {side_ * (c.gap + cutter_.r), side_ * c.normal}, radius, search_.hint);
     search_.bound = std::max(0.0, side_ > 0.0 ? -bends.low : bends.high);
     search_.boundAt = q;
     search_.boundRadius = radius;
