@@ -18,7 +18,7 @@ constexpr double mostDoubt = 3e-3;
 constexpr int tryLimit = 60;
 /// A cut vector up to a corner of the path ends this near to it. Part unit.
 constexpr double nearCorner = 1e-8;
-constexpr int growLimit = 5;
+constexpr int growLimit = 8;
 /// Share of the band that a cut vector behind a corner is planned to use.
 constexpr double ridgeShare = 0.9;
 /// One that just ends there is taken when it could grow by less than this factor.
@@ -98,7 +98,7 @@ class Tried {
   [[nodiscard]] double fits() const { return fits_.length; }
   [[nodiscard]] double fails() const { return fails_.length; }
   /// Nothing longer that fits is much longer.
-  [[nodiscard]] bool isNarrow() const { return fails_.length <= goodFit * fits_.length; }
+  [[nodiscard]] bool isNarrow() const { return fails_.length <= narrow * fits_.length; }
 
  private:
   /// A length and the root of the share of the band that it uses.
@@ -107,6 +107,8 @@ class Tried {
   };
   static constexpr double leastFactor = 1e-3;
   static constexpr double unknown = tolerance::farAway;
+  /// Lengths that differ by less than this factor need no more trials.
+  static constexpr double narrow = 1.02;
   /// What is aimed at between two trials.
   static constexpr double wanted = 0.997;
   /// What is far too long does not tell by how much.
