@@ -355,9 +355,7 @@ class Follower {
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };
-}  // namespace
 
-namespace {
 class NoSink final : public CutVectorSink {
  public:
   void put(const Vec3&, const Vec3&) override {}
