@@ -90,7 +90,7 @@ const Action* Association::advance() {
         report(action, fail(diag::NotCertified, objection));
       }
     } else if (const auto* transfer = std::get_if<runtime::Transfer>(&action.body)) {
-      jump(transfer->label);
+      index_ = placeOf(transfer->label);
     } else if (std::holds_alternative<runtime::Fini>(action.body)) {
       ended_ = true;
     } else {
@@ -100,7 +100,7 @@ const Action* Association::advance() {
   return nullptr;
 }
 
-void Association::jump(std::uint64_t label) {
+std::size_t Association::placeOf(std::uint64_t label) const {
   // The next place with this label, or, where there is none ahead, the last one behind.
   const auto [first, last] = labels_.equal_range(label);
   std::optional<std::size_t> ahead, behind;
@@ -110,7 +110,7 @@ void Association::jump(std::uint64_t label) {
            : i->second >= index_ ? std::min(*slot, i->second)
                                  : std::max(*slot, i->second);
   }
-  index_ = ahead ? *ahead : behind ? *behind : actions_.size();
+  return ahead ? *ahead : behind ? *behind : actions_.size();
 }
 
 void Association::moveTo(const Location& l) {
@@ -200,6 +200,12 @@ std::vector<Location> Association::pathOf(const Run& run) const {
   return path;
 }
 
+Vec3 Association::wantedBy(const Locate& locate, const Location& from) {
+  const bool relative = locate.word == Word::GODLTA;
+  return relative ? from.toolEnd + (locate.axial ? Vec3(*locate.axial * from.axis) : locate.point)
+                  : locate.point;
+}
+
 void Association::judgeLocate(const Action& action, const Locate& locate, const Run& run) {
   const bool known = modal_.positioned;
   if (locate.axis && locate.axis->norm() > tolerance::nullDirection) {
@@ -207,16 +213,12 @@ void Association::judgeLocate(const Action& action, const Locate& locate, const 
   }
   const Location end = pathOf(run).back();
   const bool relative = locate.word == Word::GODLTA;
-  Vec3 wanted = locate.point;
-  if (relative) {
-    wanted = modal_.toolEnd + (locate.axial ? Vec3(*locate.axial * modal_.axis) : locate.point);
-  }
   StatementResult result;
   result.origin = action.origin;
   result.isn = action.isn;
   result.statement = arelem::spell(locate.word);
   result.cutVectors = run.locations.size();
-  const double away = (end.toolEnd - wanted).norm();
+  const double away = (end.toolEnd - wantedBy(locate, here())).norm();
   if (!(away <= options_.slack) && (known || !relative)) {
     result.good = false;
     report(action, fail(diag::LocationMoved, away));
@@ -320,6 +322,7 @@ void Association::finish() {
   if (gaveUp_) {
     return;
   }
+  choose(std::nullopt, nullptr);
   judgePocket();
   for (const Action* action = advance(); action != nullptr; action = advance()) {
     miss(*action);

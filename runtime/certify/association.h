@@ -101,9 +101,17 @@ class Association {
   [[nodiscard]] std::vector<Location> pathOf(const Run& run) const;
   [[nodiscard]] std::vector<Goal> goalsOf(const runtime::Follow& follow) const;
   [[nodiscard]] std::optional<Goal> impliedGoal() const;
-  [[nodiscard]] std::size_t metOf(const Taking& t) const;
+  [[nodiscard]] std::vector<std::size_t> metOf(const Taking& t) const;
+  /// Where GOTO or GODLTA leads from a location.
+  [[nodiscard]] static Vec3 wantedBy(const runtime::Locate& locate, const Location& from);
+  [[nodiscard]] Location here() const { return {modal_.toolEnd, modal_.axis}; }
   void miss(const runtime::Action& action);
-  void jump(std::uint64_t label);
+  [[nodiscard]] std::size_t placeOf(std::uint64_t label) const;
+  /// Of check surfaces that the end of a motion is at, which label it goes on with, what follows
+  /// tells: the number of its statement, or its place.
+  void choose(std::optional<int> isn, const Location* next);
+  /// The next action from there on that puts out locations; none at the end.
+  [[nodiscard]] const runtime::Action* outputFrom(std::size_t index) const;
   void moveTo(const Location& l);
   void add(StatementResult result);
   void report(const runtime::Action& action, Failure failure);
@@ -116,7 +124,8 @@ class Association {
   OutputOrder order_;
   Modal modal_;
   std::unordered_multimap<std::uint64_t, std::size_t> labels_;
-  std::size_t index_ = 0;  ///< of the next action
+  std::size_t index_ = 0;          ///< of the next action
+  std::vector<std::size_t> ways_;  ///< where it may be, while that is open; the likeliest first
   std::uint64_t steps_ = 0;
   std::optional<Taking> taking_;
   /// A POCKET whose outline is not complete yet.

@@ -15,6 +15,7 @@ constexpr std::size_t mostHeld = 1000;
 }  // namespace
 
 void Association::begin(std::optional<int> isn, bool withAxis) {
+  choose(isn, nullptr);
   Taking& t = taking_.emplace();
   t.numbered = isn.has_value();
   t.run.withAxis = withAxis;
@@ -44,12 +45,12 @@ void Association::begin(std::optional<int> isn, bool withAxis) {
 }
 
 void Association::add(const Location& location, bool withAxis, bool onCurve) {
-  if (!taking_) {
-    begin(std::nullopt, withAxis);
-  }
   const Held next{location, withAxis, onCurve};
-  if (taking_->mayEnd && !goesOn(next)) {
+  if (taking_ && taking_->mayEnd && !goesOn(next)) {
     close();
+  }
+  if (!taking_) {
+    choose(std::nullopt, &location);
     begin(std::nullopt, withAxis);
   }
   if (!holdsBack(next)) {
@@ -107,18 +108,16 @@ bool Association::goesOn(const Held& next) {
 }
 
 bool Association::isNext(const Vec3& place) const {
-  const auto* locate =
-      index_ < actions_.size() ? std::get_if<runtime::Locate>(&actions_[index_].body) : nullptr;
-  if (locate == nullptr || !modal_.output) {
-    return false;
-  }
-  Vec3 wanted = locate->point;
-  if (locate->word == Word::GODLTA) {
-    wanted =
-        taking_->proof->end().place().toolEnd +
-        (locate->axial ? Vec3(*locate->axial * taking_->proof->end().place().axis) : locate->point);
-  }
-  return (place - wanted).norm() <= options_.slack;
+  const Location end = taking_->proof->end().place();
+  const auto leads = [&](std::size_t way) {
+    const Action* action = outputFrom(way);
+    const auto* locate = action != nullptr ? std::get_if<runtime::Locate>(&action->body) : nullptr;
+    return locate != nullptr && (wantedBy(*locate, end) - place).norm() <= options_.slack;
+  };
+  const auto& checks = taking_->follow->checks;
+  return modal_.output && (leads(index_) || std::any_of(checks.begin(), checks.end(), [&](auto& c) {
+                             return c.label && leads(placeOf(*c.label));
+                           }));
 }
 
 void Association::release() {
@@ -239,23 +238,31 @@ void Association::addFollow(const Location& location) {
   }
 }
 
-/// The check surface that was met: of several the one that the end is nearest to.
-std::size_t Association::metOf(const Taking& t) const {
-  std::size_t met = 0;
+/// The check surfaces that were met: the one that the end is nearest to, and others at which it is.
+std::vector<std::size_t> Association::metOf(const Taking& t) const {
+  if (!t.proof || t.goals.size() < 2) {
+    return {0};
+  }
+  std::vector<std::size_t> met;
+  std::size_t nearest = 0;
   double least = unbounded;
   for (std::size_t i = 0; i < t.goals.size(); ++i) {
     const double missed = check_.missed(modal_, t.goals[i], i, t.proof->end(), t.drive->surface);
     if (missed < least) {
       least = missed;
-      met = i;
+      nearest = i;
+    }
+    if (missed == 0.0) {
+      met.push_back(i);
     }
   }
-  return met;
+  return met.empty() ? std::vector{nearest} : met;
 }
 
 void Association::endFollow() {
   Taking& t = *taking_;
-  const std::size_t met = t.proof && t.goals.size() > 1 ? metOf(t) : 0;
+  const std::vector<std::size_t> atChecks = metOf(t);
+  const std::size_t met = atChecks.front();
   if (t.proof && t.proof->cutVectors() > 0) {
     add(t.proof->finish(*t.action, t.goals, met));
   }
@@ -264,9 +271,41 @@ void Association::endFollow() {
   if (last) {
     moveTo(*last);
   }
-  if (met < t.follow->checks.size() && t.follow->checks[met].label) {
-    jump(*t.follow->checks[met].label);
+  for (const std::size_t i : atChecks) {
+    const auto& checks = t.follow->checks;
+    ways_.push_back(i < checks.size() && checks[i].label ? placeOf(*checks[i].label) : index_);
   }
+  if (ways_.size() == 1) {
+    choose(std::nullopt, nullptr);
+  }
+}
+
+const Action* Association::outputFrom(std::size_t index) const {
+  for (std::uint64_t steps = 0; index < actions_.size() && steps < options_.limits.steps; ++steps) {
+    const Action& action = actions_[index];
+    if (putsOut(action)) {
+      return &action;
+    }
+    const auto* transfer = std::get_if<runtime::Transfer>(&action.body);
+    index = transfer != nullptr ? placeOf(transfer->label) : index + 1;
+  }
+  return nullptr;
+}
+
+void Association::choose(std::optional<int> isn, const Location* next) {
+  if (ways_.empty()) {
+    return;
+  }
+  const auto fits = [&](std::size_t way) {
+    const Action* action = outputFrom(way);
+    const auto* locate = action != nullptr ? std::get_if<runtime::Locate>(&action->body) : nullptr;
+    return isn ? action != nullptr && action->isn == *isn
+               : next != nullptr && locate != nullptr &&
+                     (wantedBy(*locate, here()) - next->toolEnd).norm() <= options_.slack;
+  };
+  const auto way = std::find_if(ways_.begin(), ways_.end(), fits);
+  index_ = way != ways_.end() ? *way : ways_.front();
+  ways_.clear();
 }
 
 }  // namespace arelem::certify
