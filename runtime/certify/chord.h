@@ -15,7 +15,7 @@ class Chord {
     const Vec3 across = axisFrom.cross(axisTo);
     const double sine = across.norm();
     turn_ = std::atan2(sine, axisFrom.dot(axisTo));
-    pole_ = sine > 0.0 ? Vec3(across / sine) : Vec3(axisFrom.unitOrthogonal());
+    pole_ = poleOf(sine > 0.0 ? Vec3(across / sine) : across, axisFrom);
   }
 
   [[nodiscard]] Vec3 toolEnd(double s) const { return s == 1.0 ? to_ : Vec3(from_ + s * step_); }
@@ -37,6 +37,16 @@ class Chord {
   [[nodiscard]] const Vec3& pole() const { return pole_; }  ///< unit
 
  private:
+  /// Of axes that differ by rounding alone the product is rounding of any direction; the pole is
+  /// square to the axis all the same.
+  static Vec3 poleOf(const Vec3& across, const Vec3& axis) {
+    constexpr double most = 0.1;
+    const double along = across.dot(axis);
+    return across.isZero(0.0) || std::abs(along) > most
+               ? Vec3(axis.unitOrthogonal())
+               : Vec3((across - along * axis).normalized());
+  }
+
   Vec3 from_ = Vec3::Zero(), to_ = Vec3::Zero();
   Vec3 axisFrom_ = Vec3::UnitZ(), axisTo_ = Vec3::UnitZ();
   Vec3 step_ = Vec3::Zero();
