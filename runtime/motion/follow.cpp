@@ -83,19 +83,7 @@ class Follower {
 
   // ---- what may go wrong ------------------------------------------------------------------------
 
-  [[nodiscard]] Failure lost() {
-    if (auto bad = course_.path.axis.fault(last_.toolEnd)) {
-      return *std::move(bad);
-    }
-    const Vec3 p = told(last_.toolEnd);
-    const Vec3& n = last_.contacts[0].normal;
-    const double sine = n.cross(last_.contacts[1].normal).norm();
-    if (sine <= tolerance::nullDirection) {
-      return fail(diag::SurfacesParallel, course_.drive.name, course_.part.name, p.x(), p.y(),
-                  p.z());
-    }
-    return fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z());
-  }
+  [[nodiscard]] Failure lost() { return motion::lost(course_, last_); }
 
   /// Behind the end of a TABCYL there is no surface to run along.
   [[nodiscard]] std::optional<Failure> ranOffEnd() const {
@@ -197,7 +185,9 @@ class Follower {
       if (course_.path.flat() || isRoundAgain(a, *b)) {
         return missed(course_);
       }
-      stride_.learn(a, *b);
+      if (segment.length > tolerance::coincidence) {
+        stride_.learn(a, *b);  // what is shorter tells more rounding than curvature
+      }
       putTurn(*b);
       put(*b);
       hasMoved_ = true;
