@@ -98,8 +98,13 @@ std::optional<PathPoint> meet(Path& path,
   // Where the chord crosses what the path only touches, the slope changes its sign.
   auto found = search(onPath, hit);
   found = found ? found : search(onPath, touch);
-  // Where cut vectors join, a step along the path is shorter than it is wide.
-  return found || hit.low >= 0.0 ? found : search(onArc, touch);
+  if (found || hit.low >= 0.0) {
+    return found;
+  }
+  // Where cut vectors join, a step along the path is shorter than it is wide; before the join the
+  // chord is not in the bands.
+  found = search(onArc, touch);
+  return found ? path.standing(found->toolEnd, found->tangent, path.rests(), nullptr) : found;
 }
 
 }  // namespace arelem::motion

@@ -102,8 +102,12 @@ class ContactDescent {
   void turnTo(const Vec3& toward) {
     const Vec3 across = toward - toward.dot(axis_) * axis_;
     const double squared = across.squaredNorm();
-    if (squared > smallestTurn * smallestTurn) {
+    if (squared > alongAxis * alongAxis) {
       search_.toward = unitOf(across, squared);
+      if (squared < nearAxis * nearAxis) {
+        // What is left of a direction near the axis is rounding too, and leans.
+        search_.toward = (search_.toward - search_.toward.dot(axis_) * axis_).normalized();
+      }
     } else {
       search_.toward = axis_.unitOrthogonal();
     }
@@ -125,6 +129,9 @@ class ContactDescent {
   /// that. Radians.
   static constexpr double settledTurn = 1e-6;
   static constexpr double smallestTurn = 1e-15;
+  /// Sines of the angle to the axis up to which what a direction leaves square to it is rounding,
+  /// or leans by it.
+  static constexpr double alongAxis = 1e-12, nearAxis = 1e-4;
   static constexpr double largestTurn = 1.0;
   /// How often Newton may be held on the rim of the disc.
   static constexpr int mostClipped = 3;
