@@ -187,20 +187,18 @@ class ChordFit {
     const Node middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
+    isSmooth_ = depth == 0 || foretold(first_, last_, middle, roughShare * (inner + outer));
     consider(first_, middle, depth);
-    if (squared_ >= hopeless) {
-      consider(middle, last_, depth);
-    }
-    if (depth == 0 || foretold(first_, last_, middle, roughShare * (inner + outer))) {
-      behind_.reset();
-    }
+    consider(middle, last_, depth);
     return std::sqrt(squared_);
   }
 
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
   /// In the part that sets the factor.
   [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
-  /// The curvature next to the end, where the ends do not foretell the middle.
+  /// Whether the ends foretell the middle.
+  [[nodiscard]] bool isSmooth() const { return isSmooth_; }
+  /// The curvature next to the end, if it was looked at.
   [[nodiscard]] const std::optional<double>& behind() const { return behind_; }
 
  private:
@@ -272,6 +270,7 @@ class ChordFit {
   double squared_ = tolerance::farAway;  ///< square of the factor
   std::optional<Path::Ridge> ridge_;
   std::optional<double> behind_;
+  bool isSmooth_ = true;
 };
 }  // namespace
 
@@ -340,6 +339,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
         ridge->guide = i;
       }
     }
+    middle.smooth[i] = chordFit.isSmooth();
     middle.behind[i] = chordFit.behind();
     middle.slope[i] = chordFit.middleSlope();
   }
