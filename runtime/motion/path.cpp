@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/certify/prove.h"
 #include "runtime/motion/settle.h"
 
 namespace arelem::motion {
@@ -183,7 +184,7 @@ class ChordFit {
   double run(double inner, double outer) {
     inner_ = inner;
     outer_ = outer;
-    smooth_ = smoothShare * (inner + outer);
+    smooth_ = std::min(smoothShare * (inner + outer), certify::slackOf(inner + outer));
     const Node middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
@@ -205,7 +206,8 @@ class ChordFit {
   struct Node : GapNode {
     Vec3 normal = Vec3::UnitZ();
   };
-  /// Nodes that a cubic foretells but for this share of the band are smooth.
+  /// Nodes that a cubic foretells but for this share of the band, and for no more than the
+  /// certificate allows beyond it, are smooth.
   static constexpr double smoothShare = 2e-3;
   /// What cubics foretell but for this share has the curvature that the slopes at nodes tell.
   static constexpr double roughShare = 0.05;

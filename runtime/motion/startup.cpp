@@ -1,5 +1,6 @@
 #include "runtime/motion/startup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -201,6 +202,16 @@ class Starter {
     return list;
   }
 
+  /// True where the tool keeps all tolerances: in a hollow of its own radius it has no other place
+  /// than that without a gap.
+  [[nodiscard]] bool isWithin(const Vec3& toolEnd) {
+    return std::all_of(goals_.begin(), goals_.end(), [&](const Goal& goal) {
+      const double gap = goal.field->at(toolEnd, rule_.at(toolEnd)).gap;
+      return gap >= -state_.inner[goal.role] - tolerance::sameSide &&
+             gap <= state_.outer[goal.role] + tolerance::sameSide;
+    });
+  }
+
   /// The pseudo surfaces that make the position unique where a direction is given.
   std::vector<Constraint> constraints(const Vec3& from) {
     std::vector<Constraint> list;
@@ -228,15 +239,20 @@ class Starter {
     const Vec3 from = approach();
     const auto extra = constraints(from);
     Settled found = settle(from, rule_, wanted(false, from), extra);
-    if (!found.ok) {
-      // From far away or across a kink Newton may miss what there is.
-      const Settled near = closest(from, rule_, wanted(false, from), extra);
-      const auto goals = wanted(false, near.toolEnd);
-      found = settle(near.toolEnd, rule_, goals, extra);
-      found = found.ok ? found : nearestAround(near, from, rule_, goals, extra);
+    // From far away or across a kink Newton may miss what there is; and where surfaces nearly touch
+    // each other, only places within the tolerances may be any.
+    for (const bool atRest : {false, true}) {
+      if (!found.ok) {
+        const Settled near = closest(from, rule_, wanted(atRest, from), extra);
+        const auto goals = wanted(atRest, near.toolEnd);
+        Settled tried = settle(near.toolEnd, rule_, goals, extra);
+        tried = tried.ok ? tried : nearestAround(near, from, rule_, goals, extra);
+        found = tried.ok || !atRest ? tried : found;
+      }
     }
     if (found.ok && !exact_) {
-      found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+      const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+      found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
     if (auto bad = rule_.fault(found.toolEnd)) {
       return *std::move(bad);
