@@ -83,19 +83,7 @@ class Follower {
 
   // ---- what may go wrong ------------------------------------------------------------------------
 
-  [[nodiscard]] Failure lost() {
-    if (auto bad = course_.path.axis.fault(last_.toolEnd)) {
-      return *std::move(bad);
-    }
-    const Vec3 p = told(last_.toolEnd);
-    const Vec3& n = last_.contacts[0].normal;
-    const double sine = n.cross(last_.contacts[1].normal).norm();
-    if (sine <= tolerance::nullDirection) {
-      return fail(diag::SurfacesParallel, course_.drive.name, course_.part.name, p.x(), p.y(),
-                  p.z());
-    }
-    return fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z());
-  }
+  [[nodiscard]] Failure lost() { return motion::lost(course_, last_); }
 
   /// Behind the end of a TABCYL there is no surface to run along.
   [[nodiscard]] std::optional<Failure> ranOffEnd() const {
@@ -158,18 +146,14 @@ class Follower {
       }
       const PathPoint& a = last_;
       const auto b = stride_.next(a, cap);
-      if (!b) {
-        const bool chatters = corner_ && (*corner_ - a.toolEnd).norm() <= cornersApart;
-        const auto turned = chatters ? std::nullopt : course_.path.roundCorner(a);
-        if (!turned) {
-          return lost();
-        }
-        corner_ = a.toolEnd;
-        last_ = *turned;
-        for (Guide& g : course_.path.guides) {
-          g.startAnew(0.0);
-        }
+      // Close to a corner cut vectors may get ever shorter.
+      const bool stuck = !b || (cap > tolerance::coincidence &&
+                                (b->toolEnd - a.toolEnd).norm() <= tolerance::coincidence);
+      if (stuck && turnCorner()) {
         continue;
+      }
+      if (!b) {
+        return lost();
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {
         return bad;
@@ -197,7 +181,9 @@ class Follower {
       if (course_.path.flat() || isRoundAgain(a, *b)) {
         return missed(course_);
       }
-      stride_.learn(a, *b);
+      if (segment.length > tolerance::coincidence) {
+        stride_.learn(a, *b);  // what is shorter tells more rounding than curvature
+      }
       putTurn(*b);
       put(*b);
       hasMoved_ = true;
@@ -205,6 +191,20 @@ class Follower {
         return bad;
       }
     }
+  }
+
+  /// Goes on in the direction behind a corner; false where there is none.
+  bool turnCorner() {
+    const bool chatters = corner_ && (*corner_ - last_.toolEnd).norm() <= cornersApart;
+    const auto turned = chatters ? std::nullopt : course_.path.roundCorner(last_);
+    if (turned) {
+      corner_ = last_.toolEnd;
+      last_ = *turned;
+      for (Guide& g : course_.path.guides) {
+        g.startAnew(0.0);
+      }
+    }
+    return turned.has_value();
   }
 
   /// True where the last cut vector ends at the stop but for rounding, or beyond it within the
@@ -355,9 +355,7 @@ class Follower {
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };
-}  // namespace
 
-namespace {
 class NoSink final : public CutVectorSink {
  public:
   void put(const Vec3&, const Vec3&) override {}

@@ -1,5 +1,6 @@
 #include "runtime/motion/missed.h"
 
+#include <array>
 #include <cmath>
 
 #include "ir/diag/motion.h"
@@ -10,6 +11,9 @@
 namespace arelem::motion {
 
 namespace {
+/// Where a path ends the axis is asked for this far ahead. Part unit.
+constexpr std::array looksAhead{0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -53,6 +57,21 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
   return never;
 }
 }  // namespace
+
+Failure lost(Course& course, const PathPoint& last) {
+  // Where there is no axis any more steps beyond end nowhere.
+  for (const double ahead : looksAhead) {
+    if (auto bad = course.path.axis.fault(last.toolEnd + ahead * last.tangent)) {
+      return *std::move(bad);
+    }
+  }
+  const Vec3 p = told(last.toolEnd);
+  const double sine = last.contacts[0].normal.cross(last.contacts[1].normal).norm();
+  return sine <= tolerance::nullDirection
+             ? fail(diag::SurfacesParallel, course.drive.name, course.part.name, p.x(), p.y(),
+                    p.z())
+             : fail(diag::ContactLost, course.drive.name, course.part.name, p.x(), p.y(), p.z());
+}
 
 Failure missed(const Course& course) {
   Failure all = missedOne(course, course.watches.front());

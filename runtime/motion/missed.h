@@ -7,6 +7,9 @@ namespace arelem::motion {
 /// way, of the first of them.
 [[nodiscard]] Failure missed(const Course& course);
 
+/// Why the path goes no farther than `last`.
+[[nodiscard]] Failure lost(Course& course, const PathPoint& last);
+
 /// A path that went on to its end because the tool stood at the check surface from the start on:
 /// the fault is not with the surface that ended it, and the help says so.
 [[nodiscard]] Failure withStart(Failure failure, const Course& course);

@@ -154,10 +154,10 @@ std::optional<PathPoint> Path::roundCorner(const PathPoint& at) {
     next.point -= aheadOfCorner * at.tangent;
     turned.contacts[i] = next;
   }
-  if (towards.isZero(0.0) || !aim(turned, towards)) {
-    return std::nullopt;
-  }
-  return turned;
+  const bool turns = !towards.isZero(0.0) && aim(turned, towards);
+  // What goes back the way that it came goes round no corner.
+  return turns && turned.tangent.dot(at.tangent) > -sameContact ? std::optional(turned)
+                                                                : std::nullopt;
 }
 
 namespace {

@@ -261,7 +261,8 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
     }
     t.length = std::min({t.tried.longer(t.length, factor), cap, longest_});
   }
-  if (bestLength <= 2.0 * nearCorner) {
+  // Beside a corner a cut vector may change its gap, but does not get on.
+  if (!best || (best->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
     return std::nullopt;
   }
   path_.middle = middle;
