@@ -111,8 +111,10 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
     const double r0 = drop(0);
     const double r1 = drop(1);
     const Vec3 aside = ((r0 - c * r1) * n0 + (r1 - c * r0) * n1) / det;
-    // A circle lies aside of its parabola by this share.
-    guess += (1.0 + aside.squaredNorm() / (along * along)) * aside;
+    // A circle lies aside of its parabola by this share; next to `from` the way aside is that from
+    // one gap to another.
+    const double steep = aside.squaredNorm() / (along * along);
+    guess += (steep < 1.0 ? 1.0 + steep : 1.0) * aside;
   }
   const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
                           Wanted{guides[1].field.get(), gaps[1]}};
