@@ -90,12 +90,8 @@ double Stride::accepted() const {
 }
 
 std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
-  for (const Guide& g : path_.guides) {
-    if (g.field->isFaceted()) {
-      return nextAlongMesh(a, cap);
-    }
-  }
-  return nextAlongCurves(a, cap);
+  const bool faceted = path_.guides[0].field->isFaceted() || path_.guides[1].field->isFaceted();
+  return faceted ? nextAlongMesh(a, cap) : nextAlongCurves(a, cap);
 }
 
 /// In a plane the whole tolerance is seen at once; else, and where that ends, lengths are tried.
