@@ -13,6 +13,10 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double cubicError = 1e-3;
 /// Crossings of tangents nearer than this share to an end tell nothing new.
 constexpr double nearEnd = 0.05;
+/// Trials of a chord over even change of curvature, and the square of the factor by which it may be
+/// too short.
+constexpr int swayTrials = 8;
+constexpr double swayFit = 1.01;
 
 /// g(x) = gap + first x + second x^2 + third x^3 over x in [0, 1].
 struct Cubic {
@@ -84,6 +88,26 @@ double longestChord(double bend, double from, double to, double inner, double ou
   const double b = bend > 0.0 ? to + inner : outer - to;
   return (std::sqrt(std::max(a, 0.0)) + std::sqrt(std::max(b, 0.0))) *
          std::sqrt(2.0 / std::abs(bend));
+}
+
+double longestSway(
+    double bend, double trend, double from, double to, double inner, double outer, double guess) {
+  double length = guess;
+  double longest = 0.0;
+  for (int i = 0; i < swayTrials; ++i) {
+    // What is left of the line between the ends where the second derivative is -(bend + trend x).
+    const double rise = (to - from) / length;
+    const GapNode a{0.0, from, rise - length * (0.5 * bend + trend * length / 6.0)};
+    const GapNode b{length, to, rise + length * (0.5 * bend + trend * length / 3.0)};
+    const double squared = squaredFit(GapLine(a, b), a, b, inner, outer);
+    longest = squared >= 1.0 ? std::max(longest, length) : longest;
+    if (squared >= 1.0 && squared <= swayFit) {
+      break;
+    }
+    // The dip grows with the square of the length by the curvature, with the cube by its trend.
+    length *= std::clamp(std::pow(squared, 0.4), 0.3, 3.0);
+  }
+  return longest;
 }
 
 bool foretold(const GapNode& a, const GapNode& b, const GapNode& between, double tolerance) {

@@ -15,6 +15,12 @@ struct GapNode {
 /// bending away, so that the chord dips) that stays in [-inner, outer].
 [[nodiscard]] double longestChord(double bend, double from, double to, double inner, double outer);
 
+/// About the longest chord over a surface whose curvature is `bend` at its start and changes
+/// evenly, by `trend` a length, that stays in [-inner, outer] from gap `from` to gap `to`; `guess`
+/// is one to begin with. 0 where none is found.
+[[nodiscard]] double longestSway(
+    double bend, double trend, double from, double to, double inner, double outer, double guess);
+
 /// True where the cubic through `a` and `b` foretells `between`, a node between them, but for
 /// `tolerance`: the gap is smooth there, and cubics through all three err by a sixteenth of that.
 [[nodiscard]] bool foretold(const GapNode& a,

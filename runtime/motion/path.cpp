@@ -111,8 +111,10 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
     const double r0 = drop(0);
     const double r1 = drop(1);
     const Vec3 aside = ((r0 - c * r1) * n0 + (r1 - c * r0) * n1) / det;
-    // A circle lies aside of its parabola by this share.
-    guess += (1.0 + aside.squaredNorm() / (along * along)) * aside;
+    // A circle lies aside of its parabola by this share; next to `from` the way aside is that from
+    // one gap to another.
+    const double steep = aside.squaredNorm() / (along * along);
+    guess += (steep < 1.0 ? 1.0 + steep : 1.0) * aside;
   }
   const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
                           Wanted{guides[1].field.get(), gaps[1]}};
@@ -188,20 +190,18 @@ class ChordFit {
     const Node middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
+    isSmooth_ = depth == 0 || foretold(first_, last_, middle, roughShare * (inner + outer));
     consider(first_, middle, depth);
-    if (squared_ >= hopeless) {
-      consider(middle, last_, depth);
-    }
-    if (depth == 0 || foretold(first_, last_, middle, roughShare * (inner + outer))) {
-      behind_.reset();
-    }
+    consider(middle, last_, depth);
     return std::sqrt(squared_);
   }
 
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
   /// In the part that sets the factor.
   [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
-  /// The curvature next to the end, where the ends do not foretell the middle.
+  /// Whether the ends foretell the middle.
+  [[nodiscard]] bool isSmooth() const { return isSmooth_; }
+  /// The curvature next to the end, if it was looked at.
   [[nodiscard]] const std::optional<double>& behind() const { return behind_; }
 
  private:
@@ -274,6 +274,7 @@ class ChordFit {
   double squared_ = tolerance::farAway;  ///< square of the factor
   std::optional<Path::Ridge> ridge_;
   std::optional<double> behind_;
+  bool isSmooth_ = true;
 };
 }  // namespace
 
@@ -342,6 +343,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
         ridge->guide = i;
       }
     }
+    middle.smooth[i] = chordFit.isSmooth();
     middle.behind[i] = chordFit.behind();
     middle.slope[i] = chordFit.middleSlope();
   }

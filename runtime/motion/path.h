@@ -19,11 +19,20 @@ struct Guide {
   double trend = 0.0;               ///< its change per length of path
   double spread = 0.0;              ///< length of the cut vector over which that was seen
   double error = 0.0;               ///< of the places foretold, per length to the third
+  /// Where the curvature changes its sign on the next cut vector: 1 where that should end at the
+  /// outer edge of the band, -1 at the inner one; else 0.
+  int aim = 0;
 
   /// Nothing is known of what comes but, perhaps, the curvature.
   void startAnew(double curvature) {
     bend = curvature;
     trend = spread = error = 0.0;
+    aim = 0;
+  }
+  /// The gap next to an edge of the band, but for what positions may be off.
+  [[nodiscard]] double edge(bool outwards) const {
+    const double off = aimShare * (inner + outer);
+    return outwards ? outer - off : off - inner;
   }
   /// What the last places foretold were off, for the next one. 0 where that is too much of the band
   /// to go on like this.
@@ -40,11 +49,10 @@ struct Guide {
     if (flat()) {
       return rest;
     }
-    const double off = aimShare * (inner + outer);
     if (field->flat() && bend == 0.0) {
-      return std::clamp(rest, off - inner, outer - off);
+      return std::clamp(rest, edge(false), edge(true));
     }
-    return bend >= 0.0 ? outer - off : off - inner;
+    return edge(aim != 0 ? aim > 0 : bend >= 0.0);
   }
   /// Cut vectors end within this share of the band of the gap aimed at.
   static constexpr double aimShare = 2e-4;
@@ -79,7 +87,8 @@ class Path {
   struct Middle {
     Vec3 end = Vec3::Zero();
     std::array<double, 2> slope{0.0, 0.0};
-    /// Where they do not foretell each other: the curvature next to the end.
+    std::array<bool, 2> smooth{true, true};  ///< the ends foretell the middle
+    /// The curvature next to the end, if it was looked at.
     std::array<std::optional<double>, 2> behind;
   };
   Middle middle;

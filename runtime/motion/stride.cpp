@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/tried.h"
 
 namespace arelem::motion {
 
@@ -20,20 +20,19 @@ constexpr int tryLimit = 60;
 constexpr double nearCorner = 1e-8;
 constexpr int growLimit = 8;
 /// Share of the band that a cut vector behind a corner is planned to use.
-constexpr double ridgeShare = 0.9;
+constexpr double ridgeShare = 0.85;
+/// Corners whose tip leaves the band by less than this factor can be cut off by any length.
+constexpr double leastOver = 1.05;
 /// One that just ends there is taken when it could grow by less than this factor.
 constexpr double ridgeFit = 1.5;
 /// Trials are shortened to corners that are nearer than this share of them.
 constexpr double mostOfCorner = 0.97;
-/// Trials after which lengths that do not fit are halved.
-constexpr int patience = 5;
-/// Lengths grow by at most this factor at first, then by its square and so on.
-constexpr double mostLonger = 3.0;
 /// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
 /// turns.
 constexpr double levelChange = 1e-11;
-/// Largest change of curvature over a cut vector that is expected of the next, as a share of it.
-constexpr double mostTrend = 0.5;
+/// Where the curvature changes by more than this share over a cut vector, or its sign, that is
+/// planned by the change.
+constexpr double swaying = 0.5;
 /// Along facets: how much longer than the last one a cut vector is tried first, and how near the
 /// longest that fits and the shortest that does not are brought together.
 constexpr double hopeful = 1.15;
@@ -49,112 +48,38 @@ constexpr double leastBend = 1e-12;
 constexpr double turnCosine = 0.2;
 }  // namespace
 
-/// Longest chord that the bands allow by the present curvature and its trend.
-double Stride::planned(const PathPoint& a) const {
+/// Longest chord that the bands allow by the present curvatures and their trends.
+double Stride::planned(const PathPoint& a) {
   double length = path_.flat() ? tolerance::farAway : longest_;
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
-    const Guide& g = path_.guides[i];
-    const double from = a.contacts[i].gap;
-    const double middle = g.bend + 0.5 * g.spread * g.trend;
-    const double longest = longestChord(middle, from, g.vertexGap(), std::max(g.inner, -from),
-                                        std::max(g.outer, from));
-    // The less even the curvature, the less certain its trend.
-    const double uneven = std::abs(g.trend) * g.spread / std::max(std::abs(g.bend), levelChange);
-    length = std::min(length, (safety - std::min(doubt * uneven, mostDoubt)) * longest);
+    length = std::min(length, plannedBy(path_.guides[i], a.contacts[i].gap));
   }
   return length;
 }
 
-namespace {
-/// Lengths of a cut vector that were tried. The root of what is used of the band is taken for a
-/// linear function of the length: over even curvature it grows from zero, behind an even stretch
-/// from the length up to there.
-class Tried {
- public:
-  /// The length to try after one that was too long by `factor`, which is below 1. Where that
-  /// converges slowly (the gap does not bend evenly) lengths are halved until one fits.
-  [[nodiscard]] double shorter(double length, double factor, int times) {
-    note({length, 1.0 / std::max(factor, leastFactor)});
-    if (fits_.length > 0.0) {
-      return between();
-    }
-    const double line = isKnown_ ? through(before_, last_) : 0.0;
-    const double scaled = length * (times < patience ? std::max(factor * safety, 0.3) : 0.5);
-    return line > 0.3 * length ? std::min(line, scaled) : scaled;
+double Stride::plannedBy(Guide& g, double from) {
+  const double inner = std::max(g.inner, -from);
+  const double outer = std::max(g.outer, from);
+  const double middle = g.bend + 0.5 * g.spread * g.trend;
+  g.aim = 0;
+  const double longest = longestChord(middle, from, g.vertexGap(), inner, outer);
+  // The less even the curvature, the less certain its trend.
+  const double uneven = std::abs(g.trend) * g.spread / std::max(std::abs(g.bend), levelChange);
+  const double share = safety - std::min(doubt * uneven, mostDoubt);
+  if (uneven <= swaying) {
+    return share * longest;
   }
-  /// The same after one up to which the path cannot be followed.
-  [[nodiscard]] double shorter(double length) {
-    note({length, unknown});
-    return 0.5 * (fits_.length + length);
-  }
-  /// The length to try after one that could grow by `factor`.
-  [[nodiscard]] double longer(double length, double factor) {
-    note({length, 1.0 / factor});
-    const double line = isKnown_ && before_.length < length ? through(before_, last_) : 0.0;
-    const double next = std::min(line > length ? line : length * factor * safety, bold_ * length);
-    bold_ *= bold_;  // what hardly binds for long may hardly bind for much longer
-    return next < fails_.length ? next : between();
-  }
-  [[nodiscard]] double fits() const { return fits_.length; }
-  [[nodiscard]] double fails() const { return fails_.length; }
-  /// Nothing longer that fits is much longer.
-  [[nodiscard]] bool isNarrow() const { return fails_.length <= narrow * fits_.length; }
-
- private:
-  /// A length and the root of the share of the band that it uses.
-  struct Trial {
-    double length, used;
-  };
-  static constexpr double leastFactor = 1e-3;
-  static constexpr double unknown = tolerance::farAway;
-  /// Lengths that differ by less than this factor need no more trials.
-  static constexpr double narrow = 1.02;
-  /// What is aimed at between two trials.
-  static constexpr double wanted = 0.997;
-  /// What is far too long does not tell by how much.
-  static constexpr double mostUsed = 2.0;
-  /// Between two trials the next is not nearer to one of them than this share of their distance.
-  static constexpr double leastShare = 0.05;
-
-  void note(Trial trial) {
-    isKnown_ = last_.length > 0.0 && last_.used < unknown && trial.used < unknown;
-    before_ = std::exchange(last_, trial);
-    isSameSide_ = (before_.used > 1.0) == (trial.used > 1.0);
-    if (trial.used > 1.0) {
-      fails_ = trial.length < fails_.length ? trial : fails_;
-    } else {
-      fits_ = trial.length > fits_.length ? trial : fits_;
+  // Next to an inflection: towards the edge of the band that is farther.
+  double best = 0.0;
+  for (const int aim : {1, -1}) {
+    const double sway = longestSway(g.bend, g.trend, from, g.edge(aim > 0), inner, outer, g.spread);
+    if (sway > best) {
+      best = sway;
+      g.aim = aim;
     }
   }
-  /// Where the line through two trials reaches what is aimed at; 0 where it never does.
-  static double through(const Trial& a, const Trial& b) {
-    const double steepness = (b.used - a.used) / (b.length - a.length);
-    return steepness > 0.0 ? std::max(0.0, b.length + (wanted - b.used) / steepness) : 0.0;
-  }
-  /// By the line between the two; the end that has stayed counts less from time to time.
-  [[nodiscard]] double between() {
-    const double width = fails_.length - fits_.length;
-    if (fails_.used == unknown) {
-      return fits_.length + 0.5 * width;
-    }
-    stays_ = isBetween_ && isSameSide_ ? 0.5 * stays_ : 1.0;
-    isBetween_ = true;
-    const bool fitted = last_.used <= 1.0;
-    const double below = (wanted - fits_.used) * (fitted ? 1.0 : stays_);
-    const double above = (std::min(fails_.used, mostUsed) - wanted) * (fitted ? stays_ : 1.0);
-    const double share = below / (below + above);
-    return fits_.length + std::clamp(share, leastShare, 1.0 - leastShare) * width;
-  }
-
-  Trial fits_{0.0, 0.0}, fails_{tolerance::farAway, unknown};
-  Trial before_{0.0, 0.0}, last_{0.0, 0.0};
-  bool isKnown_ = false;     ///< what the last two trials used
-  bool isSameSide_ = false;  ///< both fitted, or neither did
-  bool isBetween_ = false;   ///< the last trial was chosen between two
-  double stays_ = 1.0;
-  double bold_ = mostLonger;
-};
-}  // namespace
+  return share * (best > 0.0 ? best : longest);
+}
 
 double Stride::accepted() const {
   double accept = tolerance::farAway;
@@ -256,57 +181,68 @@ double Stride::behindRidge(const PathPoint& a) const {
   const double along = path_.alongRidge(a, to);
   const double over = along * ridge.drop + from - to;
   const double room = ridgeShare * (std::max(g.outer, from) - to);
-  return room > 0.0 && over > 2.0 * room ? along * over / (over - room) : 0.0;
+  return room > 0.0 && over > leastOver * room ? along * over / (over - room) : 0.0;
+}
+
+/// Lengths that were tried for one cut vector, and the next one.
+struct Stride::Trials {
+  Tried tried;
+  double length = 0.0;
+  int count = 0;
+  bool looked = false;   ///< at the curvature of a trial
+  bool toRidge = false;  ///< the trial ends behind a corner that it cuts off
+};
+
+/// The length to try after one that leaves its band at `b`. Past an inflection the surface bends
+/// the other way than it did: aims at the other edge of the band before shortening the chord.
+void Stride::shorten(Trials& t, double factor, double cap, const PathPoint& a, const PathPoint& b) {
+  const bool turns = !t.looked && learnTurn(a, b);
+  const double behind = behindRidge(a);
+  const double shorter = t.tried.shorter(t.length, factor, t.count);
+  t.toRidge = behind > t.tried.fits() && behind < mostOfCorner * t.length;
+  if (t.toRidge) {
+    t.length = behind;
+  } else if (turns) {
+    t.length = std::min({planned(a), cap, t.length});
+    t.tried = {};
+  } else {
+    t.length = shorter;
+  }
 }
 
 std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap) {
-  double length = std::min(planned(a), cap);
+  Trials t;
+  t.length = std::min(planned(a), cap);
   const double accept = accepted();
   std::optional<PathPoint> best;
   double bestLength = 0.0;
   Path::Middle middle;
-  Tried tried;
   int grown = 0;
-  bool looked = false;   // at the curvature of a trial
-  bool corner = false;   // lengths fail because the path cannot be followed so far
-  bool toRidge = false;  // this trial ends behind a corner that it cuts off
-  for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
-    auto b = path_.step(a, length, path_.vertexGaps(), accept);
+  bool corner = false;  // lengths fail because the path cannot be followed so far
+  for (; t.count < tryLimit && t.length > tolerance::sameSide; ++t.count) {
+    auto b = path_.step(a, t.length, path_.vertexGaps(), accept);
     if (!b || b->tangent.dot(a.tangent) < turnCosine) {
-      length = tried.shorter(length);
+      t.length = t.tried.shorter(t.length);
       corner = true;
-      if (best && tried.fails() - tried.fits() <= nearCorner) {
+      if (best && t.tried.fails() - t.tried.fits() <= nearCorner) {
         break;
       }
       continue;
     }
     const double factor = path_.fitWithTurn(a, *b);
     if (factor < 1.0 - tolerance::coincidence) {
-      // Past an inflection the surface bends the other way than it did: aim at the other edge of
-      // the band before shortening the chord.
-      const bool turns = !looked && learnTurn(a, *b);
-      const double toCorner = behindRidge(a);
-      toRidge = toCorner > tried.fits() && toCorner < mostOfCorner * length;
-      if (toRidge) {
-        (void)tried.shorter(length, factor, i);
-        length = toCorner;
-      } else if (turns) {
-        length = std::min({planned(a), cap, length});
-        tried = {};
-      } else {
-        length = tried.shorter(length, factor, i);
-      }
-      looked = true;
+      shorten(t, factor, cap, a, *b);
+      t.looked = true;
       corner = false;
-      if (best && (++grown > growLimit || tried.isNarrow())) {
+      if (best && (++grown > growLimit || t.tried.isNarrow())) {
         break;
       }
       continue;
     }
-    looked = true;
+    t.looked = true;
     const double reached = (b->toolEnd - a.toolEnd).norm();
     if (reached > longest_ * (1.0 + tolerance::coincidence) && !path_.flat()) {
-      length *= longest_ / reached;  // the surfaces led aside
+      t.length *= longest_ / reached;  // the surfaces led aside
       continue;
     }
     const bool better = !best || reached > bestLength;
@@ -315,11 +251,11 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
       bestLength = reached;
       middle = path_.middle;
     }
-    if (!better || factor < (toRidge ? ridgeFit : goodFit) || length >= cap * safety ||
-        length >= longest_ || (++grown > growLimit && !corner)) {
+    if (!better || factor < (t.toRidge ? ridgeFit : goodFit) || t.length >= cap * safety ||
+        t.length >= longest_ || (++grown > growLimit && !corner)) {
       break;
     }
-    length = std::min({tried.longer(length, factor), cap, longest_});
+    t.length = std::min({t.tried.longer(t.length, factor), cap, longest_});
   }
   // Beside a corner a cut vector may change its gap, but does not get on.
   if (!best || (best->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
@@ -351,46 +287,54 @@ double curvature(double before, double behind, double length) {
 }
 }  // namespace
 
-/// Takes over the curvatures of a trial chord where their sign differs; true where one does. Those
-/// of facets tell nothing.
+/// Takes the curvature of a chord at its start, and how it changes, from both halves, which have
+/// those of their middles; false where it is straight.
+bool Stride::learnCurvature(std::size_t role, const PathPoint& a, const PathPoint& b) {
+  const auto slope = slopes(role, a, b);
+  if (!slope) {
+    return false;
+  }
+  Guide& g = path_.guides[role];
+  const double length = (b.toolEnd - a.toolEnd).norm();
+  g.bend = curvature(slope->front(), slope->back(), length);
+  g.trend = g.spread = 0.0;
+  g.aim = 0;
+  if (path_.middle.end == b.toolEnd && path_.middle.smooth[role] && g.bend != 0.0) {
+    const double change =
+        2.0 * (slope->back() + slope->front() - 2.0 * path_.middle.slope[role]) / length;
+    g.trend = 2.0 * change / length;
+    g.spread = length;
+    g.bend -= 0.5 * length * g.trend;
+  }
+  return true;
+}
+
+/// Takes over the curvatures of a trial chord; true where the sign of one differs from what it was
+/// taken for. Those of facets tell nothing.
 bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
   bool turns = false;
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
-    if (g.field->isFaceted()) {
-      continue;
-    }
-    if (const auto slope = slopes(i, a, b)) {
-      const double bend = curvature(slope->front(), slope->back(), (b.toolEnd - a.toolEnd).norm());
-      turns = turns || (bend >= 0.0) != (g.bend >= 0.0);
-      g.startAnew(bend);
+    const double before = g.bend;
+    if (!g.field->isFaceted() && learnCurvature(i, a, b)) {
+      g.error = 0.0;
+      const double behind = g.bend + g.spread * g.trend;
+      turns = turns || (g.bend >= 0.0) != (before >= 0.0) || (behind >= 0.0) != (before >= 0.0);
     }
   }
   return turns;
 }
 
 void Stride::learn(const PathPoint& a, const PathPoint& b) {
-  const double length = (b.toolEnd - a.toolEnd).norm();
   for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
-    if (g.field->isFaceted()) {
+    if (g.field->isFaceted() || !learnCurvature(i, a, b)) {
       continue;
     }
-    if (const auto slope = slopes(i, a, b)) {
-      const double bend = curvature(slope->front(), slope->back(), length);
-      g.bend = bend;
-      g.trend = g.spread = 0.0;
-      if (path_.middle.end == b.toolEnd && path_.middle.behind[i]) {
-        g.startAnew(*path_.middle.behind[i]);
-      } else if (path_.middle.end == b.toolEnd && bend != 0.0) {
-        // The curvatures of both halves are those of their middles.
-        const double change =
-            2.0 * (slope->back() + slope->front() - 2.0 * path_.middle.slope[i]) / length;
-        const double most = mostTrend * std::abs(bend);
-        g.trend = std::clamp(2.0 * change, -most, most) / length;
-        g.spread = length;
-        g.bend = bend + 0.5 * length * g.trend;
-      }
+    if (path_.middle.end == b.toolEnd && !path_.middle.smooth[i] && path_.middle.behind[i]) {
+      g.startAnew(*path_.middle.behind[i]);
+    } else {
+      g.bend += g.spread * g.trend;
     }
   }
 }

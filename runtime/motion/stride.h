@@ -21,13 +21,17 @@ class Stride {
   [[nodiscard]] std::optional<PathPoint> nextAlongFacets(const PathPoint& a, double cap);
   /// How far from the gap aimed at a cut vector may end.
   [[nodiscard]] double accepted() const;
-  [[nodiscard]] double planned(const PathPoint& a) const;
+  [[nodiscard]] double planned(const PathPoint& a);
+  [[nodiscard]] static double plannedBy(Guide& guide, double from);
+  struct Trials;
+  void shorten(Trials& t, double factor, double cap, const PathPoint& a, const PathPoint& b);
   [[nodiscard]] double behindRidge(const PathPoint& a) const;
   [[nodiscard]] std::optional<std::array<double, 2>> slopes(std::size_t role,
                                                             const PathPoint& a,
                                                             const PathPoint& b) const;
   bool turnAims();
   bool learnTurn(const PathPoint& a, const PathPoint& b);
+  bool learnCurvature(std::size_t role, const PathPoint& a, const PathPoint& b);
 
   Path& path_;
   double longest_;
