@@ -100,6 +100,11 @@ class CutterProbe final : public Probe {
       clearRest(a, b, aim, result);
     } else if (way_ == Way::convex) {
       static_cast<Range&>(result) = overConvex(a, b);
+      // What supports the cutter with its top face may be far below the gap without it.
+      if (aim > -unbounded && result.low < aim && std::min(a.low, b.low) < aim &&
+          std::min(a.high, b.high) >= aim) {
+        result.low = std::max(result.low, searched(a.s, b.s, aim, pieces_, result));
+      }
     } else {
       result.high = highest(a, b);
       result.low = searched(a.s, b.s, aim, pieces_, result);
@@ -109,7 +114,7 @@ class CutterProbe final : public Probe {
 
   void settle(Node& node, double aim) override {
     Stretch result;
-    if (way_ == Way::general) {
+    if (way_ == Way::general || way_ == Way::convex) {
       node.low = std::max(node.low, searched(node.s, node.s, aim, pieces_, result));
     }
   }
