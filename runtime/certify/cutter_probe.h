@@ -313,8 +313,11 @@ class CutterProbe final : public Probe {
     if (aim > -unbounded && curve_.run(*this, from, to, aim, result)) {
       return aim;
     }
-    if (inVain_ >= patience || aim == -unbounded || result.sample < aim) {
-      return -unbounded;
+    if (aim == -unbounded) {
+      return aim;
+    }
+    if (inVain_ >= patience || result.sample < aim) {
+      return outermost(from, to);
     }
     if (hollow_.applies()) {
       return inHollow(from, to, aim, pieces, result);
@@ -327,12 +330,20 @@ class CutterProbe final : public Probe {
         result.sampleAt = r.sampleAt;
       }
       if (r.sample < aim) {
-        return -unbounded;
+        return outermost(from, to);
       }
       low = r.proven ? low : std::min(low, r.low);
       inVain_ += r.proven ? 0 : r.measured;
     }
     return low;
+  }
+
+  /// Lower bound from the tool end alone: all places of the cutter are within its reach.
+  [[nodiscard]] double outermost(double from, double to) {
+    typename S::Hint hint = hint_;
+    const surface::Foot foot = surface_.foot(chord_.toolEnd(0.5 * (from + to)), hint);
+    return relation_.side * foot.distance - relation_.thick - reach_ -
+           0.5 * (to - from) * chord_.length();
   }
 
   double inHollow(
@@ -343,7 +354,7 @@ class CutterProbe final : public Probe {
       result.sampleAt = r.sampleAt;
     }
     inVain_ += r.proven ? 0 : r.measured;
-    return r.low;
+    return std::isfinite(r.low) ? r.low : outermost(from, to);
   }
 
   /// The search in the plane, for surfaces along which nothing changes.
