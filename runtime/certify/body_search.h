@@ -218,17 +218,18 @@ class BodySearch {
     if (std::isfinite(low)) {
       best = std::max(best, plane + low * squared);
     }
-    // Corners lose what the distance may bend up, the plane at the center what it may bend down.
-    if (best < aim && high < -low) {
-      best = std::max(best, fromCorners(box, high));
-    }
-    // So does what is straight of it, but around the plane is better.
+    // What is straight of it is lowest at its ends, but for what the distance bends up there.
     const double lost = std::max(0.0, high) * straight + bulgeOf(box);
     const bool bounded = std::isfinite(low) && std::isfinite(high);
     const bool little = bounded && lost < lostShare * (gap - aim);
     const bool less = bounded && lost < -0.5 * low * straight;
     if (best < aim && (little || less) && plane - lost >= aim) {
       best = std::max(best, fromRims(box, low) - lost);
+    }
+    // So are corners, which lose that around too, the plane at the center what it may bend down. No
+    // corner is above the plane by more than the box bulges.
+    if (best < aim && high < -low && (turned > 0.0 || plane >= aim)) {
+      best = std::max(best, fromCorners(box, high));
     }
     // Halving what costs little does not pay, unless the bends are to become narrower.
     if (best < aim && little) {
