@@ -60,6 +60,12 @@ struct Turn {
 /// Least over |x| <= half, half <= pi, of first (1 - cos x) + second sin x.
 [[nodiscard]] double leastOfTurn(double first, double second, const Turn& half);
 
+/// What the bounds of a box lose to each of its half widths; what is lost most is halved.
+struct Loss {
+  bool known = false;
+  double s = 0.0, angle = 0.0, share = 0.0;
+};
+
 /// Part of a piece at part of the time: centers and half widths of s, of the angle and of the share
 /// of the way from a to b.
 struct Box {
@@ -68,6 +74,7 @@ struct Box {
   double share, halfShare;
   surface::Bends bends;     ///< of the distance all over a box that contains it
   double low = -unbounded;  ///< no gap is below
+  Loss lost = {};
 };
 
 struct BodyResult {
@@ -101,21 +108,24 @@ class BodySearch {
     while (!boxes_.empty()) {
       Box box = boxes_.back();
       boxes_.pop_back();
+      box.lost = {};
       const double gap = measure(box);
       if (gap < result.sample) {
         result.sample = gap;
         result.sampleAt = box.s;
       }
-      if (gap < aim || ++result.measured > budget) {
-        result.low = std::max(box.low, bound(box, gap, aim));
+      const double below = std::max(box.low, bound(box, gap, aim));
+      // A box of no size whose bound is too low lies where the gap passes the aim.
+      const bool vain = below < aim && sizeOf(box) < smallest;
+      if (gap < aim || vain || ++result.measured > budget) {
+        result.low = below;
         for (const Box& left : boxes_) {
           result.low = std::min(result.low, left.low);
         }
         return result;
       }
-      const double below = bound(box, gap, aim);
       if (below < aim) {
-        box.low = std::max(box.low, below);
+        box.low = below;
         split(box);
       }
     }
@@ -125,6 +135,10 @@ class BodySearch {
 
  private:
   static constexpr double pi = std::numbers::pi;
+  /// Straight lines that lose less than this share of what there is are no obstacle.
+  static constexpr double lostShare = 0.25;
+  /// Boxes below this are not halved. Part unit.
+  static constexpr double smallest = 1e-9;
 
   /// The axis and two directions square to it.
   struct Base {
@@ -153,6 +167,11 @@ class BodySearch {
     return bulge + std::max(piece_->at(box.share - box.halfShare).rho,
                             piece_->at(box.share + box.halfShare).rho);
   }
+  /// How far its points are from that of its center, at most, without rests of turns.
+  [[nodiscard]] double sizeOf(const Box& box) const {
+    return (chord_->length() + chord_->turn() * reach_) * box.halfS +
+           widest_ * box.halfAngle.radians + length_ * box.halfShare;
+  }
   double measure(const Box& box) {
     frame_ = frameAt(box.s, box.angle);
     profile_ = piece_->at(box.share);
@@ -179,6 +198,10 @@ class BodySearch {
     }
     const double plane = gap + tilt(box, turned, onCutter);
     const double squared = 0.5 * away * away;
+    // Of what the box is wide by, the parts along straight lines and around.
+    const double moves = moved + turned * reach_;
+    const double share = length_ * box.halfShare;
+    const double straight = 0.5 * (moves * moves + share * share);
     const auto bend = [&] {
       const surface::Bends& b = box.bends;
       return side_ > 0.0 ? b : surface::Bends{-b.high, -b.low};
@@ -195,9 +218,22 @@ class BodySearch {
     if (std::isfinite(low)) {
       best = std::max(best, plane + low * squared);
     }
-    // Corners lose what the distance may bend up, the plane at the center what it may bend down.
-    if (best < aim && high < -low) {
+    // What is straight of it is lowest at its ends, but for what the distance bends up there.
+    const double lost = std::max(0.0, high) * straight + bulgeOf(box);
+    const bool bounded = std::isfinite(low) && std::isfinite(high);
+    const bool little = bounded && lost < lostShare * (gap - aim);
+    const bool less = bounded && lost < -0.5 * low * straight;
+    if (best < aim && (little || less) && plane - lost >= aim) {
+      best = std::max(best, fromRims(box, low) - lost);
+    }
+    // So are corners, which lose that around too, the plane at the center what it may bend down. No
+    // corner is above the plane by more than the box bulges.
+    if (best < aim && high < -low && (turned > 0.0 || plane >= aim)) {
       best = std::max(best, fromCorners(box, high));
+    }
+    // Halving what costs little does not pay, unless the bends are to become narrower.
+    if (best < aim && little) {
+      box.lost = lossOf(box, low, high);
     }
     return best;
   }
@@ -252,10 +288,62 @@ class BodySearch {
     return least - bulge;
   }
 
+  /// How far straight lines between the places of a box at both ends of its time, and of its share,
+  /// are from those places.
+  [[nodiscard]] double bulgeOf(const Box& box) const {
+    const double turned = chord_->turn() * box.halfS;
+    return 0.5 * turned * turned * reach_ +
+           piece_->radius * (1.0 - std::cos((piece_->high - piece_->low) * box.halfShare));
+  }
+
+  /// Least over the circles at both ends of the time and of the share, each from its place at the
+  /// angle of the center, where the distance bends down by at most -low.
+  double fromRims(const Box& box, double low) {
+    double least = unbounded;
+    for (int corner = 0; corner < 4; ++corner) {
+      const bool late = (corner & 1) != 0;
+      const bool far = (corner & 2) != 0;
+      if ((late && box.halfS == 0.0) || (far && box.halfShare == 0.0)) {
+        continue;
+      }
+      const Frame f = frameAt(box.s + (late ? box.halfS : -box.halfS), box.angle);
+      const tool::ProfilePoint p = piece_->at(box.share + (far ? box.halfShare : -box.halfShare));
+      auto hint = hint_;
+      const surface::Foot foot = surface_.foot(f.toolEnd + p.rho * f.radial + p.z * f.axis, hint);
+      const double inwards = -side_ * foot.normal.dot(f.radial);
+      const double along = side_ * foot.normal.dot(f.around);
+      least = std::min(least, side_ * foot.distance - piece_->ball - thick_ +
+                                  p.rho * leastOfTurn(inwards + low * p.rho, along, box.halfAngle));
+    }
+    return least;
+  }
+
+  /// What the bounds lose to each half width of the box.
+  [[nodiscard]] Loss lossOf(const Box& box, double low, double high) const {
+    // Along straight lines either the plane or the corners do.
+    const double bend = 0.5 * std::min(std::max(0.0, high), std::max(0.0, -low));
+    const double length = length_ * box.halfShare;
+    const double moves = (chord_->length() + chord_->turn() * reach_) * box.halfS;
+    const double speed = normal_.dot(chord_->velocity(offset_)) * box.halfS;
+    const tool::ProfilePoint from = piece_->at(box.share - box.halfShare);
+    const tool::ProfilePoint to = piece_->at(box.share + box.halfShare);
+    const double rise = 0.5 * (normal_.dot(frame_.radial) * (to.rho - from.rho) +
+                               normal_.dot(frame_.axis) * (to.z - from.z));
+    Loss loss;
+    loss.known = true;
+    loss.s = std::abs(speed) + bend * moves * moves;
+    loss.share = std::abs(rise) + bend * length * length;
+    loss.angle = -widest_ * leastOfTurn(-normal_.dot(frame_.radial) + low * widest_,
+                                        normal_.dot(frame_.around), box.halfAngle);
+    return loss;
+  }
+
   void split(const Box& box) {
-    const double s = (chord_->length() + chord_->turn() * reach_) * box.halfS;
-    const double angle = widest_ * box.halfAngle.radians;
-    const double share = length_ * box.halfShare;
+    const Loss& lost = box.lost;
+    const bool any = lost.known && std::max({lost.s, lost.angle, lost.share}) > 0.0;
+    const double s = any ? lost.s : (chord_->length() + chord_->turn() * reach_) * box.halfS;
+    const double angle = any ? lost.angle : widest_ * box.halfAngle.radians;
+    const double share = any ? lost.share : length_ * box.halfShare;
     Box first = box;
     Box second = box;
     const auto halve = [](double& a, double& b, double& halfA, double& halfB) {

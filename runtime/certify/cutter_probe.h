@@ -100,6 +100,11 @@ class CutterProbe final : public Probe {
       clearRest(a, b, aim, result);
     } else if (way_ == Way::convex) {
       static_cast<Range&>(result) = overConvex(a, b);
+      // What supports the cutter with its top face may be far below the gap without it.
+      if (aim > -unbounded && result.low < aim && std::min(a.low, b.low) < aim &&
+          std::min(a.high, b.high) >= aim) {
+        result.low = std::max(result.low, searched(a.s, b.s, aim, pieces_, result));
+      }
     } else {
       result.high = highest(a, b);
       result.low = searched(a.s, b.s, aim, pieces_, result);
@@ -109,7 +114,7 @@ class CutterProbe final : public Probe {
 
   void settle(Node& node, double aim) override {
     Stretch result;
-    if (way_ == Way::general) {
+    if (way_ == Way::general || way_ == Way::convex) {
       node.low = std::max(node.low, searched(node.s, node.s, aim, pieces_, result));
     }
   }
@@ -308,8 +313,11 @@ class CutterProbe final : public Probe {
     if (aim > -unbounded && curve_.run(*this, from, to, aim, result)) {
       return aim;
     }
-    if (inVain_ >= patience || aim == -unbounded || result.sample < aim) {
-      return -unbounded;
+    if (aim == -unbounded) {
+      return aim;
+    }
+    if (inVain_ >= patience || result.sample < aim) {
+      return outermost(from, to);
     }
     if (hollow_.applies()) {
       return inHollow(from, to, aim, pieces, result);
@@ -322,12 +330,20 @@ class CutterProbe final : public Probe {
         result.sampleAt = r.sampleAt;
       }
       if (r.sample < aim) {
-        return -unbounded;
+        return outermost(from, to);
       }
       low = r.proven ? low : std::min(low, r.low);
       inVain_ += r.proven ? 0 : r.measured;
     }
     return low;
+  }
+
+  /// Lower bound from the tool end alone: all places of the cutter are within its reach.
+  [[nodiscard]] double outermost(double from, double to) {
+    typename S::Hint hint = hint_;
+    const surface::Foot foot = surface_.foot(chord_.toolEnd(0.5 * (from + to)), hint);
+    return relation_.side * foot.distance - relation_.thick - reach_ -
+           0.5 * (to - from) * chord_.length();
   }
 
   double inHollow(
@@ -338,7 +354,7 @@ class CutterProbe final : public Probe {
       result.sampleAt = r.sampleAt;
     }
     inVain_ += r.proven ? 0 : r.measured;
-    return r.low;
+    return std::isfinite(r.low) ? r.low : outermost(from, to);
   }
 
   /// The search in the plane, for surfaces along which nothing changes.

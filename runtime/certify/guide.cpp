@@ -32,6 +32,9 @@ class GuideStream::Proof {
     probe_->take(chord);
     node_ = count_ == 0 ? probe_->at(0.0) : probe_->resume(node_);
     const Allowed allowed = allowedNow();
+    if (node_.high > allowed.outer + allowed.slack && probe_->widen()) {
+      node_ = probe_->at(0.0);  // the ball end is not what touches
+    }
     Verdict verdict = prove(*probe_, allowed, node_);
     if (!verdict.good() && probe_->widen()) {
       node_ = probe_->at(0.0);

@@ -11,6 +11,7 @@ SCENES = {
     "proof_of_a_tapered_tool_in_a_cone_of_its_taper": (10, False),
     "proof_of_a_drafted_corner": (10, False),
     "proof_of_an_axis_along_a_hollow_cone": (20, False),
+    "proof_of_an_axis_along_a_hollow_ruled_surface": (math.degrees(math.atan(0.2)), False),
     "proof_of_a_drill_in_a_countersink_of_its_angle": (60, True),
 }
 SLACK = 1e-6
