@@ -190,10 +190,16 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
   if (c.tangent) {
     const Named part = modal.partSurface();
     const surface::AnySurface& guide = touchesPart ? part.surface : drive;
-    const tool::Profile* guideCutter = modal.cutterFor(touchesPart ? partRole : driveRole);
-    const Touch plus = touch(guide, {guideCutter, 1.0, 0.0}, end, c.allowed);
-    const Touch minus = touch(guide, {guideCutter, -1.0, 0.0}, end, c.allowed);
-    guideNormal = std::abs(plus.high) <= std::abs(minus.high) ? plus.normal : minus.normal;
+    const Role guideRole = touchesPart ? partRole : driveRole;
+    const tool::Profile* guideCutter = modal.cutterFor(guideRole);
+    const double thick = modal.thick[guideRole];
+    const Allowed keeps = allowedFor(modal, guideRole);
+    const Touch plus = touch(guide, {guideCutter, 1.0, thick}, end, keeps);
+    const Touch minus = touch(guide, {guideCutter, -1.0, thick}, end, keeps);
+    // A tool without size is on the side that keeps the tolerance.
+    const double apart = excess(minus, keeps) - excess(plus, keeps);
+    const bool ofPlus = apart != 0.0 ? apart > 0.0 : std::abs(plus.high) <= std::abs(minus.high);
+    guideNormal = ofPlus ? plus.normal : minus.normal;
   }
   const double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
   const auto fits = [&](const Touch& t) {

@@ -176,6 +176,7 @@ Ruled::Sheet::Strip Ruled::Sheet::rulingsBetween(double low, double high) const 
   }
   row.length = row.along.norm();
   row.perSquared = row.length > 0.0 ? 1.0 / (row.length * row.length) : 0.0;
+  row.kept = row.length > 0.0 ? 1.0 - row.twist / row.length : 0.0;
   row.proper = properPart(f);
   return row;
 }

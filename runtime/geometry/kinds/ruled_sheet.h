@@ -84,6 +84,7 @@ class Ruled::Sheet {
     /// other differ from its way.
     double first = std::numeric_limits<double>::infinity(), second = first, twist = first;
     double length = 0.0, perSquared = 0.0;  ///< of along, and 1 over its square
+    double kept = 0.0;                      ///< 1 - twist / length
     Range proper;
 
     /// The place of the ruling in the middle next to p, and how far they are apart.
@@ -107,8 +108,8 @@ class Ruled::Sheet {
     }
     /// No place of them is nearer to p than this.
     [[nodiscard]] double leastFrom(const Line& line) const {
-      return length > twist ? line.away * (1.0 - twist / length) - spreadAt(line.g)
-                            : -std::numeric_limits<double>::infinity();
+      return kept > 0.0 ? line.away * kept - spreadAt(line.g)
+                        : -std::numeric_limits<double>::infinity();
     }
   };
   /// What is known of them.
