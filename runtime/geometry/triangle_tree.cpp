@@ -11,6 +11,8 @@ namespace arelem::geometry {
 namespace {
 /// Triangles of a leaf at most.
 constexpr std::uint32_t ofLeaf = 4;
+/// Boxes of this many triangles at most have a plane that covers them.
+constexpr std::uint32_t covered = 512;
 }  // namespace
 
 OnTriangle nearestOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
@@ -63,6 +65,7 @@ class TriangleTree::Builder {
   void build(std::size_t place, std::uint32_t begin, std::uint32_t end) {
     if (end - begin <= ofLeaf) {
       tree_.boxes_[place] = leaf(begin, end);
+      tree_.boxes_[place].cover = cover(begin, end);
       return;
     }
     const std::size_t child = tree_.boxes_.size();
@@ -78,6 +81,7 @@ class TriangleTree::Builder {
     }
     box.first = static_cast<std::uint32_t>(child);
     box.count = 0;
+    box.cover = end - begin <= covered ? cover(begin, end) : Cover{};
     tree_.boxes_[place] = box;
   }
 
@@ -94,6 +98,33 @@ class TriangleTree::Builder {
       }
     }
     return box;
+  }
+
+  /// Square to the sum of all areas.
+  [[nodiscard]] Cover cover(std::uint32_t begin, std::uint32_t end) const {
+    Vec3 sum = Vec3::Zero();
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Vec3& a = mesh_.corner(tree_.order_[i], 0);
+      const Vec3 ab = mesh_.corner(tree_.order_[i], 1) - a;
+      const Vec3 ac = mesh_.corner(tree_.order_[i], 2) - a;
+      sum += ab.cross(ac);
+    }
+    const double norm = sum.norm();
+    Cover result;
+    if (!(norm > 0.0)) {
+      return result;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.normal[k] = static_cast<float>(sum[static_cast<Eigen::Index>(k)] / norm);
+    }
+    const Vec3 normal(result.normal[0], result.normal[1], result.normal[2]);
+    result.most = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = begin; i < end; ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        result.most = std::max(result.most, normal.dot(mesh_.corner(tree_.order_[i], corner)));
+      }
+    }
+    return result;
   }
 
   [[nodiscard]] std::uint32_t division(std::uint32_t begin, std::uint32_t end) const {

@@ -24,12 +24,25 @@ class TriangleTree {
   /// Visits every triangle whose boxes are all entered; always in the same order.
   template <class Search>
   void search(Search& search) const;
+  /// The same with something that is known of each box, begins as `known` and is handed down to
+  /// what is inside: `bool enters(Known&, center, half, cover)` and `void visit(const Known&,
+  /// size_t)`.
+  template <class Search, class Known>
+  void search(Search& search, const Known& known) const;
+
+  /// A plane that the triangles of a small box are nearly in: none is beyond it. Boxes of slanted
+  /// ones reach far beyond them.
+  struct Cover {
+    std::array<float, 3> normal{};  ///< its length is about 1, or 0 where there is no plane
+    double most = 0.0;              ///< of normal.place
+  };
 
  private:
   struct Box {
     std::array<double, 3> low, high;
     std::uint32_t first = 0;  ///< child, the other one follows; in leaves a place in the order
     std::uint32_t count = 0;  ///< triangles of a leaf, else 0
+    Cover cover;
 
     [[nodiscard]] double squaredDistance(const Vec3& p) const;
   };
@@ -44,22 +57,40 @@ class TriangleTree {
 
 template <class Search>
 void TriangleTree::search(Search& search) const {
-  std::array<std::uint32_t, deepest> later;
+  struct Nothing {};
+  struct Plain {
+    Search& search;
+    bool enters(Nothing& /*known*/, const Vec3& center, const Vec3& half, const Cover& /*cover*/) {
+      return search.enters(center, half);
+    }
+    void visit(const Nothing& /*known*/, std::size_t i) { search.visit(i); }
+  } plain{search};
+  this->search(plain, Nothing{});
+}
+
+template <class Search, class Known>
+void TriangleTree::search(Search& search, const Known& known) const {
+  struct Later {
+    std::uint32_t box;
+    Known known;
+  };
+  std::array<Later, deepest> later;
   std::size_t waiting = 1;
-  later[0] = 0;
+  later[0] = {0, known};
   while (waiting > 0) {
-    const Box& box = boxes_[later[--waiting]];
+    Later here = later[--waiting];
+    const Box& box = boxes_[here.box];
     const Vec3 low(box.low[0], box.low[1], box.low[2]);
     const Vec3 high(box.high[0], box.high[1], box.high[2]);
-    if (!search.enters(0.5 * (low + high), 0.5 * (high - low))) {
+    if (!search.enters(here.known, 0.5 * (low + high), 0.5 * (high - low), box.cover)) {
       continue;
     }
     if (box.count == 0) {
-      later[waiting++] = box.first + 1;
-      later[waiting++] = box.first;
+      later[waiting++] = {box.first + 1, here.known};
+      later[waiting++] = {box.first, here.known};
     }
     for (std::uint32_t i = 0; i < box.count; ++i) {
-      search.visit(order_[box.first + i]);
+      search.visit(here.known, order_[box.first + i]);
     }
   }
 }

@@ -32,6 +32,17 @@ std::optional<UprightProfile> UprightProfile::of(const Profile& cutter, double g
   return p.e < 0.0 || p.e + p.r <= 0.0 ? std::nullopt : std::optional(p);
 }
 
+std::optional<double> UprightTouch::over(double beside) const {
+  const double beyond = beside - p_.e;
+  if (beyond <= 0.0) {
+    return p_.r - p_.f;
+  }
+  if (beyond >= p_.r * p_.cosBeta) {
+    return std::nullopt;
+  }
+  return std::sqrt(p_.r * p_.r - beyond * beyond) - p_.f;
+}
+
 std::optional<Touch> UprightTouch::onCorner(const Vec3& corner, double s) const {
   const double x = corner.x() - s;
   const double rho = std::sqrt(x * x + corner.y() * corner.y());

@@ -44,6 +44,9 @@ class UprightTouch {
 
   /// With the axis through (s, 0); none where it does not touch.
   [[nodiscard]] std::optional<Touch> of(const UprightFacet& facet, double s) const;
+  /// How far above a place that is `beside` its axis a cutter touches it with its bottom or arc;
+  /// none where it would with its side.
+  [[nodiscard]] std::optional<double> over(double beside) const;
   [[nodiscard]] const UprightProfile& profile() const { return p_; }
 
  private:

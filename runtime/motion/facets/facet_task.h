@@ -14,14 +14,16 @@ struct FacetTask {
   double low = 0.0, high = 0.0;  ///< the gap may lie between
 };
 
-/// A straight piece of way in a section.
+/// A piece of way in a section: straight, or a parabola.
 struct Way {
   SectionPoint from, to;
   double slab = 0.0;  ///< how far above and below it one may go
+  double bow = 0.0;   ///< half the second derivative of its height
 
-  [[nodiscard]] double beside(const SectionPoint& p) const {
-    return std::abs(p.z - heightOn(from, to, p.s));
+  [[nodiscard]] double heightAt(double s) const {
+    return heightOn(from, to, s) + bow * (s - from.s) * (s - to.s);
   }
+  [[nodiscard]] double beside(const SectionPoint& p) const { return std::abs(p.z - heightAt(p.s)); }
 };
 
 /// The gap is at least base + byS s + byZ z.

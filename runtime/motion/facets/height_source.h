@@ -26,6 +26,11 @@ class HeightSource {
   /// Lists all triangles whose gap may be less than the task's low anywhere within the slab. False
   /// where there are more than `limit`.
   virtual bool gather(const Way& way, std::size_t limit) = 0;
+  /// The height of the tool end at s, of all triangles, where it is above `floor`; none also where
+  /// that is not easily found.
+  [[nodiscard]] virtual std::optional<double> heightAt(double /*s*/, double /*floor*/) const {
+    return std::nullopt;
+  }
   /// How far a place is on the side of a way on which its slab must have room for it.
   [[nodiscard]] virtual double beside(const Way& way, const SectionPoint& p) const {
     return way.beside(p);

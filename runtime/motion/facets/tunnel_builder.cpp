@@ -24,11 +24,11 @@ constexpr double stepReach = 0.125;
 constexpr double leastReach = 1e-4;
 constexpr int deepest = 40;
 /// Lists from the tree are made longer or shorter until they are between `few` and `many`.
-constexpr std::size_t few = 100;
-constexpr std::size_t many = 220;
+constexpr std::size_t few = 60;
+constexpr std::size_t many = 130;
 constexpr std::size_t most = 4000;
-constexpr std::size_t fewNear = 30;
-constexpr std::size_t manyNear = 60;
+constexpr std::size_t fewNear = 10;
+constexpr std::size_t manyNear = 25;
 constexpr double growth = 1.4;
 constexpr double firstWide = 0.06, firstNear = 0.01;
 constexpr double mostShare = 4.0;
@@ -36,6 +36,9 @@ constexpr double mostShare = 4.0;
 constexpr double roomy = 1.5;
 constexpr double firstBands = 6.0;
 constexpr double slabBands = 1.5;
+/// How often a height is looked for, each time so much farther below.
+constexpr int probes = 6;
+constexpr double deeper = 4.0;
 constexpr double faster = 1.6;
 constexpr double slower = 0.8;
 /// A rest of a list shorter than this share of a step is no step.
@@ -105,6 +108,38 @@ void TunnelBuilder::List::shorten(double s) {
   way.to.s = s;
 }
 
+/// The height at a place where it is about `guess`, to foresee the way.
+std::optional<double> TunnelBuilder::probe(double s, double guess) {
+  std::optional<double> z;
+  double below = 0.25 * missed_ + slab_;
+  for (int i = 0; i < probes && !z; ++i, below *= deeper) {
+    z = heights_->heightAt(s, guess - below);
+  }
+  missed_ = z ? std::max(std::abs(*z - guess), 0.5 * missed_) : missed_;
+  return z;
+}
+
+/// A way through three heights, where they are easily found, else straight.
+Way TunnelBuilder::ahead(const SectionPoint& here, double slope, double length) {
+  const double half = 0.5 * length;
+  const Way& last = foreseen_;
+  const double bow = last.bow;
+  Way way{here, {here.s + length, here.z + slope * length}};
+  // Slopes of facets jump, those of the last way do not.
+  const double rise = bow == 0.0 ? slope
+                                 : (last.to.z - last.from.z) / (last.to.s - last.from.s) +
+                                       bow * (2.0 * here.s - last.from.s - last.to.s);
+  const auto middle = probe(here.s + half, here.z + half * (rise + half * bow));
+  const auto end =
+      middle ? probe(way.to.s, 2.0 * *middle - here.z + 2.0 * half * half * bow) : std::nullopt;
+  if (end) {
+    way.to.z = *end;
+    way.bow = 0.5 * (here.z + *end - 2.0 * *middle) / (half * half);
+  }
+  foreseen_ = way;
+  return way;
+}
+
 /// The wide list for the piece of way from the last node on.
 bool TunnelBuilder::gather() {
   const SectionPoint here = last_.point();
@@ -112,9 +147,8 @@ bool TunnelBuilder::gather() {
   const std::uint32_t highest = heights_->triangle(last_.highest().index);
   wide_.settleBend();
   for (; wide_.length > least_; wide_.length /= 2.0) {
-    wide_.way = {here,
-                 {here.s + wide_.length, here.z + slope * wide_.length},
-                 wide_.bend * wide_.length * wide_.length + 2.0 * slab_};
+    wide_.way = ahead(here, slope, wide_.length);
+    wide_.way.slab = wide_.bend * wide_.length * wide_.length + 2.0 * slab_;
     if (!heights_->gather(wide_.way, most)) {
       continue;
     }
@@ -151,9 +185,13 @@ bool TunnelBuilder::focus() {
     }
     const SectionPoint here = last_.point();
     const double length = std::min(near_.length, wide_.way.to.s - here.s);
-    near_.way = {here,
-                 {here.s + length, here.z + last_.highest().slope() * length},
-                 near_.bend * length * length + slab_};
+    near_.way = wide_.way;
+    near_.way.from = here;
+    near_.way.to.s = here.s + length;
+    near_.way.slab = near_.bend * length * length + slab_;
+    near_.way.to.z = wide_.way.bow == 0.0 ? here.z + last_.highest().slope() * length
+                                          : here.z + wide_.way.heightAt(here.s + length) -
+                                                wide_.way.heightAt(here.s);
     const double beside =
         std::max(heights_->beside(wide_.way, here), heights_->beside(wide_.way, near_.way.to));
     wide_.see(beside + near_.way.slab - slab_);

@@ -54,6 +54,8 @@ class TunnelBuilder {
     std::uint32_t triangle = 0;
   };
 
+  [[nodiscard]] std::optional<double> probe(double s, double guess);
+  [[nodiscard]] Way ahead(const SectionPoint& here, double slope, double length);
   bool gather();
   bool resume(std::uint32_t highest);
   bool focus();
@@ -73,6 +75,8 @@ class TunnelBuilder {
   TouchNode last_;
   std::vector<Mark> marks_;
   List wide_, near_;
+  Way foreseen_;
+  double missed_ = 0.0;  ///< how far heights were from where they were looked for
   double step_, least_, shortest_;
   bool ended_ = false;
 };

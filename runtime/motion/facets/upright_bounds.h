@@ -12,39 +12,65 @@ class UprightBounds {
     double base = 0.0, slope = 0.0;
 
     [[nodiscard]] double at(double s) const { return base + slope * s; }
-    [[nodiscard]] bool isBelow(const Way& way) const {
-      return at(way.from.s) < way.from.z - way.slab && at(way.to.s) < way.to.z - way.slab;
-    }
   };
-  /// The part of a way on which no line shows that a triangle is below its slab.
-  class Doubt {
+  /// The lower edge of a way's slab.
+  class Edge {
    public:
-    explicit Doubt(const Way& way)
+    explicit Edge(const Way& way)
         : from_(way.from.s),
           to_(way.to.s),
-          slope_((way.to.z - way.from.z) / (way.to.s - way.from.s)),
-          base_(way.from.z - way.slab - slope_ * way.from.s) {}
+          middle_(0.5 * (from_ + to_)),
+          z_(way.heightAt(middle_) - way.slab),
+          slope_((way.to.z - way.from.z) / (to_ - from_)),
+          bow_(way.bow) {}
 
-    /// Whether a line leaves the middle of the way: others, for normals from elsewhere, will too.
-    [[nodiscard]] bool isInMiddle(const Line& line, double middle) const {
-      return line.at(middle) >= base_ + slope_ * middle;
+    [[nodiscard]] double from() const { return from_; }
+    [[nodiscard]] double to() const { return to_; }
+    [[nodiscard]] double middle() const { return middle_; }
+    [[nodiscard]] double at(double s) const {
+      return z_ + (slope_ + bow_ * (s - middle_)) * (s - middle_);
     }
-    /// True where nothing is left.
-    bool isSettled(const Line& line) {
-      const double steeper = line.slope - slope_;
-      const double ahead = line.base - base_;  // above the slab at s = 0
-      if (steeper > 0.0) {
-        from_ = std::max(from_, -ahead / steeper);
-      } else if (steeper < 0.0) {
-        to_ = std::min(to_, -ahead / steeper);
-      } else if (ahead < 0.0) {
+    /// Not above it between two places; touches it at `s`, or at both.
+    [[nodiscard]] Line below(double from, double to, double s) const {
+      const double slope = bow_ > 0.0 ? slope_ + 2.0 * bow_ * (s - middle_)
+                                      : slope_ + bow_ * (from + to - 2.0 * middle_);
+      const double touched = bow_ > 0.0 ? s : from;
+      return {at(touched) - slope * touched, slope};
+    }
+    /// Whether a line is below it everywhere.
+    [[nodiscard]] bool isAbove(const Line& line) const {
+      if (!(line.at(from_) < at(from_) && line.at(to_) < at(to_))) {
+        return false;
+      }
+      if (bow_ <= 0.0) {
         return true;
       }
-      return from_ > to_;
+      const double s = middle_ + 0.5 * (line.slope - slope_) / bow_;  // where it is nearest
+      return s <= from_ || s >= to_ || line.at(s) < at(s);
     }
 
    private:
-    double from_, to_, slope_, base_;
+    double from_, to_, middle_, z_, slope_, bow_;
+  };
+  /// The part of a way on which no line shows that a triangle is below its slab.
+  struct Doubt {
+    double from = 0.0, to = 0.0;
+
+    [[nodiscard]] double middle() const { return 0.5 * (from + to); }
+    /// Leaves what a line, good around `s`, does not show. True where nothing is left.
+    bool isSettled(const Line& line, const Edge& edge, double s) {
+      const Line under = edge.below(from, to, s);
+      const double steeper = line.slope - under.slope;
+      const double ahead = line.base - under.base;  // above the slab at s = 0
+      if (steeper > 0.0) {
+        from = std::max(from, -ahead / steeper);
+      } else if (steeper < 0.0) {
+        to = std::min(to, -ahead / steeper);
+      } else if (ahead < 0.0) {
+        return true;
+      }
+      return from > to;
+    }
   };
   /// A unit normal with how far it leans.
   struct Normal {

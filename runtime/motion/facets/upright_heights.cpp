@@ -1,6 +1,7 @@
 #include "runtime/motion/facets/upright_heights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "ir/space/tolerance.h"
@@ -108,7 +109,18 @@ std::optional<TouchHeight> UprightHeights::nearTop(TouchNode& node,
   return node.add(found);
 }
 
+/// The place that touches stays one of the triangle, so that the thicker cutter, above it, is not
+/// too far off. What it would touch instead is nearer by next to nothing.
 double UprightHeights::top(double s, TouchHeight& height) {
+  const double nz = height.tangent.byZ;
+  const double nxy = std::sqrt(std::max(0.0, 1.0 - nz * nz));
+  const tool::UprightProfile& low = low_.profile();
+  if (!height.hasTop && nz > low.sinBeta + tolerance::nullDirection) {
+    if (const auto over = high_.over(low.e + low.r * nxy)) {
+      height.top = std::max(height.z, height.z + low.f - low.r * nz + *over);
+      height.hasTop = true;
+    }
+  }
   if (!height.hasTop) {
     const auto touch = high_.of(list_.facet(height.index), s);
     height.top = touch && !touch->beyond ? std::max(height.z, touch->z) : height.z;

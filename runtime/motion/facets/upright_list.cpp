@@ -17,6 +17,7 @@ UprightList::UprightList(const FacetTask& task, const tool::UprightProfile& prof
     : task_(task),
       bounds_(profile, task.cutter->maxRadius() + std::max(task.low, 0.0)),
       across_(task.section.up.cross(task.section.along)),
+      share_(task.section.along.cwiseAbs()),
       upright_(task.section.up == Vec3::UnitZ()) {}
 
 Vec3 UprightList::turned(const Vec3& d) const {
@@ -39,120 +40,207 @@ double UprightList::known(std::uint32_t index, double s) const {
   return std::min(all_[index].lines[0].at(s), all_[index].lines[1].at(s));
 }
 
-/// Takes the triangles that the line for one normal does not exclude.
+/// Takes the triangles that lines for a few normals do not exclude.
 class UprightList::Collect {
  public:
   Collect(UprightList& list, const Way& way, std::size_t limit)
       : list_(list),
-        doubt_(way),
-        middle_(0.5 * (way.from.s + way.to.s)),
-        half_(0.5 * (way.to.s - way.from.s)),
-        lowest_(std::min(way.from.z, way.to.z) - way.slab + list.bounds_.profile().f -
-                list.bounds_.profile().r),
-        limit_(limit),
-        upright_(list.upright_),
-        along_(list.task_.section.along),
-        up_(list.task_.section.up),
-        share_(along_.cwiseAbs()) {}
+        edge_(way),
+        lowest_(std::min({way.from.z, way.to.z, way.heightAt(edge_.middle())}) - way.slab -
+                std::abs(way.bow) * 0.25 * (way.to.s - way.from.s) * (way.to.s - way.from.s) +
+                list.bounds_.profile().f - list.bounds_.profile().r),
+        limit_(limit) {}
 
-  bool enters(const Vec3& center, const Vec3& half) {
-    const Vec3 w = center - list_.task_.section.origin;
-    const double z = upright_ ? w.z() : up_.dot(w);
-    const double hz = upright_ ? half.z() : up_.cwiseAbs().dot(half);
-    if (full || z + hz < lowest_) {
+  bool enters(Doubt& doubt, const Vec3& center, const Vec3& half, const Cover& cover) {
+    const Box box = list_.boxOf(center, half, cover);
+    if (full || box.middle.z() + box.half.z() < lowest_ || !list_.meets(box, doubt)) {
       return false;
     }
-    const double y = upright_ ? along_.x() * w.y() - along_.y() * w.x() : list_.across_.dot(w);
-    const double hy = upright_ ? share_.x() * half.y() + share_.y() * half.x()
-                               : list_.across_.cwiseAbs().dot(half);
-    const double radius = list_.bounds_.radius();
-    if (std::abs(y) - hy > radius) {
+    const double middle = doubt.middle();
+    const Line line = list_.lineOf(box, middle);
+    if (line.at(middle) >= edge_.at(middle)) {
+      if (box.half.x() + box.half.y() > smallBox * (doubt.to - doubt.from)) {
+        return true;
+      }
+    } else if (doubt.isSettled(line, edge_, middle)) {
       return false;
     }
-    const double x = (upright_ ? along_.x() * w.x() + along_.y() * w.y() : along_.dot(w)) - middle_;
-    const double hx = upright_ ? share_.x() * half.x() + share_.y() * half.y() : share_.dot(half);
-    const double out = x - std::clamp(x, -half_, half_);
-    const double distance = std::sqrt(out * out + y * y);
-    if (distance * (distance - radius) > std::abs(out) * hx + std::abs(y) * hy) {
-      return false;
-    }
-    const auto towards = [&](double beside) {
-      const Normal n = list_.bounds_.normalTowards(x - beside, y);
-      return list_.bounds_.lineOf(n.n.x() * (x + middle_) + n.n.y() * y + n.n.z() * z +
-                                      std::abs(n.n.x()) * hx + std::abs(n.n.y()) * hy +
-                                      n.n.z() * hz,
-                                  n);
-    };
-    const Line line = towards(0.0);
-    if (doubt_.isInMiddle(line, middle_)) {
-      return true;
-    }
-    Doubt doubt = doubt_;
-    return !doubt.isSettled(line) && !doubt.isSettled(towards(-half_)) &&
-           !doubt.isSettled(towards(half_));
+    const Doubt before = doubt;
+    return !doubt.isSettled(list_.lineOf(box, before.from), edge_, before.from) &&
+           !doubt.isSettled(list_.lineOf(box, before.to), edge_, before.to);
   }
-  void visit(std::size_t i) {
+  void visit(Doubt doubt, std::size_t i) {
     if (full) {
       return;
     }
-    const surface::MeshShape& shape = list_.task_.mesh->shape();
-    own_.facet.corners = {list_.local(shape.mesh.corner(i, 0)),
-                          list_.local(shape.mesh.corner(i, 1)),
-                          list_.local(shape.mesh.corner(i, 2))};
-    if (list_.bounds_.isBeside(own_.facet, middle_, half_)) {
+    own_.facet = list_.facetOf(i);
+    if (list_.bounds_.isBeside(own_.facet, doubt.middle(), 0.5 * (doubt.to - doubt.from))) {
       return;
     }
-    const Vec3 up = list_.turned(shape.normals[i]);
-    own_.facet.up = up.z() < 0.0 ? Vec3(-up) : up;
     const auto& c = own_.facet.corners;
-    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle_;
+    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0;
     const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
-    const auto towards = [&](double beside) {
-      return list_.bounds_.lineOf(own_.facet,
-                                  list_.bounds_.normalTowards(x - beside, y, own_.facet.up));
+    const auto towards = [&](double s) {
+      return list_.bounds_.lineOf(own_.facet, list_.bounds_.normalTowards(x - s, y, own_.facet.up));
     };
-    Doubt doubt = doubt_;
-    own_.lines[0] = own_.lines[1] = towards(0.0);
-    if (doubt.isSettled(own_.lines[0])) {
+    const double middle = doubt.middle();
+    own_.lines[0] = own_.lines[1] = towards(middle);
+    if (doubt.isSettled(own_.lines[0], edge_, middle)) {
       return;
     }
     if (own_.facet.up.z() >= UprightBounds::usefulRise) {
       own_.lines[1] = list_.bounds_.lineOf(own_.facet, Normal::of(own_.facet.up));
+      if (doubt.isSettled(own_.lines[1], edge_, doubt.middle())) {
+        return;
+      }
     }
-    if (doubt.isSettled(own_.lines[1])) {
-      return;
+    for (int round = 0; round < rounds && !list_.bounds_.isSharp(); ++round) {
+      const Doubt before = doubt;
+      if (doubt.isSettled(towards(before.from), edge_, before.from) ||
+          doubt.isSettled(towards(before.to), edge_, before.to)) {
+        return;
+      }
+      if (doubt.to - doubt.from > shrinks * (before.to - before.from)) {
+        break;
+      }
     }
-    const bool certain = list_.bounds_.isSharp() || (doubt_.isInMiddle(own_.lines[0], middle_) &&
-                                                     doubt_.isInMiddle(own_.lines[1], middle_));
-    if (certain || (!doubt.isSettled(towards(-half_)) && !doubt.isSettled(towards(half_)))) {
-      own_.number = static_cast<std::uint32_t>(i);
-      list_.all_.push_back(own_);
-      full = list_.all_.size() >= limit_;
-    }
+    own_.range = {doubt.from, doubt.to};
+    own_.number = static_cast<std::uint32_t>(i);
+    list_.all_.push_back(own_);
+    full = list_.all_.size() >= limit_;
   }
+  [[nodiscard]] Doubt all() const { return {edge_.from(), edge_.to()}; }
 
  private:
-  using Doubt = UprightBounds::Doubt;
+  /// Boxes of more than this share of the way that is in doubt leave that to their parts.
+  static constexpr double smallBox = 0.5;
+  /// Each round takes about half of what is too long; one that takes less is the last.
+  static constexpr int rounds = 3;
+  static constexpr double shrinks = 0.8;
 
   UprightList& list_;
-  Doubt doubt_;
-  double middle_, half_, lowest_;
+  UprightBounds::Edge edge_;
+  double lowest_;
   std::size_t limit_;
-  bool upright_;
-  Vec3 along_, up_, share_;  ///< of the section; how far boxes reach along it
   Own own_;
 
  public:
   bool full = false;
 };
 
+/// Looks for the triangle that is touched highest at one place.
+class UprightList::Highest {
+ public:
+  Highest(const UprightList& list, const tool::UprightTouch& touch, double s, double floor)
+      : height(floor), list_(list), touch_(touch), s_(s) {}
+
+  double height;
+
+  bool enters(Doubt here, const Vec3& center, const Vec3& half, const Cover& cover) {
+    const Box box = list_.boxOf(center, half, cover);
+    return list_.meets(box, here) && list_.lineOf(box, s_).at(s_) > height;
+  }
+  void visit(const Doubt& /*here*/, std::size_t i) {
+    const tool::UprightFacet facet = list_.facetOf(i);
+    if (list_.bounds_.isBeside(facet, s_, 0.0)) {
+      return;
+    }
+    const auto& c = facet.corners;
+    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - s_;
+    const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
+    const Normal normal = list_.bounds_.normalTowards(x, y, facet.up);
+    if (list_.bounds_.lineOf(facet, normal).at(s_) <= height) {
+      return;
+    }
+    const auto found = touch_.of(facet, s_);
+    height = found ? std::max(height, found->z) : height;
+  }
+
+ private:
+  const UprightList& list_;
+  const tool::UprightTouch& touch_;
+  double s_;
+};
+
+UprightList::Box UprightList::boxOf(const Vec3& center,
+                                    const Vec3& half,
+                                    const Cover& cover) const {
+  Box box;
+  box.middle = local(center);
+  box.half = upright_ ? Vec3(share_.x() * half.x() + share_.y() * half.y(),
+                             share_.y() * half.x() + share_.x() * half.y(), half.z())
+                      : Vec3(share_.dot(half), across_.cwiseAbs().dot(half),
+                             task_.section.up.cwiseAbs().dot(half));
+  const Vec3 normal(cover.normal[0], cover.normal[1], cover.normal[2]);
+  box.plane = turned(normal);
+  box.beyond = cover.most - normal.dot(center);
+  if (box.plane.z() < UprightBounds::usefulRise) {
+    // Where the other side looks up nothing is known of it.
+    box.plane = Vec3::Zero();
+  }
+  const double lean = std::sqrt(box.plane.x() * box.plane.x() + box.plane.y() * box.plane.y());
+  box.out = lean > 0.0 ? bounds_.profile().r + bounds_.profile().e / lean : 0.0;
+  return box;
+}
+
+/// Leaves of the way where the cutter comes to a box; false where it does not.
+bool UprightList::meets(const Box& box, Doubt& doubt) const {
+  const double radius = bounds_.radius();
+  if (std::abs(box.middle.y()) - box.half.y() > radius) {
+    return false;
+  }
+  doubt.from = std::max(doubt.from, box.middle.x() - box.half.x() - radius);
+  doubt.to = std::min(doubt.to, box.middle.x() + box.half.x() + radius);
+  if (doubt.from > doubt.to) {
+    return false;
+  }
+  const double out = box.middle.x() - std::clamp(box.middle.x(), doubt.from, doubt.to);
+  const double distance = std::sqrt(out * out + box.middle.y() * box.middle.y());
+  return distance * (distance - radius) <=
+         std::abs(out) * box.half.x() + std::abs(box.middle.y()) * box.half.y();
+}
+
+/// Above what may be touched of a box, best near s: where the cutter would touch its plane, or near
+/// to that. How far places reach along a normal is how far
+/// they reach along that of the plane that covers them, and along the rest.
+UprightList::Line UprightList::lineOf(const Box& box, double s) const {
+  const auto nearest = [&](double touch, Eigen::Index k) {
+    return std::clamp(touch, box.middle[k] - box.half[k], box.middle[k] + box.half[k]);
+  };
+  const Normal n = bounds_.normalTowards(nearest(s - box.out * box.plane.x(), 0) - s,
+                                         nearest(-box.out * box.plane.y(), 1));
+  double most = n.n.cwiseAbs().dot(box.half);
+  if (box.plane.z() > 0.0) {
+    const double share = n.n.z() / box.plane.z();
+    const Vec3 rest = n.n - share * box.plane;
+    most = std::min(most, share * box.beyond + rest.cwiseAbs().dot(box.half));
+  }
+  return bounds_.lineOf(most + n.n.dot(box.middle), n);
+}
+
+tool::UprightFacet UprightList::facetOf(std::size_t i) const {
+  const surface::MeshShape& shape = task_.mesh->shape();
+  const Vec3 up = turned(shape.normals[i]);
+  return {{local(shape.mesh.corner(i, 0)), local(shape.mesh.corner(i, 1)),
+           local(shape.mesh.corner(i, 2))},
+          up.z() < 0.0 ? Vec3(-up) : up};
+}
+
 bool UprightList::gather(const Way& way, std::size_t limit) {
   all_.clear();
   near_.clear();
   rounds_ = 0;
   Collect search(*this, way, limit);
-  task_.mesh->shape().tree.search(search);
+  task_.mesh->shape().tree.search(search, search.all());
   return !search.full;
+}
+
+std::optional<double> UprightList::highestAt(double s,
+                                             double floor,
+                                             const tool::UprightTouch& touch) const {
+  Highest search(*this, touch, s, floor);
+  task_.mesh->shape().tree.search(search, Doubt{s, s});
+  return search.height > floor ? std::optional(search.height) : std::nullopt;
 }
 
 /// Whether the cutter comes to a triangle at all. Those that it covers all the way need no range.
@@ -164,28 +252,30 @@ bool UprightList::reaches(Own& own, const Way& way) {
       return false;
     }
     if (bounds_.covers(own.facet, middle, half)) {
-      own.range = {nowhere, -nowhere};
       return true;
     }
-    own.range = bounds_.rangeOf(own.facet);
+    const UprightBounds::Range range = bounds_.rangeOf(own.facet);
+    own.range.first = std::max(own.range.first, range.first);
+    own.range.last = std::min(own.range.last, range.last);
     own.hasRange = true;
   }
   return own.range.first <= way.to.s && own.range.last >= way.from.s;
 }
 
 void UprightList::focus(const Way& way) {
-  const double middle = 0.5 * (way.from.s + way.to.s);
+  const UprightBounds::Edge edge(way);
   near_.clear();
   for (std::uint32_t i = 0; i < all_.size(); ++i) {
     Own& own = all_[i];
-    if (own.isBelow(way) || !reaches(own, way)) {
+    if (own.range.first > way.to.s || own.range.last < way.from.s || own.isBelow(edge) ||
+        !reaches(own, way)) {
       continue;
     }
     const auto& c = own.facet.corners;
-    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - middle;
+    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - edge.middle();
     const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
     own.lines[0] = bounds_.lineOf(own.facet, bounds_.normalTowards(x, y, own.facet.up));
-    if (!own.lines[0].isBelow(way)) {
+    if (!edge.isAbove(own.lines[0])) {
       near_.push_back(i);
     }
   }

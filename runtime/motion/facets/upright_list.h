@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "runtime/motion/facets/upright_bounds.h"
@@ -18,6 +19,10 @@ class UprightList {
   UprightList(const FacetTask& task, const tool::UprightProfile& profile);
 
   bool gather(const Way& way, std::size_t limit);
+  /// The height of touch at s, of all triangles of the mesh, where it is above `floor`.
+  [[nodiscard]] std::optional<double> highestAt(double s,
+                                                double floor,
+                                                const tool::UprightTouch& touch) const;
   void focus(const Way& way);
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   [[nodiscard]] const std::vector<std::uint32_t>& near() const { return near_; }
@@ -50,26 +55,40 @@ class UprightList {
   struct Own {
     tool::UprightFacet facet;
     std::array<Line, 2> lines;   ///< for a normal towards it, and for its own
-    UprightBounds::Range range;  ///< beyond these s it is beside the cutter
+    UprightBounds::Range range;  ///< beyond these s it is beside the cutter or below the slab
     std::uint32_t number = 0;
     bool hasRange = false;
 
-    [[nodiscard]] bool isBelow(const Way& way) const {
-      return lines[0].isBelow(way) || lines[1].isBelow(way);
+    [[nodiscard]] bool isBelow(const UprightBounds::Edge& edge) const {
+      return edge.isAbove(lines[0]) || edge.isAbove(lines[1]);
     }
   };
+  using Cover = geometry::TriangleTree::Cover;
+  /// A box in the frame of the section: its middle, half its lengths, and a plane that is at most
+  /// `beyond` from the middle.
+  struct Box {
+    Vec3 middle, half, plane;
+    double beyond = 0.0;
+    double out = 0.0;  ///< from the axis to where the cutter touches the plane, by how it leans
+  };
+  using Doubt = UprightBounds::Doubt;
   class Collect;
+  class Highest;
 
   [[nodiscard]] Vec3 local(const Vec3& place) const;
   [[nodiscard]] Vec3 turned(const Vec3& direction) const;
+  [[nodiscard]] Box boxOf(const Vec3& center, const Vec3& half, const Cover& cover) const;
+  [[nodiscard]] bool meets(const Box& box, Doubt& doubt) const;
+  [[nodiscard]] Line lineOf(const Box& box, double s) const;
+  [[nodiscard]] tool::UprightFacet facetOf(std::size_t i) const;
   [[nodiscard]] bool reaches(Own& own, const Way& way);
   void sweep(const Vec3& normal);
   void fill();
 
   const FacetTask task_;
   UprightBounds bounds_;
-  Vec3 across_;
-  bool upright_;  ///< up is z
+  Vec3 across_, share_;  ///< how far boxes reach along it
+  bool upright_;         ///< up is z
   std::vector<Own> all_;
   std::vector<std::uint32_t> near_;
   /// Coordinates of the near triangles' corners, one after the other for each of nine.
