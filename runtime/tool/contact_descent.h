@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/tool/bracket.h"
 #include "runtime/tool/contact.h"
 #include "runtime/tool/small_turn.h"
 
@@ -119,8 +120,6 @@ class ContactDescent {
 
  private:
   static constexpr int limit = 60;
-  /// Iterations after which a bracket is halved whatever Newton says.
-  static constexpr int patience = 12;
   /// Largest turn about the axis that the last contact foretells for this one. Radians.
   static constexpr double largestForetold = 0.3;
   /// What the gap may be off where the last step of Newton is not looked at. Part unit.
@@ -149,20 +148,6 @@ class ContactDescent {
     Vec3 at;
     surface::Foot foot;
     Vec3 gradient;  ///< of side * distance
-  };
-
-  /// A zero of a slope lies between the places where the slope was last negative and positive.
-  struct Bracket {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-
-    void note(double at, double slope) { (slope < 0.0 ? low : high) = at; }
-    [[nodiscard]] bool closed() const { return std::isfinite(high - low); }
-    /// The place proposed, or the middle where that leaves the bracket or takes too long.
-    [[nodiscard]] double keep(double proposed, int iteration) const {
-      const bool outside = proposed <= low || proposed >= high;
-      return closed() && (outside || iteration > patience) ? 0.5 * (low + high) : proposed;
-    }
   };
 
   void turnBy(double angle) {
