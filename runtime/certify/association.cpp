@@ -48,6 +48,7 @@ bool Association::putsOut(const Action& action) const {
   return std::holds_alternative<Locate>(action.body) ||
          std::holds_alternative<Startup>(action.body) ||
          std::holds_alternative<Follow>(action.body) ||
+         std::holds_alternative<runtime::Pocket>(action.body) ||
          std::holds_alternative<runtime::FollowSpline>(action.body);
 }
 
@@ -137,6 +138,10 @@ void Association::unseen(const Action& action) {
     modal_.toolEnd = curve ? curve->at(curve->end()) : modal_.toolEnd;
     return;
   }
+  if (std::holds_alternative<runtime::Pocket>(action.body)) {
+    modal_.positioned = false;
+    return;
+  }
   modal_.takeAutomaticPart();
   if (const auto* startup = std::get_if<Startup>(&action.body);
       startup && startup->surfaces.size() > 1) {
@@ -168,6 +173,10 @@ void Association::miss(const Action& action) {
 }
 
 void Association::judge(const Action& action, const Run& run) {
+  if (std::holds_alternative<runtime::Pocket>(action.body)) {
+    takePocket(action, run);
+    return;
+  }
   ++index_;
   if (const auto* locate = std::get_if<Locate>(&action.body)) {
     judgeLocate(action, *locate, run);
@@ -311,6 +320,7 @@ void Association::finish() {
   if (gaveUp_) {
     return;
   }
+  judgePocket();
   for (const Action* action = advance(); action != nullptr; action = advance()) {
     miss(*action);
   }

@@ -3,6 +3,7 @@
 
 #include "runtime/certify/follow_proof.h"
 #include "runtime/certify/output_order.h"
+#include "runtime/certify/pocket_proof.h"
 #include "runtime/certify/spline_guide.h"
 
 namespace arelem::certify {
@@ -93,6 +94,9 @@ class Association {
   void judgeAlong(const runtime::Action& action,
                   const runtime::FollowSpline& along,
                   const Run& run);
+  /// POCKET comes in several runs, one for each feed: they are kept until its outline is complete.
+  void takePocket(const runtime::Action& action, const Run& run);
+  void judgePocket();
   void judgeCopy(const Run& run);
   [[nodiscard]] std::vector<Location> pathOf(const Run& run) const;
   [[nodiscard]] std::vector<Goal> goalsOf(const runtime::Follow& follow) const;
@@ -115,6 +119,13 @@ class Association {
   std::size_t index_ = 0;  ///< of the next action
   std::uint64_t steps_ = 0;
   std::optional<Taking> taking_;
+  /// A POCKET whose outline is not complete yet.
+  struct OpenPocket {
+    const runtime::Action* action = nullptr;
+    Result<PocketTask> task;
+    std::vector<Vec3> path;
+  };
+  std::optional<OpenPocket> pocket_;
   bool ended_ = false;
   bool gaveUp_ = false;  ///< what comes cannot be judged, and that was said
   std::uint64_t surplus_ = 0;

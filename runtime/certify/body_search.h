@@ -57,6 +57,9 @@ struct Turn {
   }
 };
 
+/// Least over |x| <= half, half <= pi, of first (1 - cos x) + second sin x.
+[[nodiscard]] double leastOfTurn(double first, double second, const Turn& half);
+
 /// Part of a piece at part of the time: centers and half widths of s, of the angle and of the share
 /// of the way from a to b.
 struct Box {

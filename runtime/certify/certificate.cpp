@@ -15,12 +15,9 @@ class PathCertificate final : public Certificate {
   void accept(const cl::Record& record) override {
     const auto* motion = std::get_if<cl::Motion>(&record.body);
     if (motion == nullptr) {
-      if (options_.numbered) {
-        association_.end();
-        isn_.reset();
-      }
       return;
     }
+    // A change of feed near a check surface interrupts a run: continuations go on with it.
     if (options_.numbered && !motion->coordinates.empty() &&
         (motion->kind != cl::Motion::Kind::continuation || record.isn != isn_)) {
       association_.end();
@@ -50,7 +47,7 @@ class PathCertificate final : public Certificate {
  private:
   Options options_;
   Association association_;
-  std::optional<int> isn_;  ///< of the run that is open
+  std::optional<int> isn_;  ///< of the run that is open; it ends where another begins
 };
 }  // namespace
 

@@ -2,23 +2,13 @@
 #include <span>
 
 #include "ir/space/motion_tolerance.h"
-#include "runtime/certify/body_search.h"
 #include "runtime/certify/core_probe.h"
 #include "runtime/certify/curve_search.h"
+#include "runtime/certify/hollow_search.h"
 #include "runtime/tool/contact.h"
 #include "runtime/tool/rounded.h"
 
 namespace arelem::certify {
-
-/// True where the solid on the negative side is convex; then the distance is a convex function.
-template <surface::Surface S>
-[[nodiscard]] bool isConvexSolid(const S& s) {
-  if constexpr (requires { s.isConvex(); }) {
-    return s.isConvex();
-  } else {
-    return std::is_same_v<S, surface::Cylinder> || std::is_same_v<S, surface::Cone>;
-  }
-}
 
 /// A cutter against any kind of surface. It takes one of four ways:
 ///   wall     a wall along the axis meets the cutter as a ball of its largest radius
@@ -29,6 +19,7 @@ template <surface::Surface S>
 ///   end:
 ///            chords bound it from above, supporting planes from below
 ///   general  search of all pieces from below, the contact kept on the cutter from above
+/// Searches in the hollow of a convex solid need only the rims of the cutter at both ends.
 /// Contacts are guesses by runtime/tool: a bound holds whatever they are.
 template <surface::Surface S>
 class CutterProbe final : public Probe {
@@ -39,6 +30,7 @@ class CutterProbe final : public Probe {
         relation_(relation),
         core_(surface_, relation_),
         search_(surface_, relation_),
+        hollow_(surface_, relation_),
         curve_(surface_, cutter_, relation_),
         pieces_(piecesOf(cutter_)) {
     relation_.cutter = &cutter_;
@@ -51,6 +43,7 @@ class CutterProbe final : public Probe {
   void take(const Chord& chord) override {
     chord_ = acrossLines(chord);
     before_ = way_;
+    hollow_.take();
     if (isWall()) {
       way_ = Way::wall;
       core_.take(chord_, {0.0, cutter_.maxRadius()});
@@ -262,7 +255,8 @@ class CutterProbe final : public Probe {
     const double speed = chord_.length() + chord_.turn() * lever;
     const Curving bends = bendsOnSide(surface_, relation_.side, a, b, speed * h);
     const double aside = chord_.turn() * chord_.turn() * lever;
-    return between(a, b, h, bySpeed({-unbounded, bends.most}, speed, aside), speed).high;
+    const double most = hollow_.applies() ? std::min(0.0, bends.most) : bends.most;
+    return between(a, b, h, bySpeed({-unbounded, most}, speed, aside), speed).high;
   }
 
   /// The pieces beside the core: above `aim` by the plane that supports the core's contact, or by
@@ -317,6 +311,9 @@ class CutterProbe final : public Probe {
     if (inVain_ >= patience || aim == -unbounded || result.sample < aim) {
       return -unbounded;
     }
+    if (hollow_.applies()) {
+      return inHollow(from, to, aim, pieces, result);
+    }
     double low = aim;
     for (const Piece& p : pieces) {
       const BodyResult r = search_.run(chord_, p, from, to, aim, budget);
@@ -331,6 +328,17 @@ class CutterProbe final : public Probe {
       inVain_ += r.proven ? 0 : r.measured;
     }
     return low;
+  }
+
+  double inHollow(
+      double from, double to, double aim, std::span<const Piece> pieces, Stretch& result) {
+    const BodyResult r = hollow_.run(chord_, pieces, reach_, from, to, aim, budget);
+    if (r.sample < result.sample) {
+      result.sample = r.sample;
+      result.sampleAt = r.sampleAt;
+    }
+    inVain_ += r.proven ? 0 : r.measured;
+    return r.low;
   }
 
   /// The search in the plane, for surfaces along which nothing changes.
@@ -360,6 +368,7 @@ class CutterProbe final : public Probe {
   Relation relation_;
   CoreGap<S> core_;
   BodySearch<S> search_;
+  HollowSearch<S> hollow_;
   std::conditional_t<std::is_same_v<S, surface::TabulatedCylinder>, Curve, NoCurve> curve_;
   std::vector<Piece> pieces_;
   tool::Search<S> guess_;

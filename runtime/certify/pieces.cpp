@@ -17,6 +17,18 @@ double Piece::least(double x, double y, double from, double to) const {
   return inside ? x * a.rho + y * a.z - radius * std::hypot(x, y) : ends;
 }
 
+double leastOfTurn(double first, double second, const Turn& half) {
+  // first - (first cos x - second sin x): least where the turn in brackets points along it, if that
+  // is within, else at an end.
+  const double size = std::hypot(first, second);
+  if (first >= size * half.cosine) {
+    return first > 0.0 ? -second * second / (first + size) : first - size;
+  }
+  const double sine = half.sine;
+  const double bulge = sine * sine / (1.0 + half.cosine);
+  return first * bulge - std::abs(second) * sine;
+}
+
 std::vector<Piece> piecesOf(const tool::Profile& cutter) {
   std::vector<Piece> pieces;
   const tool::ProfilePoint corner{cutter.e, cutter.f};

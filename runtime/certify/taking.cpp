@@ -18,6 +18,9 @@ void Association::begin(std::optional<int> isn, bool withAxis) {
   Taking& t = taking_.emplace();
   t.numbered = isn.has_value();
   t.run.withAxis = withAxis;
+  if (pocket_ && isn && pocket_->action->isn != *isn) {
+    judgePocket();
+  }
   const Action* action = advance();
   while (isn && action != nullptr && action->isn != *isn && numberAhead(*isn)) {
     miss(*action);

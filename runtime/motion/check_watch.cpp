@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "ir/space/tolerance.h"
-#include "runtime/geometry/least.h"
 
 namespace arelem::motion {
 
@@ -18,8 +16,9 @@ constexpr double fineShare = 0.25;
 /// A tangency passes through its band in a length of the order of sqrt(band); this share of it is
 /// one step.
 constexpr double tangentShare = 0.05;
-/// Cosine of the angle within which contact normals count as agreeing at a tangency.
-constexpr double agreeing = 0.5;
+/// A tool that went a length within the band of a surface looks for tangencies in steps of at least
+/// this share of that length.
+constexpr double nearShare = 1e-3;
 /// Looking closely, no step is longer than this share of a cut vector; but where a tangency is
 /// looked for none need be shorter than this many times the root of the band.
 constexpr double closeShare = 0.0625;
@@ -40,16 +39,10 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
       pathBand_(pathBand),
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
       pointTool_(tool.cutter == nullptr),
+      pace_(surface.surface, tool.cutter),
       arm_(tool.cutter == nullptr ? 0.0 : std::hypot(tool.cutter->maxRadius(), tool.cutter->h)) {
   plus_ = makeField(surface.surface, 1.0, tool);
   minus_ = makeField(surface.surface, -1.0, tool);
-}
-
-void CheckWatch::note(double distance, const Vec3& place) {
-  if (distance < nearest_) {
-    nearest_ = distance;
-    nearestPlace_ = place;
-  }
 }
 
 /// Largest change of any gap per length of the segment. The axis turns fastest in the middle, by
@@ -57,6 +50,19 @@ void CheckWatch::note(double distance, const Vec3& place) {
 double CheckWatch::steepestTurning(const Segment& s) const {
   const double tangent = (s.axisTo - s.axisFrom).norm() / (s.axisTo + s.axisFrom).norm();
   return 1.0 + 2.0 * arm_ * tangent / std::max(s.length, tolerance::sameSide);
+}
+
+double CheckWatch::tangentStep() const {
+  return std::max(tangentShare * std::sqrt(band_), tolerance::sameSide);
+}
+
+/// The longest step within the band, where a tangency shows in the slope only.
+double CheckWatch::nearStep(const Segment& s, double finest) const {
+  const double speed =
+      !s.turning && !s.isArc()
+          ? std::max({pace_.most(s.direction), pace_.most(s.tangentFrom), pace_.most(s.tangentTo)})
+          : 1.0;
+  return std::max(finest / std::max(speed, tolerance::rounding), nearShare * now_.nearFor);
 }
 
 CheckWatch::Measure CheckWatch::measure(const Segment& s, double along) {
@@ -68,17 +74,25 @@ CheckWatch::Measure CheckWatch::measure(const Segment& s, double along) {
   Measure m;
   m.field = plus_.get();
   tool::Contact c = plus_->at(at, axis);
+  m.rate = closing(s, m.field, c);
   if (!pointTool_) {
     const tool::Contact other = minus_->at(at, axis);
+    const double otherRate = closing(s, minus_.get(), other);
+    const double less = std::min(c.gap, other.gap);
+    const double lessRate = other.gap > c.gap ? m.rate : otherRate;
     if (other.gap > c.gap) {
       m.field = minus_.get();
       c = other;
+      m.rate = otherRate;
+    }
+    if (c.gap < 0.0) {
+      // In violation the tool may leave to either side.
+      m.rate = std::max(m.rate, lessRate * c.gap / less);
     }
   }
   m.value = c.gap;
-  m.rate = isLinear(s) ? std::abs(c.normal.dot(s.direction)) : steepest(s);
   m.turn = slopeAlong(c, at, s.tangentAt(along), s.spin());
-  note(std::abs(m.value), at);
+  nearest_.take(std::abs(m.value), at);
   return m;
 }
 
@@ -94,7 +108,7 @@ void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
   now_.outside = m.field;
   now_.positive = m.value > 0.0;
   now_.startedRemote = now_.positive;
-  nearest_ = std::numeric_limits<double>::infinity();
+  nearest_ = nearestFacing_ = {};
 }
 
 std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& guide) {
@@ -111,33 +125,6 @@ std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& g
     findNearest(segment, guide);
   }
   return hit;
-}
-
-/// Between the neighbors of each look that is nearer than they are.
-void CheckWatch::findNearest(const Segment& s, Field& guide) {
-  looks_.push_back(s.length);
-  const std::vector<double> looks = std::exchange(looks_, {});
-  if (tangent_) {
-    findParallel(s, looks, guide);
-  }
-  const auto away = [&](double u) {
-    return tangent_ ? missOfTangency(s, u, guide) : std::abs(measure(s, u).value);
-  };
-  std::vector<double> at;
-  for (const double u : looks) {
-    at.push_back(away(u));
-  }
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    const std::size_t before = i > 0 ? i - 1 : 0;
-    const std::size_t behind = std::min(i + 1, looks.size() - 1);
-    const bool least = at[i] <= at[before] && at[i] <= at[behind] && at[i] < tolerance::farAway;
-    if (least && at[i] <= nearest_ + looks[behind] - looks[before]) {
-      geometry::narrowLeast(away, looks[before], looks[behind], [&](double value, double width) {
-        return width > tolerance::sameSide && value <= nearest_ + steepest(s) * width;
-      });
-    }
-  }
-  looks_.clear();
 }
 
 /// Number of the zero that is asked for. Order of the positions: TO, PAST, TO, PAST from a remote
@@ -208,9 +195,9 @@ Field* CheckWatch::vanishing(const Measure& m, Field* outsideBefore) {
 
 std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   const double finest = std::max(fineShare * band_, tolerance::sameSide);
-  const double finestTangent = std::max(tangentShare * std::sqrt(band_), tolerance::sameSide);
+  const double finestTangent = tangentStep();
   double before = 0.0;
-  double u = now_.free / steepest(s);
+  double u = firstLook(s);
   for (;;) {
     const Measure m = measure(s, u);
     const double size = std::abs(m.value);
@@ -241,141 +228,125 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       }
     }
     const double margin = now_.armed ? size : band_ - size + finest;
-    double step = m.rate > 0.0 ? std::max(margin / m.rate, finest) : tolerance::farAway;
+    const double rate = now_.armed ? m.rate : steepest(s);
+    double step = rate > 0.0 ? std::max(margin / rate, finest) : tolerance::farAway;
     if (now_.armed && near(m)) {
       // A touch shows in the slope: no longer steps here, and one look at the segment's end.
-      step = std::min(step, finestTangent);
+      step = std::min(step, nearStep(s, finestTangent));
       step = u < s.length ? std::min(step, s.length - u) : step;
     }
+    now_.nearFor = near(m) ? now_.nearFor + step : 0.0;
     before = u;
-    const double farther = size - nearest_;
-    if (close_ && m.rate > 0.0) {
-      step = std::min(step, std::max({closeShare * s.length, finest, farther / m.rate}));
+    const double farther = size - nearest();
+    if (close_ && rate > 0.0) {
+      step = std::min(step, std::max({closeShare * s.length, finest, farther / rate}));
     }
     u += step;
     if (u > s.length || before == s.length || isSpent()) {
-      now_.free = std::max(0.0, margin - m.rate * (s.length - before));
-      now_.farther = std::max(0.0, farther - m.rate * (s.length - before));
+      now_.free = std::max(0.0, margin - rate * (s.length - before));
+      now_.farther = std::max(0.0, farther - rate * (s.length - before));
       return std::nullopt;
     }
   }
 }
 
-/// Where the gap along the path neither opens nor closes check surface and guide are parallel.
-void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks, Field& guide) {
-  for (Field* field : {plus_.get(), minus_.get()}) {
-    const auto opens = [&](double u) -> bool {
-      const tool::Contact c = field->at(s.at(u), s.axisAt(u));
-      return slopeAlong(c, s.at(u), s.tangentAt(u), s.spin()) > 0.0;
-    };
-    bool second = opens(looks.front());
-    for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
-      double low = looks[i];
-      double high = looks[i + 1];
-      const bool first = std::exchange(second, opens(high));
-      if (first == second) {
-        continue;
-      }
-      while (high - low > tolerance::sameSide) {
-        const double middle = 0.5 * (low + high);
-        if (middle <= low || middle >= high) {
-          break;
-        }
-        (opens(middle) == first ? low : high) = middle;
-      }
-      const Vec3 place = s.at(low);
-      const tool::Contact c = field->at(place, s.axisAt(low));
-      const tool::Contact g = guide.at(place, s.axisAt(low));
-      if (c.normal.dot(g.normal) <= agreeing) {
-        continue;
-      }
-      // A tool between two surfaces that face each other is not what touches: these are as far
-      // apart as the place on the guide is from the check surface.
-      const Vec3 on =
-          guide.flat() ? Vec3(place - (place - g.point).dot(g.normal) * g.normal) : g.point;
-      const surface::Foot foot = footOn(surface_.surface, on);
-      const double apart =
-          foot.normal.dot(g.normal) < 0.0 ? std::abs(foot.distance) : foot.distance;
-      const double gap = std::abs(c.gap) <= std::abs(apart) ? c.gap : apart;
-      if (!parallel_ || std::abs(gap) < std::abs(parallel_->gap)) {
-        parallel_ = {gap, place};
-      }
-    }
-  }
-}
-
-/// The smaller gap of those whose contact agrees with that of the guide.
-double CheckWatch::missOfTangency(const Segment& s, double u, Field& guide) {
+/// What both gaps say of a tangency at one place.
+CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, Field& guide) {
   const Vec3 at = s.at(u);
   const Vec3 axis = s.axisAt(u);
   const Vec3 guideNormal = guide.at(at, axis).normal;
-  double miss = tolerance::farAway;
+  TangentLook look;
   for (Field* field : {plus_.get(), minus_.get()}) {
     const tool::Contact c = field->at(at, axis);
-    if (c.normal.dot(guideNormal) > agreeing) {
-      miss = std::min(miss, std::abs(c.gap));
+    const bool agrees = c.normal.dot(guideNormal) > agreeing;
+    const double out = std::abs(c.gap) - reach();
+    (agrees ? nearestFacing_ : nearest_).take(std::abs(c.gap), at);
+    if (out <= 0.0) {
+      look.near = true;
+      if (agrees) {
+        look.inside = field;
+        look.turn = slopeAlong(c, at, s.tangentAt(u), s.spin());
+      }
+      continue;
     }
+    const double rate = closing(s, field, c);
+    look.open = std::min(look.open, rate > 0.0 ? out / rate : tolerance::farAway);
+    look.free = std::min(look.free, out - rate * (s.length - u));
   }
-  note(miss, at);
-  return miss;
+  return look;
+}
+
+/// A contact that jumps onto a stretch where nothing opens or closes, as where a tool comes to fit
+/// into a hollow, begins to touch there: the slope from which it jumps.
+std::optional<double> CheckWatch::slopeBefore(const Segment& s, double u, Field& field) {
+  const Vec3 at = s.at(u);
+  const tool::Contact c = field.at(at, s.axisAt(u));
+  const double slope = slopeAlong(c, at, s.tangentAt(u), s.spin());
+  return std::abs(slope) > levelSlope ? std::optional(slope) : std::nullopt;
+}
+
+std::optional<CheckWatch::Hit> CheckWatch::tangency(const Segment& s,
+                                                    const TangentLook& look,
+                                                    double before,
+                                                    double u) {
+  if (!now_.armed || u <= ignoredUntil_) {
+    return std::nullopt;
+  }
+  if (now_.bandField == look.inside) {
+    // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
+    // sign: the stop is where the stretch begins.
+    const double level = std::copysign(levelSlope, now_.lastTurn);
+    return (look.turn > level) != (now_.lastTurn > level)
+               ? std::optional(
+                     Hit{std::min(before, u - tangentStep()), u, look.inside, true, level})
+               : std::nullopt;
+  }
+  if (std::abs(look.turn) > levelSlope) {
+    return std::nullopt;
+  }
+  const double earlier = before < u ? before : u - tangentStep();
+  const auto slope = slopeBefore(s, earlier, *look.inside);
+  return slope
+             ? std::optional(Hit{earlier, u, look.inside, true, std::copysign(levelSlope, *slope)})
+             : std::nullopt;
 }
 
 std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& guide) {
-  const double finest = std::max(tangentShare * std::sqrt(band_), tolerance::sameSide);
+  const double finest = tangentStep();
   double before = 0.0;
-  double u = now_.free / steepest(s);
+  double u = firstLook(s);
   for (;;) {
-    const Vec3 at = s.at(u);
-    const Vec3 a = s.axisAt(u);
-    const Vec3 guideNormal = guide.at(at, a).normal;
-    const Vec3 tangent = s.tangentAt(u);
     if (close_) {
       looks_.push_back(u);
     }
-    Field* inside = nullptr;
-    double turn = 0.0;
-    double away = tolerance::farAway;
-    double rate = steepest(s);
-    for (Field* field : {plus_.get(), minus_.get()}) {
-      const tool::Contact c = field->at(at, a);
-      const double agreement = c.normal.dot(guideNormal);
-      const double out = std::abs(c.gap) - band_ - pathBand_;
-      if (out <= 0.0 && (agreement > agreeing)) {
-        inside = field;
-        turn = slopeAlong(c, at, tangent, s.spin());
-      } else if (std::abs(out) < away) {
-        away = std::abs(out);
-        rate = isLinear(s) ? std::abs(c.normal.dot(s.direction)) : steepest(s);
-      }
-      if (agreement > agreeing) {
-        note(std::abs(c.gap), at);
-      }
-    }
-    if (inside != nullptr) {
-      // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
-      // sign: the stop is where the stretch begins.
-      const double level = std::copysign(levelSlope, now_.lastTurn);
-      if (now_.armed && now_.bandField == inside && u > ignoredUntil_ &&
-          (turn > level) != (now_.lastTurn > level)) {
-        now_.lastTurn = turn;
+    const TangentLook look = lookForTangency(s, u, guide);
+    if (look.inside != nullptr) {
+      const auto hit = tangency(s, look, before, u);
+      now_.lastTurn = look.turn;
+      if (hit) {
         now_.free = 0.0;
-        // A touch at the end of a cut vector shows at the start of the next one: it may lie before.
-        return Hit{std::min(before, u - finest), u, inside, true, level};
+        return hit;
       }
       // A start at a tangency is not counted; it must be left first.
-      now_.armed = now_.armed || std::abs(turn) > tolerance::nullDirection;
-      now_.lastTurn = turn;
+      now_.armed = now_.armed || std::abs(look.turn) > tolerance::nullDirection;
     } else {
       now_.armed = true;
     }
-    now_.bandField = inside;
+    now_.bandField = look.inside;
     before = u;
-    double open = rate > 0.0 ? away / rate : tolerance::farAway;
-    open = close_ ? std::min(open, std::max(closeShare * s.length, closeRoots * std::sqrt(band_)))
-                  : open;
-    u += inside != nullptr ? finest : std::max(open, finest);
-    if (u >= s.length || isSpent()) {
-      now_.free = inside != nullptr ? 0.0 : std::max(0.0, away - rate * (s.length - before));
+    double step = std::max(look.open, finest);
+    if (close_) {
+      step =
+          std::min(step, std::max({finest, closeShare * s.length, closeRoots * std::sqrt(band_)}));
+    }
+    if (look.near) {
+      step = std::min(step, nearStep(s, finest));
+      step = u < s.length ? std::min(step, s.length - u) : step;
+    }
+    u += step;
+    now_.nearFor = look.near ? now_.nearFor + step : 0.0;
+    if (u > s.length || before == s.length || isSpent()) {
+      now_.free = look.near ? 0.0 : std::max(0.0, look.free);
       return std::nullopt;
     }
   }

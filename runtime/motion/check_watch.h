@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/check_pace.h"
 #include "runtime/motion/effort.h"
 #include "runtime/motion/segment.h"
 #include "runtime/motion/state.h"
@@ -50,7 +51,7 @@ class CheckWatch {
   void lookClosely(const CheckWatch& before) {
     close_ = true;
     nearest_ = before.nearest_;
-    nearestPlace_ = before.nearestPlace_;
+    nearestFacing_ = before.nearestFacing_;
   }
   /// From now on scans end, without a result, once the effort is spent.
   void spend(const Effort& effort) { effort_ = &effort; }
@@ -84,8 +85,10 @@ class CheckWatch {
   [[nodiscard]] const NamedSurface& surface() const { return surface_; }
   [[nodiscard]] ir::Condition condition() const { return condition_; }
   [[nodiscard]] double band() const { return band_; }
-  [[nodiscard]] double nearest() const { return nearest_; }
-  [[nodiscard]] const Vec3& nearestPlace() const { return nearestPlace_; }
+  /// The nearest approach; of tangencies that where check surface and guide face one way, if they
+  /// do so anywhere.
+  [[nodiscard]] double nearest() const { return approach().distance; }
+  [[nodiscard]] const Vec3& nearestPlace() const { return approach().place; }
   /// Looking closely for a tangency: the gap, negative for an overlap, and place where the surfaces
   /// are parallel and touch least badly; none where they are parallel nowhere.
   struct Parallel {
@@ -100,6 +103,8 @@ class CheckWatch {
   [[nodiscard]] bool touchedAny() const { return now_.seen > 0; }
   [[nodiscard]] const Vec3& lastContact() const { return now_.last; }
   [[nodiscard]] bool wasClear() const { return now_.armed; }
+  /// True where the tool is within the tolerance from the start on.
+  [[nodiscard]] bool neverLeft() const { return !wasClear() && nearest() <= band_; }
   /// True where the tool was at the surface, within its tolerance, when the motion began.
   [[nodiscard]] bool startedAt() const { return startedAt_; }
 
@@ -113,6 +118,7 @@ class CheckWatch {
     Vec3 last = Vec3::Zero();    ///< the last of them
     double free = 0.0;           ///< change of the measure that meets nothing for sure
     double farther = 0.0;        ///< looking closely: change that comes no nearer for sure
+    double nearFor = 0.0;        ///< length of the way within the band, up to here
     double lastTurn = 0.0;       ///< within the band: last component of the normal along the path
     Field* bandField = nullptr;  ///< the gap that is within its band, or null
   };
@@ -122,25 +128,45 @@ class CheckWatch {
   void restore(const Progress& progress) { now_ = progress; }
 
  private:
+  /// Cosine of the angle within which contact normals count as agreeing at a tangency.
+  static constexpr double agreeing = 0.5;
+
   struct Measure {
     double value = 0.0;  ///< signed measure whose zeros are the positions
-    double rate = 1.0;   ///< bound of its change per length of path
+    double rate = 1.0;   ///< bound of how fast it comes to zero, per length of path
     double turn = 0.0;   ///< its change along the true path
     Field* field = nullptr;
   };
   Measure measure(const Segment& segment, double along);
+  /// The largest change of any gap per length of the segment.
   [[nodiscard]] double steepest(const Segment& s) const {
-    return !s.turning || arm_ == 0.0 ? 1.0 : steepestTurning(s);
+    if (s.isArc()) {
+      return 1.0;
+    }
+    return s.turning && arm_ > 0.0 ? steepestTurning(s) : pace_.most(s.direction);
   }
+  /// How fast a gap may come to zero from here on.
+  [[nodiscard]] double closing(const Segment& s, const Field* field, const tool::Contact& c) const {
+    return s.isArc() || s.turning ? steepest(s)
+                                  : pace_.closing(field == plus_.get() ? 1.0 : -1.0, c.gap,
+                                                  c.normal.dot(s.direction), s.direction);
+  }
+  [[nodiscard]] double nearStep(const Segment& s, double finest) const;
+  /// A tangency passes through its band in a length of the order of the root of the band.
+  [[nodiscard]] double tangentStep() const;
+  /// Where there may be something for the first time.
+  [[nodiscard]] double firstLook(const Segment& s) const {
+    const double most = steepest(s);
+    return now_.free > 0.0 && most > 0.0 ? now_.free / most : 0.0;
+  }
+  /// Gaps up to this may be contact, as cut vectors stray from the path.
+  [[nodiscard]] double reach() const { return band_ + pathBand_; }
   [[nodiscard]] double steepestTurning(const Segment& s) const;
-  [[nodiscard]] bool isLinear(const Segment& segment) const {
-    return plus_->flat() && !segment.turning && !segment.isArc();
-  }
   [[nodiscard]] std::optional<Hit> scanCrossing(const Segment& segment);
   [[nodiscard]] bool crosses(const Measure& measure);
   [[nodiscard]] double crossing(const Segment& segment, double low, double high);
   [[nodiscard]] bool near(const Measure& measure) const {
-    return std::abs(measure.value) <= band_ + pathBand_;
+    return std::abs(measure.value) <= reach();
   }
   [[nodiscard]] bool touchesHere(const Measure& measure);
   [[nodiscard]] bool slipsThrough(const Measure& measure, const Field* outsideBefore) const;
@@ -150,8 +176,34 @@ class CheckWatch {
   [[nodiscard]] int before() const {
     return (condition_ == ir::Condition::past) == now_.startedRemote ? 0 : 1;
   }
+  /// Both gaps at one place, where a tangency is looked for.
+  struct TangentLook {
+    Field* inside = nullptr;  ///< the gap within its band whose contact agrees with the guide's
+    double turn = 0.0;        ///< its change along the true path
+    bool near = false;        ///< a gap is within its band
+    double open = tolerance::farAway;  ///< no gap comes to its band before this length,
+    double free = tolerance::farAway;  ///< and at the segment's end is so far from it
+  };
+  TangentLook lookForTangency(const Segment& segment, double along, Field& guide);
+  static std::optional<double> slopeBefore(const Segment& segment, double along, Field& field);
+  std::optional<Hit> tangency(const Segment& segment,
+                              const TangentLook& look,
+                              double before,
+                              double along);
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
-  void note(double distance, const Vec3& place);
+  /// A distance from the surface, and where it was.
+  struct Approach {
+    double distance = std::numeric_limits<double>::infinity();
+    Vec3 place = Vec3::Zero();
+    void take(double other, const Vec3& where) {
+      if (other < distance) {
+        *this = {other, where};
+      }
+    }
+  };
+  [[nodiscard]] const Approach& approach() const {
+    return nearestFacing_.distance < tolerance::farAway ? nearestFacing_ : nearest_;
+  }
   [[nodiscard]] bool isSpent() const { return effort_ != nullptr && effort_->isSpent(); }
   void findNearest(const Segment& segment, Field& guide);
   void findParallel(const Segment& segment, const std::vector<double>& looks, Field& guide);
@@ -165,6 +217,7 @@ class CheckWatch {
   double pathBand_;
   bool tangent_;
   bool pointTool_;
+  CheckPace pace_;
   double arm_;  ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
@@ -173,8 +226,7 @@ class CheckWatch {
   bool close_ = false;
   bool startedAt_ = false;
   std::vector<double> looks_;  ///< lengths along the segment, where looked at closely
-  double nearest_ = std::numeric_limits<double>::infinity();
-  Vec3 nearestPlace_ = Vec3::Zero();
+  Approach nearest_, nearestFacing_;
   std::optional<Parallel> parallel_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -99,6 +100,24 @@ Result<ConvexPolygon> ConvexPolygon::make(std::vector<Vec3> corners) {
 }
 
 std::optional<std::vector<Vec3>> ConvexPolygon::inset(double distance) const {
+  return clipped(distance, normal_);
+}
+
+std::optional<ConvexPolygon> ConvexPolygon::between(double distance, const Vec3& up) const {
+  auto corners = clipped(distance, up);
+  if (!corners) {
+    return std::nullopt;
+  }
+  ConvexPolygon left;
+  left.corners_ = *std::move(corners);
+  left.normal_ = normal_;
+  return left;
+}
+
+std::optional<std::vector<Vec3>> ConvexPolygon::clipped(double distance, const Vec3& up) const {
+  if (distance == 0.0) {
+    return corners_;  // a clip by its own sides would depend on rounding
+  }
   const std::size_t n = corners_.size();
   std::vector<Corner> polygon;
   double size = 0.0;
@@ -108,7 +127,7 @@ std::optional<std::vector<Vec3>> ConvexPolygon::inset(double distance) const {
   }
   for (std::size_t i = 0; i < n && polygon.size() >= 3; ++i) {
     const Vec3 along = (corners_[(i + 1) % n] - corners_[i]).normalized();
-    const Vec3 inward = normal_.cross(along);
+    const Vec3 inward = up.cross(along).normalized();
     polygon = clip(polygon, inward, inward.dot(corners_[i]) + distance, i);
   }
   polygon = withoutShort(polygon, size);
@@ -124,6 +143,18 @@ std::optional<std::vector<Vec3>> ConvexPolygon::inset(double distance) const {
     places.push_back(corner.place);
   }
   return places;
+}
+
+double outside(const std::vector<Vec3>& corners, const Vec3& normal, const Vec3& place) {
+  bool inside = true;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3& a = corners[i];
+    const Vec3& b = corners[(i + 1) % corners.size()];
+    inside = inside && (b - a).cross(place - a).dot(normal) >= 0.0;
+    least = std::min(least, distanceToSegment(place, a, b));
+  }
+  return inside ? 0.0 : least;
 }
 
 double sharpestSine(const std::vector<Vec3>& corners) {

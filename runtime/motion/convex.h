@@ -21,8 +21,13 @@ class ConvexPolygon {
   /// The polygon whose sides are `distance` further in; sides that vanish are left out. The first
   /// corner belongs to the first one of this polygon. None where nothing is left.
   [[nodiscard]] std::optional<std::vector<Vec3>> inset(double distance) const;
+  /// What is at least `distance` from walls on the sides that stand along `up` (unit, not along the
+  /// polygon). None where nothing is.
+  [[nodiscard]] std::optional<ConvexPolygon> between(double distance, const Vec3& up) const;
 
  private:
+  [[nodiscard]] std::optional<std::vector<Vec3>> clipped(double distance, const Vec3& up) const;
+
   std::vector<Vec3> corners_;
   Vec3 normal_ = Vec3::UnitZ();
 };
@@ -36,5 +41,11 @@ class ConvexPolygon {
 /// The side from which all corners are within `distance`, by the number of its first corner.
 [[nodiscard]] std::optional<std::size_t> coveringSide(const std::vector<Vec3>& corners,
                                                       double distance);
+
+/// How far a place of its plane is outside of a convex polygon whose sides turn counter-clockwise
+/// about `normal`; 0 inside.
+[[nodiscard]] double outside(const std::vector<Vec3>& corners,
+                             const Vec3& normal,
+                             const Vec3& place);
 
 }  // namespace arelem::motion

@@ -104,6 +104,9 @@ class Follower {
       const double length = surface::endBefore(surface->surface, contact->point);
       if (length > 0.0) {
         const CheckWatch& w = course_.watches.front();
+        if (w.neverLeft()) {
+          return missed(course_);
+        }
         const Vec3 p = told(last_.toolEnd);
         const Vec3 q = told(w.nearestPlace());
         return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, told(w.nearest()),
@@ -144,6 +147,9 @@ class Follower {
   std::optional<Failure> runChords() {
     if (course_.turnsFirst && !turnAxis()) {
       return lost();
+    }
+    if (stops_.isEndless()) {
+      return effort_.isSpent() ? tooMuch() : missed(course_);
     }
     double cap = tolerance::farAway;
     for (;;) {
@@ -349,9 +355,7 @@ class Follower {
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };
-}  // namespace
 
-namespace {
 class NoSink final : public CutVectorSink {
  public:
   void put(const Vec3&, const Vec3&) override {}
@@ -359,7 +363,7 @@ class NoSink final : public CutVectorSink {
 
 bool tellsNearest(const Failure& failure) {
   return failure.row == diag::CheckNotReached.row || failure.row == diag::NoTangency.row ||
-         failure.row == diag::CutVectorLimit.row;
+         failure.row == diag::CutVectorLimit.row || failure.row == diag::RunsOffEnd.row;
 }
 }  // namespace
 

@@ -13,17 +13,20 @@ namespace {
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
+  const std::string_view condition = certify::spell(w.condition());
+  if (w.neverLeft()) {
+    return fail(diag::CheckNeverLeft, w.surface().name, condition, w.band());
+  }
   if (w.isTangent()) {
     const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
     const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
     const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
+    const bool cross = !w.parallel() && gap <= w.band();
     return fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                gap < 0.0 ? "overlap" : "miss each other", std::abs(told(gap)), where.x(),
-                where.y(), where.z());
-  }
-  const std::string_view condition = certify::spell(w.condition());
-  if (!w.wasClear() && w.nearest() <= w.band()) {
-    return fail(diag::CheckNeverLeft, w.surface().name, condition, w.band());
+                cross       ? "cross without being parallel, off"
+                : gap < 0.0 ? "overlap"
+                            : "miss each other",
+                std::abs(told(gap)), where.x(), where.y(), where.z());
   }
   if (w.touchedAny()) {
     const Vec3 last = told(w.lastContact());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/certify/prove.h"
 #include "runtime/motion/settle.h"
 
 namespace arelem::motion {
@@ -183,39 +184,80 @@ class ChordFit {
   double run(double inner, double outer) {
     inner_ = inner;
     outer_ = outer;
-    smooth_ = smoothShare * (inner + outer);
-    const GapNode middle = measure(0.5 * length_);
+    smooth_ = std::min(smoothShare * (inner + outer), certify::slackOf(inner + outer));
+    const Node middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
     const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
     consider(first_, middle, depth);
-    consider(middle, last_, depth);
+    if (squared_ >= hopeless) {
+      consider(middle, last_, depth);
+    }
+    if (depth == 0 || foretold(first_, last_, middle, roughShare * (inner + outer))) {
+      behind_.reset();
+    }
     return std::sqrt(squared_);
   }
 
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
+  /// In the part that sets the factor.
+  [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
+  /// The curvature next to the end, where the ends do not foretell the middle.
+  [[nodiscard]] const std::optional<double>& behind() const { return behind_; }
 
  private:
-  /// Nodes that a cubic foretells but for this share of the band are smooth.
+  struct Node : GapNode {
+    Vec3 normal = Vec3::UnitZ();
+  };
+  /// Nodes that a cubic foretells but for this share of the band, and for no more than the
+  /// certificate allows beyond it, are smooth.
   static constexpr double smoothShare = 2e-3;
+  /// What cubics foretell but for this share has the curvature that the slopes at nodes tell.
+  static constexpr double roughShare = 0.05;
   /// Of kinks that no cubic foretells what is left of the band may be this share of it.
   static constexpr double kinkShare = 1e-4;
   static constexpr int deepest = 12;
+  /// Squares of factors below this are those of chords that are far too long: how much so need not
+  /// be known well, and kinks may leave this share of the band.
+  static constexpr double hopeless = 0.5;
+  static constexpr double hopelessShare = 0.02;
 
-  [[nodiscard]] GapNode node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
-    return {along, c.gap, slopeAlong(c, toolEnd, direction_, turn_)};
+  [[nodiscard]] Node node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
+    return {{along, c.gap, slopeAlong(c, toolEnd, direction_, turn_)}, c.normal};
   }
-  GapNode measure(double along) {
+  [[nodiscard]] Path::Ridge ridgeBetween(const Node& a, const Node& b) const {
+    const double along = crossing(a, b);
+    const double gap = a.gap + (along - a.along) * a.slope;
+    const Vec3 place = a_.toolEnd + along * direction_;
+    return {0, place, gap, a.slope - b.slope, {a.normal, b.normal}};
+  }
+  Node measure(double along) {
     const double share = along / length_;
     const Vec3 place = a_.toolEnd + along * direction_;
     return node(along, field_.at(place, turning_ ? turning_->axis(share) : a_.axis), place);
   }
-  void consider(const GapNode& a, const GapNode& b, int depth) {
+  void consider(const Node& a, const Node& b, int depth) {
     const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
-    if (depth == 0 || kink <= kinkShare * (inner_ + outer_)) {
-      squared_ = std::min(squared_, squaredFit(ends_, a, b, inner_, outer_));
+    const double share = squared_ < hopeless ? hopelessShare : kinkShare;
+    if (depth == 0 || kink <= share * (inner_ + outer_)) {
+      const double squared = squaredFit(ends_, a, b, inner_, outer_);
+      if (squared < squared_) {
+        squared_ = squared;
+        ridge_.reset();
+        if (depth > 0 && a.slope > b.slope) {
+          ridge_ = ridgeBetween(a, b);
+        }
+      }
+      if (b.along == last_.along) {
+        behind_ = (b.slope - a.slope) / (b.along - a.along);
+      }
       return;
     }
-    const GapNode between = measure(crossing(a, b));
+    const Node between = measure(crossing(a, b));
+    const double over = between.gap - ends_.at(between.along);
+    const double room = outer_ - ends_.at(between.along);
+    if (room < hopeless * over) {
+      squared_ = std::min(squared_, std::max(0.0, room) / over);
+    }
     const int deeper = foretold(a, b, between, smooth_) ? 0 : depth - 1;
     consider(a, between, deeper);
     consider(between, b, deeper);
@@ -226,10 +268,12 @@ class ChordFit {
   const std::optional<certify::Chord>& turning_;
   double length_;
   Vec3 direction_, turn_ = Vec3::Zero();
-  GapNode first_, last_;
+  Node first_, last_;
   GapLine ends_;
   double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
   double squared_ = tolerance::farAway;  ///< square of the factor
+  std::optional<Path::Ridge> ridge_;
+  std::optional<double> behind_;
 };
 }  // namespace
 
@@ -249,6 +293,17 @@ double Path::fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b
   return judgement.factor;
 }
 
+/// In the corner both contacts have the same gap, and the other guide keeps its own.
+double Path::alongRidge(const PathPoint& a, double to) const {
+  const Vec3& other = a.contacts[1 - ridge->guide].normal;
+  const auto& [n0, n1] = ridge->normals;
+  const double det = n0.dot(n1.cross(other));
+  const Vec3 way = std::abs(det) > tolerance::nullDirection
+                       ? Vec3((to - ridge->gap) / det * (n1.cross(other) + other.cross(n0)))
+                       : Vec3(Vec3::Zero());
+  return (ridge->place + way - a.toolEnd).dot(a.tangent);
+}
+
 double Path::fit(const PathPoint& a, const PathPoint& b) {
   const Vec3 chord = b.toolEnd - a.toolEnd;
   const double length = chord.norm();
@@ -266,6 +321,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   double factor = tolerance::farAway;
   middle.end = b.toolEnd;
   misses = {0, 0};
+  ridge.reset();
   for (std::size_t i = 0; i < guides.size(); ++i) {
     if (guides[i].field->flat() && !turning) {
       continue;
@@ -278,7 +334,15 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     const double inner = std::max({guides[i].inner, -a.contacts[i].gap, -b.contacts[i].gap});
     const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
     ChordFit chordFit(*guides[i].field, a, b, i, scale, evenly);
-    factor = std::min(factor, chordFit.run(inner, outer));
+    const double fits = chordFit.run(inner, outer);
+    if (fits < factor) {
+      factor = fits;
+      ridge = chordFit.ridge();
+      if (ridge) {
+        ridge->guide = i;
+      }
+    }
+    middle.behind[i] = chordFit.behind();
     middle.slope[i] = chordFit.middleSlope();
   }
   return factor;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "runtime/motion/chord.h"
 #include "runtime/motion/segment.h"
@@ -78,8 +79,20 @@ class Path {
   struct Middle {
     Vec3 end = Vec3::Zero();
     std::array<double, 2> slope{0.0, 0.0};
+    /// Where they do not foretell each other: the curvature next to the end.
+    std::array<std::optional<double>, 2> behind;
   };
   Middle middle;
+  /// Where the chord that `fit` looked at last leaves its band most because the gap goes from one
+  /// contact to another, between which no cubic foretells it.
+  struct Ridge {
+    std::size_t guide;
+    Vec3 place;  ///< tool end
+    double gap;
+    double drop;                  ///< of the slope
+    std::array<Vec3, 2> normals;  ///< of both contacts
+  };
+  std::optional<Ridge> ridge;
   /// Of facets: -1 where the chord that `fit` looked at last is too near to the surface, 1 where it
   /// is too far off, else 0.
   std::array<int, 2> misses{0, 0};
@@ -119,6 +132,8 @@ class Path {
   [[nodiscard]] double fit(const PathPoint& a, const PathPoint& b);
   /// The same, and to fit the largest turn of an axis that follows the path.
   [[nodiscard]] double fitWithTurn(const PathPoint& a, const PathPoint& b);
+  /// How far along the tangent at `a` the path has the corner below the ridge, with gap `to`.
+  [[nodiscard]] double alongRidge(const PathPoint& a, double to) const;
 
  private:
   [[nodiscard]] double fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b);

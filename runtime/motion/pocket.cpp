@@ -19,6 +19,8 @@ constexpr double degreesOfARadian = 180.0 / std::numbers::pi;
 constexpr double leastSine = 0.2;
 /// From this cosine on the axis stands square on the bottom.
 constexpr double square = 0.9999;
+/// How exactly a step is known, as a share of Re.
+constexpr double reachRounding = 1e-12;
 constexpr std::size_t mostPasses = 100'000;
 
 /// The eight numbers by their names.
@@ -73,32 +75,16 @@ Result<std::vector<Vec3>> projected(const std::vector<Vec3>& points, const State
   return on;
 }
 
-/// Corners of the wall to centers of a cutter whose axis leans: the silhouette across the axis is
-/// offset, and the result comes back to the bottom along the axis.
-std::vector<Vec3> centersUnderTilt(const ConvexPolygon& wall, const Vec3& axis, double radius) {
-  const std::vector<Vec3>& corners = wall.corners();
-  const std::size_t n = corners.size();
-  std::vector<Vec3> centers;
-  const auto across = [&](const Vec3& v) { return Vec3((v - v.dot(axis) * axis).normalized()); };
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 in = across(corners[i] - corners[(i + n - 1) % n]);
-    const Vec3 out = across(corners[(i + 1) % n] - corners[i]);
-    const Vec3 middle = (out - in).normalized();
-    const double sine = out.cross(middle).norm();
-    const Vec3 step = radius / sine * middle;
-    centers.emplace_back(corners[i] + step -
-                         step.dot(wall.normal()) / axis.dot(wall.normal()) * axis);
-  }
-  return centers;
-}
-
 /// Passes from the outer polygon inwards.
 class Passes {
  public:
   Passes(const ConvexPolygon& polygon, const Numbers& numbers, double radius)
       : polygon_(polygon), numbers_(numbers), radius_(radius) {
-    sine_ = sharpestSine(polygon.corners());
-    adapt(sine_);
+    if (numbers_.adapts) {
+      const double most = numbers_.reach / radius_ * (1.0 + sharpestSine(polygon.corners()));
+      numbers_.general = std::min(numbers_.general, most);
+      numbers_.finish = std::min(numbers_.finish, most);
+    }
   }
 
   /// None where nothing is left at `distance`.
@@ -115,22 +101,14 @@ class Passes {
       if (isNarrow(*full, 2.0 * numbers_.reach)) {
         break;
       }
-      const double step = (first ? numbers_.finish : numbers_.general) * radius_;
+      const double step =
+          clearingStep(distance, (first ? numbers_.finish : numbers_.general) * radius_);
       const auto half = polygon_.inset(distance + step / 2.0);
       if (!half || endsAt(*half)) {
         break;
       }
-      const std::size_t sides = full->size();
-      full = polygon_.inset(distance + step);
-      if (sharpens(*half, sides)) {
-        distance += smallStep(*half, step);
-        full = polygon_.inset(distance);
-      } else if (full && sharpens(*full, half->size())) {
-        distance += step / 2.0 + smallStep(*full, step);
-        full = polygon_.inset(distance);
-      } else {
-        distance += step;
-      }
+      distance += step;
+      full = polygon_.inset(distance);
       if (!full) {
         passes_.push_back(*half);  // what is left in the middle is more than the cutter reaches
       }
@@ -139,12 +117,31 @@ class Passes {
   }
 
  private:
-  void adapt(double sine) {
-    if (numbers_.adapts) {
-      const double most = numbers_.reach / radius_ * (1.0 + sine);
-      numbers_.general = std::min(numbers_.general, most);
-      numbers_.finish = std::min(numbers_.finish, most);
+  /// The longest step up to `step` after which nothing stays between two passes. Where sides have
+  /// vanished and left sharper corners than any of the wall that is less than elsewhere. What the
+  /// pass at `distance` does not reach is the polygon Re further in, and the next one reaches it
+  /// where its corners are within Re of what that one goes round.
+  [[nodiscard]] double clearingStep(double distance, double step) const {
+    const auto left = numbers_.adapts ? polygon_.inset(distance + numbers_.reach) : std::nullopt;
+    if (!left) {
+      return step;
     }
+    const auto clears = [&](double s) {
+      const auto next = polygon_.inset(distance + s);
+      return next && std::all_of(left->begin(), left->end(), [&](const Vec3& p) {
+               return outside(*next, polygon_.normal(), p) <=
+                      (1.0 + reachRounding) * numbers_.reach;
+             });
+    };
+    if (step <= numbers_.reach || clears(step)) {
+      return step;
+    }
+    double low = numbers_.reach;
+    while (step - low > reachRounding * numbers_.reach) {
+      const double middle = 0.5 * (low + step);
+      (clears(middle) ? low : step) = middle;
+    }
+    return low;
   }
 
   /// Half a step further in nothing is left that one more pass would not reach: the last pass.
@@ -163,24 +160,9 @@ class Passes {
     return true;
   }
 
-  /// Whether sides have vanished and left a sharper corner than any before.
-  [[nodiscard]] bool sharpens(const std::vector<Vec3>& corners, std::size_t sides) const {
-    return numbers_.adapts && corners.size() < sides && sharpestSine(corners) < sine_;
-  }
-
-  /// The next pass is where the sharper corner leaves nothing, and from there on the steps are
-  /// smaller.
-  double smallStep(const std::vector<Vec3>& corners, double step) {
-    sine_ = sharpestSine(corners);
-    const double small = std::min(step, 2.0 * numbers_.reach * sine_);
-    adapt(sine_);
-    return small / 2.0;
-  }
-
   const ConvexPolygon& polygon_;
   Numbers numbers_;
   double radius_;
-  double sine_ = 1.0;
   std::vector<std::vector<Vec3>> passes_;
 };
 }  // namespace
@@ -215,10 +197,13 @@ Result<PocketPath> pocketPath(const runtime::Pocket& pocket, const State& state)
   }
   double distance = (*numbers).walls ? radius : 0.0;
   if ((*numbers).walls && sine < square) {
-    polygon = ConvexPolygon::make(centersUnderTilt(*polygon, state.axis, radius));
-    if (!polygon) {
+    // The walls stand along the axis.
+    const bool up = (*polygon).normal().dot(state.axis) > 0.0;
+    auto centers = (*polygon).between(radius, up ? state.axis : Vec3(-state.axis));
+    if (!centers) {
       return fail(diag::PocketTooSmall, radius);
     }
+    polygon = *std::move(centers);
     distance = 0.0;
   }
   auto passes = Passes(*polygon, *numbers, radius).run(distance);

@@ -208,16 +208,20 @@ Settled nearestAround(const Settled& near,
                       AxisRule& axis,
                       std::span<const Wanted> wanted,
                       std::span<const Constraint> constraints) {
-  // In parts of what is missed.
-  constexpr std::array distances{0.25, 1.0, 4.0, 16.0};
+  // In parts of what is missed; where the tool nearly fits, what it misses tells nothing about how
+  // far off it does.
+  const double farthest = std::max(16.0 * near.worst, (near.toolEnd - from).norm());
   const Eigen::Matrix3d frame = frameOf(near, wanted.size());
   Settled best = near;
   double least = tolerance::farAway;
-  for (const double distance : distances) {
+  for (double distance = 0.25 * near.worst;
+       distance > 0.0 && distance <= farthest &&
+       (distance <= 16.0 * near.worst || least == tolerance::farAway);
+       distance *= 4.0) {
     for (int cell = 0; cell < 27; ++cell) {
       const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
       const Settled found =
-          settle(near.toolEnd + distance * near.worst * (frame * way), axis, wanted, constraints);
+          settle(near.toolEnd + distance * (frame * way), axis, wanted, constraints);
       const double away = (found.toolEnd - from).norm();
       // Mirror images are equally far: the first one stays.
       if (found.ok && away < least - tolerance::coincidence) {

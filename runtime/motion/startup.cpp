@@ -1,11 +1,13 @@
 #include "runtime/motion/startup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_choice.h"
+#include "runtime/motion/pierce.h"
 #include "runtime/motion/route.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/startup_sense.h"
@@ -14,7 +16,6 @@
 namespace arelem::motion {
 
 namespace {
-constexpr int pierceLimit = 500;
 /// Share of the way to the first surface that a directed startup goes before it iterates.
 constexpr double approachShare = 0.75;
 
@@ -140,29 +141,6 @@ class Starter {
             }};
   }
 
-  /// Distance along v from the side point to the surface, none where the ray misses.
-  [[nodiscard]] std::optional<double> pierce(const Goal& goal,
-                                             const Vec3& from,
-                                             const Vec3& v) const {
-    const auto field = makeField(goal.surface.surface, 1.0, {});
-    double s = 0.0;
-    for (int i = 0; i < pierceLimit; ++i) {
-      const tool::Contact c = field->at(from + s * v, state_.axis);
-      const double gap = std::abs(c.gap);
-      if (gap <= tolerance::coincidence) {
-        return s;
-      }
-      // On a plane the ray's own slope is known; elsewhere the distance is free of surface.
-      const double rate = field->flat() ? std::abs(c.normal.dot(v)) : 1.0;
-      const bool leaving = field->flat() && c.gap * c.normal.dot(v) >= 0.0;
-      if (leaving || gap / rate > tolerance::farAway) {
-        return std::nullopt;
-      }
-      s += gap / rate;
-    }
-    return std::nullopt;
-  }
-
   /// Steps of a directed startup towards its surfaces, in the order drive, part, check.
   [[nodiscard]] Vec3 approach() const {
     Vec3 toolEnd = state_.toolEnd;
@@ -177,7 +155,8 @@ class Starter {
         continue;
       }
       const Vec3 v = state_.direction[i]->normalized();
-      const auto hit = pierce(goals_[i], sidePoint(state_, toolEnd, state_.axis), v);
+      const auto hit =
+          pierce(goals_[i].surface.surface, sidePoint(state_, toolEnd, state_.axis), v);
       const double radius = goals_[i].condition == ir::Condition::on ? 0.0 : state_.cutter->d / 2;
       const double way = hit ? *hit - radius - state_.band(goals_[i].role) : farthest;
       toolEnd += (hit && allPlanes ? approachShare : 1.0) * std::max(way, 0.0) * v;
@@ -199,6 +178,18 @@ class Starter {
       list.push_back({goal.field.get(), target});
     }
     return list;
+  }
+
+  /// True where the tool keeps all tolerances: in a hollow of its own radius it has no other place
+  /// than that without a gap.
+  [[nodiscard]] bool isWithin(const Vec3& toolEnd) {
+    return std::all_of(goals_.begin(), goals_.end(),
+                       [&](const Goal& goal) { return isWithin(goal, toolEnd); });
+  }
+  [[nodiscard]] bool isWithin(const Goal& goal, const Vec3& toolEnd) {
+    const double gap = goal.field->at(toolEnd, rule_.at(toolEnd)).gap;
+    return gap >= -state_.inner[goal.role] - tolerance::sameSide &&
+           gap <= state_.outer[goal.role] + tolerance::sameSide;
   }
 
   /// The pseudo surfaces that make the position unique where a direction is given.
@@ -228,15 +219,20 @@ class Starter {
     const Vec3 from = approach();
     const auto extra = constraints(from);
     Settled found = settle(from, rule_, wanted(false, from), extra);
-    if (!found.ok) {
-      // From far away or across a kink Newton may miss what there is.
-      const Settled near = closest(from, rule_, wanted(false, from), extra);
-      const auto goals = wanted(false, near.toolEnd);
-      found = settle(near.toolEnd, rule_, goals, extra);
-      found = found.ok ? found : nearestAround(near, from, rule_, goals, extra);
+    // From far away or across a kink Newton may miss what there is; and where surfaces nearly touch
+    // each other, only places within the tolerances may be any.
+    for (const bool atRest : {false, true}) {
+      if (!found.ok) {
+        const Settled near = closest(from, rule_, wanted(atRest, from), extra);
+        const auto goals = wanted(atRest, near.toolEnd);
+        Settled tried = settle(near.toolEnd, rule_, goals, extra);
+        tried = tried.ok ? tried : nearestAround(near, from, rule_, goals, extra);
+        found = tried.ok || !atRest ? tried : found;
+      }
     }
     if (found.ok && !exact_) {
-      found = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+      const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
+      found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
     if (auto bad = rule_.fault(found.toolEnd)) {
       return *std::move(bad);
@@ -319,7 +315,8 @@ class Starter {
       return fail(diag::OffsetNeedsDirection);
     }
     const Vec3 along = state_.direction[0]->normalized();
-    const auto hit = pierce(goals_[0], sidePoint(state_, state_.toolEnd, state_.axis), along);
+    const auto hit =
+        pierce(goals_[0].surface.surface, sidePoint(state_, state_.toolEnd, state_.axis), along);
     if (!hit) {
       return offsetMisses(along);
     }
@@ -341,12 +338,10 @@ class Starter {
     if (!found.ok) {
       return diverges(found);
     }
-    const double inner = state_.inner[driveRole];
-    const double outer = state_.outer[driveRole];
-    const double drift = goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap;
-    if (drift > outer + tolerance::sameSide || drift < -inner - tolerance::sameSide) {
+    if (!isWithin(goals_[0], found.toolEnd)) {
+      const double drift = goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap;
       return fail(diag::OffsetLeavesDrive, goals_.back().surface.name, goals_[0].surface.name,
-                  drift, 0.0 - inner, outer);
+                  drift, 0.0 - state_.inner[driveRole], state_.outer[driveRole]);
     }
     return Standing{found.toolEnd, found.axis, {}};
   }

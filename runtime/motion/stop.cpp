@@ -3,12 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/tolerance.h"
 #include "runtime/motion/meet.h"
 #include "runtime/motion/route.h"
 
 namespace arelem::motion {
 
 namespace {
+/// Sine of the largest angle between a path and the lines of a surface that it keeps along for
+/// ever.
+constexpr double alongLines = 1e-12;
+
+bool keepsAlong(const surface::AnySurface& surface, const Vec3& direction) {
+  if (const auto* plane = std::get_if<surface::Plane>(&surface)) {
+    return std::abs(plane->normal.dot(direction)) <= alongLines;
+  }
+  const Vec3 lines = surface::generatrix(surface);
+  return !lines.isZero() && lines.cross(direction).norm() <= alongLines;
+}
+
 /// Normals that agree this well, as a cosine, belong to surfaces that touch.
 constexpr double touching = 0.5;
 }  // namespace
@@ -84,6 +97,23 @@ std::optional<Found> StopFinder::find(const PathPoint& a, const Segment& segment
     w.ignoreTouches(-1.0);
   }
   return found;
+}
+
+bool StopFinder::isEndless() {
+  const PathPoint& start = course_.start;
+  if (course_.path.flat() || !course_.path.axis.isFixed() || course_.turnsFirst ||
+      !keepsAlong(course_.part.surface, start.tangent) ||
+      !keepsAlong(course_.drive.surface, start.tangent)) {
+    return false;
+  }
+  PathPoint far = start;
+  far.toolEnd += tolerance::farAway * start.tangent;
+  keep();
+  if (scan(segmentBetween(start, far))) {
+    restore();
+    return false;
+  }
+  return true;
 }
 
 /// A touch within the tolerance comes nearer where the band of the surface that turns the path

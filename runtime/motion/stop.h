@@ -35,6 +35,10 @@ class StopFinder {
   /// tolerance of the check surface.
   [[nodiscard]] bool isWithin(const PathPoint& a, const Met& met) const;
 
+  /// True where the path along curved surfaces is a straight line on which no check surface is met;
+  /// the watches know it then.
+  [[nodiscard]] bool isEndless();
+
   /// Puts the watches back to where they were before the last segment, to try it again.
   void restore();
 

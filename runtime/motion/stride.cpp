@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ir/space/tolerance.h"
 
@@ -17,9 +18,17 @@ constexpr double mostDoubt = 3e-3;
 constexpr int tryLimit = 60;
 /// A cut vector up to a corner of the path ends this near to it. Part unit.
 constexpr double nearCorner = 1e-8;
-constexpr int growLimit = 5;
+constexpr int growLimit = 8;
+/// Share of the band that a cut vector behind a corner is planned to use.
+constexpr double ridgeShare = 0.9;
+/// One that just ends there is taken when it could grow by less than this factor.
+constexpr double ridgeFit = 1.5;
+/// Trials are shortened to corners that are nearer than this share of them.
+constexpr double mostOfCorner = 0.97;
 /// Trials after which lengths that do not fit are halved.
 constexpr int patience = 5;
+/// Lengths grow by at most this factor at first, then by its square and so on.
+constexpr double mostLonger = 3.0;
 /// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
 /// turns.
 constexpr double levelChange = 1e-11;
@@ -57,26 +66,93 @@ double Stride::planned(const PathPoint& a) const {
 }
 
 namespace {
-/// The longest length that fitted and the shortest that did not.
-struct Tried {
-  double fits = 0.0;
-  double fails = tolerance::farAway;
-
-  /// The length to try after one that was `factor` too long. Where that converges slowly (the gap
-  /// does not bend evenly) lengths are halved until one fits.
+/// Lengths of a cut vector that were tried. The root of what is used of the band is taken for a
+/// linear function of the length: over even curvature it grows from zero, behind an even stretch
+/// from the length up to there.
+class Tried {
+ public:
+  /// The length to try after one that was too long by `factor`, which is below 1. Where that
+  /// converges slowly (the gap does not bend evenly) lengths are halved until one fits.
   [[nodiscard]] double shorter(double length, double factor, int times) {
-    fails = std::min(fails, length);
-    if (fits > 0.0) {
-      return 0.5 * (fits + fails);
+    note({length, 1.0 / std::max(factor, leastFactor)});
+    if (fits_.length > 0.0) {
+      return between();
     }
-    return length * (times < patience ? std::max(factor * safety, 0.3) : 0.5);
+    const double line = isKnown_ ? through(before_, last_) : 0.0;
+    const double scaled = length * (times < patience ? std::max(factor * safety, 0.3) : 0.5);
+    return line > 0.3 * length ? std::min(line, scaled) : scaled;
+  }
+  /// The same after one up to which the path cannot be followed.
+  [[nodiscard]] double shorter(double length) {
+    note({length, unknown});
+    return 0.5 * (fits_.length + length);
   }
   /// The length to try after one that could grow by `factor`.
   [[nodiscard]] double longer(double length, double factor) {
-    fits = std::max(fits, length);
-    const double next = length * std::min(factor * safety, 2.0);
-    return next < fails ? next : 0.5 * (fits + fails);
+    note({length, 1.0 / factor});
+    const double line = isKnown_ && before_.length < length ? through(before_, last_) : 0.0;
+    const double next = std::min(line > length ? line : length * factor * safety, bold_ * length);
+    bold_ *= bold_;  // what hardly binds for long may hardly bind for much longer
+    return next < fails_.length ? next : between();
   }
+  [[nodiscard]] double fits() const { return fits_.length; }
+  [[nodiscard]] double fails() const { return fails_.length; }
+  /// Nothing longer that fits is much longer.
+  [[nodiscard]] bool isNarrow() const { return fails_.length <= narrow * fits_.length; }
+
+ private:
+  /// A length and the root of the share of the band that it uses.
+  struct Trial {
+    double length, used;
+  };
+  static constexpr double leastFactor = 1e-3;
+  static constexpr double unknown = tolerance::farAway;
+  /// Lengths that differ by less than this factor need no more trials.
+  static constexpr double narrow = 1.02;
+  /// What is aimed at between two trials.
+  static constexpr double wanted = 0.997;
+  /// What is far too long does not tell by how much.
+  static constexpr double mostUsed = 2.0;
+  /// Between two trials the next is not nearer to one of them than this share of their distance.
+  static constexpr double leastShare = 0.05;
+
+  void note(Trial trial) {
+    isKnown_ = last_.length > 0.0 && last_.used < unknown && trial.used < unknown;
+    before_ = std::exchange(last_, trial);
+    isSameSide_ = (before_.used > 1.0) == (trial.used > 1.0);
+    if (trial.used > 1.0) {
+      fails_ = trial.length < fails_.length ? trial : fails_;
+    } else {
+      fits_ = trial.length > fits_.length ? trial : fits_;
+    }
+  }
+  /// Where the line through two trials reaches what is aimed at; 0 where it never does.
+  static double through(const Trial& a, const Trial& b) {
+    const double steepness = (b.used - a.used) / (b.length - a.length);
+    return steepness > 0.0 ? std::max(0.0, b.length + (wanted - b.used) / steepness) : 0.0;
+  }
+  /// By the line between the two; the end that has stayed counts less from time to time.
+  [[nodiscard]] double between() {
+    const double width = fails_.length - fits_.length;
+    if (fails_.used == unknown) {
+      return fits_.length + 0.5 * width;
+    }
+    stays_ = isBetween_ && isSameSide_ ? 0.5 * stays_ : 1.0;
+    isBetween_ = true;
+    const bool fitted = last_.used <= 1.0;
+    const double below = (wanted - fits_.used) * (fitted ? 1.0 : stays_);
+    const double above = (std::min(fails_.used, mostUsed) - wanted) * (fitted ? stays_ : 1.0);
+    const double share = below / (below + above);
+    return fits_.length + std::clamp(share, leastShare, 1.0 - leastShare) * width;
+  }
+
+  Trial fits_{0.0, 0.0}, fails_{tolerance::farAway, unknown};
+  Trial before_{0.0, 0.0}, last_{0.0, 0.0};
+  bool isKnown_ = false;     ///< what the last two trials used
+  bool isSameSide_ = false;  ///< both fitted, or neither did
+  bool isBetween_ = false;   ///< the last trial was chosen between two
+  double stays_ = 1.0;
+  double bold_ = mostLonger;
 };
 }  // namespace
 
@@ -89,12 +165,8 @@ double Stride::accepted() const {
 }
 
 std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
-  for (const Guide& g : path_.guides) {
-    if (g.field->isFaceted()) {
-      return nextAlongMesh(a, cap);
-    }
-  }
-  return nextAlongCurves(a, cap);
+  const bool faceted = path_.guides[0].field->isFaceted() || path_.guides[1].field->isFaceted();
+  return faceted ? nextAlongMesh(a, cap) : nextAlongCurves(a, cap);
 }
 
 /// In a plane the whole tolerance is seen at once; else, and where that ends, lengths are tried.
@@ -136,7 +208,9 @@ std::optional<PathPoint> Stride::nextAlongFacets(const PathPoint& a, double cap)
   double length =
       std::min(most, usual_ > 0.0 ? hopeful * usual_ : firstBands * accept / Guide::aimShare);
   std::optional<PathPoint> best;
-  Tried tried;
+  struct {
+    double fits = 0.0, fails = tolerance::farAway;
+  } tried;
   int turned = 0;       // how often the other edge of the band was aimed at
   bool corner = false;  // the shortest that fails cannot be followed
   for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
@@ -169,21 +243,39 @@ std::optional<PathPoint> Stride::nextAlongFacets(const PathPoint& a, double cap)
   return best;
 }
 
+/// Length of a cut vector that ends behind the corner which the last trial was seen to cut off, and
+/// cuts off as much of it as the band allows; 0 where the trial was too long for another reason.
+double Stride::behindRidge(const PathPoint& a) const {
+  if (!path_.ridge) {
+    return 0.0;
+  }
+  const auto& ridge = *path_.ridge;
+  const Guide& g = path_.guides[ridge.guide];
+  const double from = a.contacts[ridge.guide].gap;
+  const double to = g.vertexGap();
+  const double along = path_.alongRidge(a, to);
+  const double over = along * ridge.drop + from - to;
+  const double room = ridgeShare * (std::max(g.outer, from) - to);
+  return room > 0.0 && over > 2.0 * room ? along * over / (over - room) : 0.0;
+}
+
 std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap) {
   double length = std::min(planned(a), cap);
   const double accept = accepted();
   std::optional<PathPoint> best;
   double bestLength = 0.0;
+  Path::Middle middle;
   Tried tried;
   int grown = 0;
-  bool looked = false;  // at the curvature of a trial
-  bool corner = false;  // lengths fail because the path cannot be followed so far
+  bool looked = false;   // at the curvature of a trial
+  bool corner = false;   // lengths fail because the path cannot be followed so far
+  bool toRidge = false;  // this trial ends behind a corner that it cuts off
   for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
     auto b = path_.step(a, length, path_.vertexGaps(), accept);
     if (!b || b->tangent.dot(a.tangent) < turnCosine) {
-      length = tried.shorter(length, 0.5, patience);
+      length = tried.shorter(length);
       corner = true;
-      if (best && tried.fails - tried.fits <= nearCorner) {
+      if (best && tried.fails() - tried.fits() <= nearCorner) {
         break;
       }
       continue;
@@ -192,7 +284,13 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
     if (factor < 1.0 - tolerance::coincidence) {
       // Past an inflection the surface bends the other way than it did: aim at the other edge of
       // the band before shortening the chord.
-      if (!looked && learnTurn(a, *b)) {
+      const bool turns = !looked && learnTurn(a, *b);
+      const double toCorner = behindRidge(a);
+      toRidge = toCorner > tried.fits() && toCorner < mostOfCorner * length;
+      if (toRidge) {
+        (void)tried.shorter(length, factor, i);
+        length = toCorner;
+      } else if (turns) {
         length = std::min({planned(a), cap, length});
         tried = {};
       } else {
@@ -200,7 +298,7 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
       }
       looked = true;
       corner = false;
-      if (best && ++grown > growLimit) {
+      if (best && (++grown > growLimit || tried.isNarrow())) {
         break;
       }
       continue;
@@ -215,9 +313,10 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
     if (better) {
       best = std::move(b);
       bestLength = reached;
+      middle = path_.middle;
     }
-    if (!better || factor < goodFit || length >= cap * safety || length >= longest_ ||
-        (++grown > growLimit && !corner)) {
+    if (!better || factor < (toRidge ? ridgeFit : goodFit) || length >= cap * safety ||
+        length >= longest_ || (++grown > growLimit && !corner)) {
       break;
     }
     length = std::min({tried.longer(length, factor), cap, longest_});
@@ -225,6 +324,7 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
   if (bestLength <= 2.0 * nearCorner) {
     return std::nullopt;
   }
+  path_.middle = middle;
   return best;
 }
 
@@ -279,7 +379,9 @@ void Stride::learn(const PathPoint& a, const PathPoint& b) {
       const double bend = curvature(slope->front(), slope->back(), length);
       g.bend = bend;
       g.trend = g.spread = 0.0;
-      if (path_.middle.end == b.toolEnd && bend != 0.0) {
+      if (path_.middle.end == b.toolEnd && path_.middle.behind[i]) {
+        g.startAnew(*path_.middle.behind[i]);
+      } else if (path_.middle.end == b.toolEnd && bend != 0.0) {
         // The curvatures of both halves are those of their middles.
         const double change =
             2.0 * (slope->back() + slope->front() - 2.0 * path_.middle.slope[i]) / length;

@@ -22,6 +22,7 @@ class Stride {
   /// How far from the gap aimed at a cut vector may end.
   [[nodiscard]] double accepted() const;
   [[nodiscard]] double planned(const PathPoint& a) const;
+  [[nodiscard]] double behindRidge(const PathPoint& a) const;
   [[nodiscard]] std::optional<std::array<double, 2>> slopes(std::size_t role,
                                                             const PathPoint& a,
                                                             const PathPoint& b) const;

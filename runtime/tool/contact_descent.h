@@ -356,7 +356,11 @@ class ContactDescent {
     double slopeBefore = 0.0;
     Contact best;
     for (int i = 0; i < limit; ++i) {
-      best = alongCircle(at(a, b, along), ball);
+      const ProfilePoint q = at(a, b, along);
+      best = alongCircle(q, ball);
+      if (q.rho == 0.0 && std::abs(last_.gradient.dot(axis_)) < axial) {
+        turnTo(-last_.gradient);  // a tip is left to where the distance falls
+      }
       const Vec3 direction = (b.rho - a.rho) * search_.toward + (b.z - a.z) * axis_;
       const double slope = last_.gradient.dot(direction);
       const bool atEnd = (along <= 0.0 && slope >= 0.0) || (along >= 1.0 && slope <= 0.0);

@@ -6,6 +6,7 @@
 #include "runtime/tool/contact_descent.h"
 #include "runtime/tool/rounded.h"
 #include "runtime/tool/section_proof.h"
+#include "runtime/tool/survey_rows.h"
 
 /// The general contact: the least side * distance over the whole cutter. Private to runtime/tool.
 ///
@@ -157,8 +158,8 @@ class ContactSearch {
 
   /// How much the distance bends towards the cutter within `radius` of q; kept in the search.
   double boundAround(const Vec3& q, const Contact& c, double radius) {
-    const surface::Bends bends =
-        surface_.bends(q, {side_ * (c.gap + cutter_.r), side_ * c.normal}, radius);
+    const surface::Bends bends = surface::bendsOf(
+        surface_, q, {side_ * (c.gap + cutter_.r), side_ * c.normal}, radius, search_.hint);
     search_.bound = std::max(0.0, side_ > 0.0 ? -bends.low : bends.high);
     search_.boundAt = q;
     search_.boundRadius = radius;
@@ -200,73 +201,32 @@ class ContactSearch {
 
   // ---- survey -----------------------------------------------------------------------------------
 
-  enum Piece { corner, bottom, side };
-
-  Contact descend(Piece piece, double along) {
+  Contact descend(SurveyRow::Piece piece, double along) {
     switch (piece) {
-      case bottom:
+      case SurveyRow::bottom:
         return descent_.onBottom(along);
-      case side:
+      case SurveyRow::side:
         return descent_.onSide(along);
       default:
         return descent_.nearestPiece();
     }
   }
 
-  struct Row {
-    ProfilePoint q;
-    double ball = 0.0;
-    Piece piece = corner;
-    double along = 0.0;       ///< share of the length of the bottom or the side
-    double halfHeight = 0.0;  ///< half the distance to the next row
-  };
-  static constexpr std::size_t mostRows = 8;
-  struct Rows {
-    std::array<Row, mostRows> list;
-    std::size_t count = 0;
-    void add(const Row& r) { list[count++] = r; }
-  };
-
-  /// The corner stands for its whole arc; pieces without length are left out.
-  [[nodiscard]] Rows rows() const {
-    Rows rows;
-    const ProfilePoint& from = cutter_.sideStart;
-    const ProfilePoint& to = cutter_.sideEnd;
-    if (!cutter_.ring && cutter_.bottomEnd.rho > 0.0) {
-      rows.add({{0.0, 0.0}, 0.0, bottom, 0.0});
-      rows.add({{0.5 * cutter_.bottomEnd.rho, 0.5 * cutter_.bottomEnd.z}, 0.0, bottom, 0.5});
-    }
-    rows.add({{cutter_.e, cutter_.f}, cutter_.r, corner});
-    if (to.z > from.z) {
-      for (const double s : {0.25, 0.5, 0.75, 1.0}) {
-        rows.add({{from.rho + s * (to.rho - from.rho), from.z + s * (to.z - from.z)},
-                  0.0,
-                  side,
-                  s,
-                  0.125 * (to.z - from.z)});
-      }
-    } else if (!cutter_.ring && cutter_.r > 0.0) {
-      // The rim at which the arc ends: the angle about the axis counts there even for a ball.
-      rows.add({to, 0.0, side, 1.0});
-    }
-    return rows;
-  }
-
-  using Grid = std::array<std::array<double, angles>, mostRows>;
+  using Grid = std::array<std::array<double, angles>, SurveyRows::most>;
   /// A minimum of the distance over the cutter, and its direction from the axis.
   struct Low {
     double gap;
     Vec3 point, toward;
   };
   struct Lows {
-    std::array<Low, mostRows * angles + 1> list;
+    std::array<Low, SurveyRows::most * angles + 1> list;
     std::size_t count = 0;
     void add(const Low& low) { list[count++] = low; }
   };
 
   /// The lowest of its neighbors; of equal ones the first. A row on the axis, the same all around,
   /// does not tell where the others are low.
-  static bool isLow(const Grid& grid, const Rows& all, std::size_t row, int k) {
+  static bool isLow(const Grid& grid, const SurveyRows& all, std::size_t row, int k) {
     for (int dr = -1; dr <= 1; ++dr) {
       const auto r = static_cast<std::size_t>(static_cast<int>(row) + dr);
       const bool tells = r == row || (r < all.count && all.list[r].q.rho > 0.0);
@@ -286,7 +246,7 @@ class ContactSearch {
   /// Descends from every low place of a grid over the whole cutter.
   Contact survey(const Contact& local) {
     constexpr double step = 2.0 * std::numbers::pi / angles;
-    const Rows all = rows();
+    const SurveyRows all(cutter_);
     std::array<Vec3, angles> directions;
     for (int k = 0; k < angles; ++k) {
       directions[static_cast<std::size_t>(k)] = descent_.direction(step * k);
@@ -318,8 +278,7 @@ class ContactSearch {
     }
     search_.toward = toward;
     search_.hint = hint;
-    const bool atPoint = cutter_.alpha > 0.0 &&
-                         (best.point - te_).cross(axis_).norm() < 0.25 * cutter_.bottomEnd.rho;
+    const bool atPoint = isAtPoint(best.point);
     const double others = std::min({skipped, leastBeside(grid, all, directions, toward, atPoint),
                                     leastApart(lows, best, toward)});
     search_.lead = trustedShare * (others - best.gap);
@@ -329,13 +288,19 @@ class ContactSearch {
     return best;
   }
 
+  /// The point of a drill and its rim are apart, though in one direction from the axis.
+  bool isAtPoint(const Vec3& place) const {
+    return cutter_.alpha > 0.0 && (place - te_).cross(axis_).norm() < 0.25 * cutter_.bottomEnd.rho;
+  }
+
   /// The least minimum that is another contact: between two places of the grid the tool is nearer.
   double leastApart(const Lows& lows, const Contact& best, const Vec3& toward) const {
     const auto below = [&](const Vec3& p) { return (p - te_).dot(axis_) <= cutter_.sideStart.z; };
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < lows.count; ++i) {
       const Low& low = lows.list[i];
-      const bool beside = below(low.point) && low.toward.dot(toward) >= besideContact;
+      const bool beside = below(low.point) && low.toward.dot(toward) >= besideContact &&
+                          isAtPoint(low.point) == isAtPoint(best.point);
       if (!(beside && below(best.point)) &&
           (low.point - best.point).norm() > tolerance::coincidence) {
         least = std::min(least, low.gap);
@@ -344,22 +309,22 @@ class ContactSearch {
     return least;
   }
 
-  /// The least distance of the grid but for the bottom and the corner next to the contact. The
-  /// point of a drill and its rim are apart: where one of them touches (`atPoint`) the other
-  /// counts.
+  /// The least distance of the grid but for the bottom and the corner next to the contact. Of point
+  /// and rim of a drill the one that does not touch (`atPoint`) counts.
   double leastBeside(const Grid& grid,
-                     const Rows& all,
+                     const SurveyRows& all,
                      const std::array<Vec3, angles>& directions,
                      const Vec3& toward,
                      bool atPoint) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < all.count; ++r) {
-      const Row& row = all.list[r];
-      if (row.piece != side && row.q.rho == 0.0) {
+      const SurveyRow& row = all.list[r];
+      if (row.piece != SurveyRow::side && row.q.rho == 0.0) {
         least = cutter_.alpha > 0.0 && !atPoint ? std::min(least, grid[r][0]) : least;
         continue;
       }
-      const bool apart = row.piece == side || (atPoint && row.piece == corner);
+      const bool apart =
+          row.piece == SurveyRow::side || (atPoint && row.piece == SurveyRow::corner);
       for (std::size_t k = 0; k < angles; ++k) {
         if (apart || directions[k].dot(toward) < besideContact) {
           least = std::min(least, grid[r][k]);
@@ -372,7 +337,7 @@ class ContactSearch {
   /// Distances around a row; infinite where the surface is so far from the axis there that the row
   /// cannot get below `bound`. What is below them then, else infinity.
   double fill(std::array<double, angles>& values,
-              const Row& row,
+              const SurveyRow& row,
               const std::array<Vec3, angles>& directions,
               double bound) {
     values.fill(std::numeric_limits<double>::infinity());

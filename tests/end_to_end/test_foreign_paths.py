@@ -101,17 +101,20 @@ class ForeignPaths(ArelemCase):
         self.assertIn("h.apt:10:1: error[E0904]: the cutter is 1.8", self.err)
 
     def test_a_last_cut_vector_shorter_than_the_tolerance_of_its_stop(self):
-        """Across the top of a torus the last but one location is .0053 before the stop, within the .01 that it has."""
+        """Across the top of a torus; a location .0053 before the stop, within the .01 that it has, divides the last cut vector."""
         part = self.write("t.apt", "S=TORUS/0,0,-20,0,0,1,60,20\nCUTTER/6\nTOLER/.01\nDS=PLANE/.2,1,0,12\nFROM/48,2.4,60\n"
                                    "GO/ON,DS,TO,S,ON,(PLANE/1,0,0,48)\nINDIRV/1,0,0\nTLON,GOFWD/DS,ON,(PLANE/1,0,0,72)\nFINI\n")
         self.assertExit(0, "compile", part, "-o", "t.cls")
         lines = (self.folder / "t.cls").read_text().splitlines()
-        ends = [float(line.split("/")[1].split(",")[0]) for line in lines if line.startswith("GOTO")][-2:]
-        self.assertLess(ends[1] - ends[0], 0.01)
-        self.assertAlmostEqual(ends[1], 72, delta=1e-9)
+        last = max(i for i, line in enumerate(lines) if line.startswith("GOTO"))
+        before, end = ([float(x) for x in lines[i].split("/")[1].split(",")] for i in (last - 1, last))
+        self.assertAlmostEqual(end[0], 72, delta=1e-9)
+        share = 0.0053 / (end[0] - before[0])
+        lines.insert(last, "GOTO / " + ", ".join(repr(e + share * (b - e)) for b, e in zip(before, end)))
+        last += 1
+        self.write("t.cls", "\n".join(lines) + "\n")
         self.assertExit(0, "verify", part, "t.cls")
         # Without the last one the motion still ends within its tolerance; one more location is too much.
-        last = max(i for i, line in enumerate(lines) if line.startswith("GOTO"))
         self.write("short.cls", "\n".join(lines[:last] + lines[last + 1:]) + "\n")
         self.assertExit(0, "verify", part, "short.cls")
         self.write("more.cls", "\n".join(lines[:last + 1] + ["GOTO / 73.0, -2.6, -2.9"] + lines[last + 1:]) + "\n")

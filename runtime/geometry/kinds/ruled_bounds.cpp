@@ -14,6 +14,20 @@ constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
 }  // namespace
 
+Ruled::Sheet::Part Ruled::Sheet::curvatures(double f, double g, double reach) const {
+  Part part{curvaturesInCells(f, g, reach)};
+  if (!part.curvatures) {
+    part.curvatures = curvaturesAround(f, g, reach);
+    return part;
+  }
+  const Surroundings* known = surroundings(f, g);
+  if (known == nullptr || !(known->alone.load(std::memory_order_relaxed) >= reach)) {
+    const Part all = partAbout(blockOf(f), at(f, g).place, reach);
+    return all.alone ? part : all;
+  }
+  return part;
+}
+
 /// Over the places within `reach`, by way of the parameters there.
 std::optional<Bends> Ruled::Sheet::curvaturesAround(double f, double g, double reach) const {
   const SheetPlace s = at(f, g);
@@ -91,44 +105,63 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
 }
 
 void Ruled::Sheet::makeRows() {
-  const int count = std::max(1, static_cast<int>((high_ - low_) * rowsOfASpan));
   if (!(low_ < high_)) {
     return;
   }
-  const auto evenly = [&](double from, double to, int number) {
-    for (int i = 0; i < number; ++i) {
-      rows_.push_back(
-          rowBetween(from + (to - from) * i / number, from + (to - from) * (i + 1) / number));
-    }
+  addRows(low_ - reachOfACurve, low_, rowsBeside);
+  addRows(low_, high_, std::max(rowsOfABlock, static_cast<int>((high_ - low_) * rowsOfASpan)));
+  addRows(high_, high_ + reachOfACurve, rowsBeside);
+  for (std::size_t i = 0; i < rows_.size(); i += rowsOfABlock) {
+    blocks_.push_back(blockFrom(i));
+  }
+  strips_.assign(rows_.begin(), rows_.end());
+  blockStrips_.assign(blocks_.begin(), blocks_.end());
+  around_ = std::make_unique<Surroundings[]>(blocks_.size() * cellsOfARow);
+}
+
+/// Whole blocks: where the curves end, rows of one block would know little of each other.
+void Ruled::Sheet::addRows(double from, double to, int number) {
+  std::vector<Row> rows;
+  for (int i = 0; i < number; ++i) {
+    rows.push_back(
+        rowBetween(from + (to - from) * i / number, from + (to - from) * (i + 1) / number));
+  }
+  const auto halve = [this](std::vector<Row>& all, const Row& row) {
+    const double middle = 0.5 * (row.low + row.high);
+    all.push_back(rowBetween(row.low, middle));
+    all.push_back(rowBetween(middle, row.high));
   };
-  evenly(low_ - reachOfACurve, low_, rowsBeside);
-  evenly(low_, high_, count);
-  evenly(high_, high_ + reachOfACurve, rowsBeside);
   int halved = 0;
   for (int depth = 0; depth < deepestRow; ++depth) {
     std::vector<Row> finer;
-    for (const Row& row : rows_) {
+    for (const Row& row : rows) {
       if (row.isKnown() || halved >= mostRowsHalved) {
         finer.push_back(row);
-        continue;
+      } else {
+        ++halved;
+        halve(finer, row);
       }
-      ++halved;
-      const double middle = 0.5 * (row.low + row.high);
-      finer.push_back(rowBetween(row.low, middle));
-      finer.push_back(rowBetween(middle, row.high));
     }
-    rows_.swap(finer);
+    rows.swap(finer);
   }
-  for (std::size_t i = 0; i + rowsOfABlock <= rows_.size(); i += rowsOfABlock) {
-    blocks_.push_back(blockFrom(i));
+  const std::size_t rest = rows.size() % rowsOfABlock;
+  const std::size_t halves = rest == 0 ? 0 : rowsOfABlock - rest;
+  std::vector<Row> whole;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i < halves) {
+      halve(whole, rows[i]);
+    } else {
+      whole.push_back(rows[i]);
+    }
   }
+  rows_.insert(rows_.end(), whole.begin(), whole.end());
 }
 
-Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
+Ruled::Sheet::Strip Ruled::Sheet::rulingsBetween(double low, double high) const {
   const double f = 0.5 * (low + high);
   const double half = 0.5 * (high - low);
   const SheetPlace middle = at(f, 0.0);
-  Row row;
+  Strip row;
   row.low = low;
   row.high = high;
   row.from = middle.place;
@@ -138,12 +171,17 @@ Ruled::Sheet::Row Ruled::Sheet::rulingsBetween(double low, double high) const {
   if (a && b) {
     row.first = a->first * half;
     row.second = b->first * half;
+    row.twist =
+        std::min(row.first + row.second, (middle.byFG.norm() + secondsApart(*a, *b) * half) * half);
   }
+  row.length = row.along.norm();
+  row.perSquared = row.length > 0.0 ? 1.0 / (row.length * row.length) : 0.0;
+  row.proper = properPart(f);
   return row;
 }
 
 Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
-  Row row = rulingsBetween(low, high);
+  Row row{rulingsBetween(low, high), {}};
   const double f = 0.5 * (low + high);
   const double half = 0.5 * (high - low);
   const auto a = range(first_, f, half);
@@ -151,10 +189,11 @@ Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
   if (!a || !b) {
     return row;
   }
-  const double halfG = 0.5 / cellsOfARuling;
+  CurvePlace first, second;
+  curves(f, first, second);
   for (int k = 0; k < cellsOfARow; ++k) {
-    const double g = (k + 0.5) / cellsOfARuling - rulingsBeside;
-    if (const auto bounded = curvaturesOf(at(f, g), g, half, halfG, *a, *b)) {
+    const auto [g, halfG] = cellOf(k);
+    if (const auto bounded = curvaturesOf(between(first, second, g), g, half, halfG, *a, *b)) {
       row.cells[static_cast<std::size_t>(k)] = bounded->curvatures;
     }
   }
@@ -162,9 +201,9 @@ Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
 }
 
 Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
-  Row block = rulingsBetween(rows_[row].low, rows_[row + rowsOfABlock - 1].high);
-  block.cells = rows_[row].cells;
-  for (std::size_t i = row + 1; i < row + rowsOfABlock; ++i) {
+  const std::size_t end = row + rowsOfABlock;
+  Row block{rulingsBetween(rows_[row].low, rows_[end - 1].high), rows_[row].cells};
+  for (std::size_t i = row + 1; i < end; ++i) {
     for (std::size_t k = 0; k < cellsOfARow; ++k) {
       block.cells[k] = hull(block.cells[k], rows_[i].cells[k]);
     }
@@ -174,34 +213,31 @@ Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
 
 /// Widens `all` by the cells of a row within `reach` of a place, and empties it where they are not
 /// known; false where none is within reach. A place at g is off the ruling in the middle by at most
-/// the moves on both curves, each by its weight there.
+/// the spread there, which grows with g by the twist at most.
 bool Ruled::Sheet::widenBy(const Row& row,
                            const Vec3& place,
                            double reach,
                            std::optional<Bends>& all) {
-  const double length = row.along.norm();
-  const double spread = row.first + row.second;
-  const Vec3 rest = place - row.from;
-  if (!(length > spread)) {
+  const double length = row.length;
+  if (!(length > row.twist)) {
     all.reset();
     return true;
   }
-  const double g = rest.dot(row.along) / (length * length);
-  const double here = reach + std::abs(1.0 - g) * row.first + std::abs(g) * row.second;
-  const double most = here + here / (length - spread) * spread;
-  const double squared = most * most - (rest - g * row.along).squaredNorm();
+  const auto [g, away] = row.lineTo(place);
+  const double most = (reach + row.spreadAt(g)) * length / (length - row.twist);
+  const double squared = most * most - away * away;
   if (squared < 0.0) {
     return false;
   }
   const double half = std::sqrt(squared) / length;
-  const double from = (g - half + rulingsBeside) * cellsOfARuling;
-  const double to = (g + half + rulingsBeside) * cellsOfARuling;
-  if (!(from >= 0.0 && to < cellsOfARow)) {
+  const int from = cellAt(g - half);
+  const int to = cellAt(g + half);
+  if (from < 0 || to >= cellsOfARow) {
     all.reset();
     return true;
   }
-  for (auto k = static_cast<std::size_t>(from); all && k <= static_cast<std::size_t>(to); ++k) {
-    all = hull(all, row.cells[k]);
+  for (int k = from; all && k <= to; ++k) {
+    all = hull(all, row.cells[static_cast<std::size_t>(k)]);
   }
   return true;
 }

@@ -1,29 +1,30 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "runtime/geometry/kinds/ruled.h"
+#include "runtime/geometry/kinds/ruled_cells.h"
 #include "runtime/geometry/kinds/ruled_curve.h"
 
 /// What a ruled surface knows of itself. Private to runtime/geometry/kinds.
 namespace arelem::surface {
 
-/// Parts of the sheet with known curvatures: rows of rulings for each curve distance, and cells of
-/// each for each distance of the curves, from some of those before the first to as many behind the
-/// last: motions run on there along the rulings, which have no end.
+/// Parts of the sheet with known curvatures: rows of rulings for each curve distance, in cells.
 inline constexpr int rowsOfASpan = 128;
 inline constexpr int rowsOfABlock = 8;
-/// Rows of which not all cells between the curves are known are halved, so often and so many.
+/// Rows of which not all cells are known are halved, so often and so many.
 inline constexpr int deepestRow = 6;
-inline constexpr int mostRowsHalved = 512;
+inline constexpr int mostRowsHalved = 128;
 /// Rows over the tangents of the curves on each side.
 inline constexpr int rowsBeside = 16;
-inline constexpr int cellsOfARuling = 4;
-inline constexpr int rulingsBeside = 3;
-inline constexpr int cellsOfARow = cellsOfARuling * (1 + 2 * rulingsBeside);
+/// More blocks of rows than there can be.
+inline constexpr int mostBlocks = 160;
 
 class Ruled::Sheet {
  public:
@@ -32,17 +33,15 @@ class Ruled::Sheet {
     high_ = std::min(first_.high(), second_.high());
     atLow_ = {first_.at(low_), second_.at(low_)};
     atHigh_ = {first_.at(high_), second_.at(high_)};
-    const int count = std::max(2, static_cast<int>((high_ - low_) * rulingsOfASpan) + 1);
-    for (int i = 0; i < count; ++i) {
-      const double f = low_ + (high_ - low_) * i / (count - 1);
-      rulings_.push_back({f, first_.at(f).place, second_.at(f).place});
-    }
     makeRows();
   }
 
   [[nodiscard]] SheetPlace at(double f, double g) const {
     CurvePlace a, b;
     curves(f, a, b);
+    return between(a, b, g);
+  }
+  [[nodiscard]] static SheetPlace between(const CurvePlace& a, const CurvePlace& b, double g) {
     return {(1.0 - g) * a.place + g * b.place, (1.0 - g) * a.first + g * b.first, b.place - a.place,
             (1.0 - g) * a.second + g * b.second, b.first - a.first};
   }
@@ -53,58 +52,82 @@ class Ruled::Sheet {
            second_.isSmooth(f1, f2);
   }
 
-  /// Bounds of the normal curvatures of the sheet, positive where it bends away from its normal,
-  /// within `reach` of the place at f and g. None where it is not smooth or turns too much there.
-  [[nodiscard]] std::optional<Bends> curvatures(double f, double g, double reach) const {
-    const auto inCells = curvaturesInCells(f, g, reach);
-    return inCells ? inCells : curvaturesAround(f, g, reach);
-  }
+  /// The part of the sheet about a place.
+  struct Part {
+    /// Bounds of its normal curvatures, positive where it bends away from its normal. None where it
+    /// is not smooth or turns too much.
+    std::optional<Bends> curvatures;
+    bool alone = true;  ///< no other part is as near; else its curvatures are among them
+  };
+  /// Within `reach` of the place at f and g.
+  [[nodiscard]] Part curvatures(double f, double g, double reach) const;
 
-  /// Fractions from which a search for the foot of p may start.
-  [[nodiscard]] Hint seed(const Vec3& p) const { return seed(p, 1); }
-  /// The same for a place of the sheet, where every eighth ruling is enough.
-  [[nodiscard]] Hint seedOn(const Vec3& place) const { return seed(place, 8); }
+  /// Goes down from the place of the hint to the nearest one about it; f and g are exact then, and
+  /// `near` is next to them.
+  [[nodiscard]] Foot settle(const Vec3& p, Hint& hint) const;
+  /// True where the foot that was settled on is proven to be the nearest place of all.
+  [[nodiscard]] bool isNearest(const Foot& foot, const Hint& hint) const;
+  /// The foot of p. `known` is one that may not be the nearest place, with its hint; or none.
+  [[nodiscard]] Foot nearest(const Vec3& p, const Foot* known, Hint& hint) const;
 
  private:
-  [[nodiscard]] Hint seed(const Vec3& p, std::size_t every) const {
-    Hint best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < rulings_.size(); i += every) {
-      const Ruling& r = rulings_[i];
-      const Vec3 along = r.to - r.from;
-      const double squared = along.squaredNorm();
-      const double g = squared > 0.0 ? std::clamp((p - r.from).dot(along) / squared, -reachOfACurve,
-                                                  1.0 + reachOfACurve)
-                                     : 0.0;
-      const double distance = (p - r.from - g * along).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        best.f = r.f;
-        best.g = g;
-      }
-    }
-    best = {true, best.f, best.g, best.f, best.g, at(best.f, best.g)};
-    return best;
-  }
-
-  struct Ruling {
-    double f;
-    Vec3 from, to;
+  struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    [[nodiscard]] bool holds(double x) const { return x >= low && x <= high; }
   };
-  /// The rulings about one, and what is known of them between those beside the curves.
-  struct Row {
+  /// The rulings about one.
+  struct Strip {
     double low = 0.0, high = 0.0;                    ///< fractions
     Vec3 from = Vec3::Zero(), along = Vec3::Zero();  ///< of the ruling in the middle
-    /// How far the others are from it on the curves.
-    double first = std::numeric_limits<double>::infinity(), second = first;
+    /// How far the others are from it on the curves, and how much their ways from one curve to the
+    /// other differ from its way.
+    double first = std::numeric_limits<double>::infinity(), second = first, twist = first;
+    double length = 0.0, perSquared = 0.0;  ///< of along, and 1 over its square
+    Range proper;
+
+    /// The place of the ruling in the middle next to p, and how far they are apart.
+    struct Line {
+      double g, away;
+    };
+    [[nodiscard]] Line lineTo(const Vec3& p) const {
+      const Vec3 rest = p - from;
+      const double g = rest.dot(along) * perSquared;
+      return {g, (rest - g * along).norm()};
+    }
+    /// The same on the proper part of that ruling.
+    [[nodiscard]] Line properLineTo(const Vec3& p) const {
+      const Line line = lineTo(p);
+      const double g = std::clamp(line.g, proper.low, proper.high);
+      return g == line.g ? line : Line{g, (p - from - g * along).norm()};
+    }
+    /// How far the places at g of the others may be from that of the ruling in the middle.
+    [[nodiscard]] double spreadAt(double g) const {
+      return std::min(first + std::abs(g) * twist, second + std::abs(1.0 - g) * twist);
+    }
+    /// No place of them is nearer to p than this.
+    [[nodiscard]] double leastFrom(const Line& line) const {
+      return length > twist ? line.away * (1.0 - twist / length) - spreadAt(line.g)
+                            : -std::numeric_limits<double>::infinity();
+    }
+  };
+  /// What is known of them.
+  struct Row : Strip {
     std::array<std::optional<Bends>, cellsOfARow> cells;
 
-    /// Between the curves.
+    /// Between the curves and as far beside them.
     [[nodiscard]] bool isKnown() const {
-      const auto begin = cells.begin() + cellsOfARuling * rulingsBeside;
-      return std::all_of(begin, begin + cellsOfARuling,
+      const auto begin = cells.begin() + cellAt(-1.0);
+      return std::all_of(begin, begin + 3 * cellsOfARuling,
                          [](const auto& c) { return c.has_value(); });
     }
+  };
+  /// What is known about all places of a cell of a block. Part unit; negative where not looked at.
+  struct Surroundings {
+    /// The nearest place of all to a point at most so far above or below the sheet whose foot is in
+    /// the cell is that foot.
+    std::atomic<double> above{-1.0}, below{-1.0};
+    std::atomic<double> alone{-1.0};  ///< no part of the sheet but that about the place is so near
   };
   struct Bounded {
     Bends curvatures;
@@ -112,11 +135,28 @@ class Ruled::Sheet {
   };
 
   void makeRows();
-  /// Without cells yet.
-  [[nodiscard]] Row rulingsBetween(double low, double high) const;
+  void addRows(double from, double to, int number);
+  [[nodiscard]] Strip rulingsBetween(double low, double high) const;
   [[nodiscard]] Row rowBetween(double low, double high) const;
   /// The rows from one on as one.
   [[nodiscard]] Row blockFrom(std::size_t row) const;
+  /// Of the rulings where the sheet is not turned over: one that crosses the next goes on behind
+  /// the crossing with its sides exchanged.
+  [[nodiscard]] Range properPart(double f) const;
+  /// The block of the ruling at f, or that next to it.
+  [[nodiscard]] std::size_t blockOf(double f) const {
+    const auto here = std::partition_point(blockStrips_.begin(), blockStrips_.end(),
+                                           [&](const Strip& strip) { return strip.high < f; });
+    return std::min(static_cast<std::size_t>(here - blockStrips_.begin()), blocks_.size() - 1);
+  }
+  class Lows;
+  /// Rulings next to p; `upper` is nearer than which a foot must be.
+  [[nodiscard]] Lows lows(const Vec3& p, double upper) const;
+  [[nodiscard]] const Surroundings* surroundings(double f, double g) const;
+  void lookAround(std::size_t block, int cell, Surroundings& known) const;
+  /// What is within reach of a place of a block.
+  [[nodiscard]] Part partAbout(std::size_t block, const Vec3& place, double reach) const;
+  void settleAlongRulings(const Vec3& p, Hint& hint) const;
   [[nodiscard]] std::optional<Bends> curvaturesInCells(double f, double g, double reach) const;
   [[nodiscard]] std::optional<Bends> curvaturesAround(double f, double g, double reach) const;
   [[nodiscard]] std::optional<Bounded> curvaturesOf(const SheetPlace& s,
@@ -169,8 +209,9 @@ class Ruled::Sheet {
   RuledCurve first_, second_;
   double low_, high_;
   std::array<CurvePlace, 2> atLow_, atHigh_;
-  std::vector<Ruling> rulings_;
   std::vector<Row> rows_, blocks_;
+  std::vector<Strip> strips_, blockStrips_;  ///< of them, close together
+  std::unique_ptr<Surroundings[]> around_;   ///< of the cells of blocks, as they are asked for
 };
 
 }  // namespace arelem::surface

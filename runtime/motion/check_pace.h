@@ -1,0 +1,41 @@
+#pragma once
+#include <algorithm>
+
+#include "runtime/geometry/kinds.h"
+#include "runtime/tool/profile.h"
+
+namespace arelem::motion {
+
+/// How fast a tool that does not turn may come to a surface along a straight line: what steps along
+/// it may not pass.
+///
+/// No distance rises faster than that of a point infinitely far along the line, where only the
+/// directions in which the surface goes on for ever count: along the lines of a cylinder nothing
+/// changes, and of a cone only the angle to it counts. Outside a convex solid the gap of a convex
+/// cutter is a convex function of the way, and of any cutter inside it a concave one: the way to
+/// zero is at least that at the present slope.
+class CheckPace {
+ public:
+  /// `cutter` null: the tool end alone.
+  CheckPace(const surface::AnySurface& surface, const tool::Profile* cutter);
+
+  /// The most that a signed distance, or the gap on its side, changes per length.
+  [[nodiscard]] double most(const Vec3& direction) const {
+    return std::max(rising(direction), rising(-direction));
+  }
+  /// By how much a gap comes nearer to zero per length, from here to where it is zero. `side`: of
+  /// the surface, where the gap is; `slope`: that of the gap in the direction.
+  [[nodiscard]] double closing(double side, double gap, double slope, const Vec3& direction) const;
+
+ private:
+  [[nodiscard]] double rising(const Vec3& direction) const;
+
+  enum class Kind : unsigned char { any, plane, lines, cone };
+  Kind kind_ = Kind::any;
+  Vec3 along_ = Vec3::Zero();  ///< normal of the plane, direction of the lines, axis of the cone
+  double cosHalf_ = 1.0, sinHalf_ = 0.0;  ///< of the cone
+  bool convex_ = false;                   ///< the solid on the negative side
+  bool convexCutter_ = true;
+};
+
+}  // namespace arelem::motion
