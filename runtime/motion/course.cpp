@@ -113,7 +113,8 @@ class Planner {
       return onField(s.surface, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
     }
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
-    if (std::holds_alternative<surface::Mesh>(s.surface) && !tool.cutter->isPoint()) {
+    if (std::holds_alternative<surface::Mesh>(s.surface) && !tool.cutter->isPoint() &&
+        !tool.cutter->ring) {
       return makeField(s.surface, sideAlongAxis(s), tool);  // its gap is the same on both sides
     }
     // The cutter reaches at least as far as its rim, where the gap on the other side begins.

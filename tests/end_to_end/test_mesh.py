@@ -110,6 +110,21 @@ class Mesh(ArelemCase):
         for found, wanted in zip(last, (2.0, 0.0, 0.0)):
             self.assertLess(abs(found - wanted), 0.010001)
 
+    def test_the_ring_of_a_cutter_meets_a_leaning_wall_as_it_meets_a_plane(self):
+        # y + z / 5 = 0: the ring of radius .7 at 1.5 comes to y = -1, the upper end of the cutter would be through it.
+        square = [(-9, 1.6, -8), (9, 1.6, -8), (9, -1.6, 8), (-9, -1.6, 8)]
+        for order, side in (((0, 1, 2), (0, 2, 3)), "front"), (((0, 2, 1), (0, 3, 2)), "back"):
+            self.write("wall.stl", stl([tuple(square[k] for k in corners) for corners in order]))
+            for wall in ("PLANE/0,1,.2,0", "MESH/STL,'wall.stl'"):
+                with self.subTest(wall=wall, side=side):
+                    self.write("part.apt", f"CUTTER/2,.5\nW={wall}\nFROM/0,-3,3\nGO/TO,W,TO,(PLANE/0,0,1,0)\n"
+                               "CUTTER/OPTION,2,.7,1.5\nGO/TO,W,TO,(PLANE/0,0,1,0)\n"
+                               "TLRGT,GORGT/W,TO,(PLANE/1,0,0,5)\nFINI\n")
+                    self.proven()
+                    self.assertExit(0, "part.apt", "-o", "-", "--to", "cl")
+                    heights = [p[1] for p in points(self.out)]
+                    self.assertAlmostEqual(heights[-1], -1.0, delta=0.001)
+
     def test_a_turning_cutter_along_a_wall_is_proven(self):
         # Sides that widen touch the wall with the rim at their top, far from the tool end about which the axis turns.
         def wall(x, z):

@@ -14,23 +14,7 @@ constexpr std::size_t fewNormals = 3;
 }  // namespace
 
 UprightList::UprightList(const FacetTask& task, const tool::UprightProfile& profile)
-    : task_(task),
-      bounds_(profile, task.cutter->maxRadius() + std::max(task.low, 0.0)),
-      across_(task.section.up.cross(task.section.along)),
-      share_(task.section.along.cwiseAbs()),
-      upright_(task.section.up == Vec3::UnitZ()) {}
-
-Vec3 UprightList::turned(const Vec3& d) const {
-  if (upright_) {
-    return {task_.section.along.x() * d.x() + task_.section.along.y() * d.y(),
-            across_.x() * d.x() + across_.y() * d.y(), d.z()};
-  }
-  return {task_.section.along.dot(d), across_.dot(d), task_.section.up.dot(d)};
-}
-
-Vec3 UprightList::local(const Vec3& place) const {
-  return turned(place - task_.section.origin);
-}
+    : frame_(task, profile), bounds_(frame_.bounds()) {}
 
 UprightList::Line UprightList::line(std::uint32_t index, const Vec3& normal) const {
   return bounds_.lineOf(all_[index].facet, Normal::of(normal));
@@ -52,12 +36,12 @@ class UprightList::Collect {
         limit_(limit) {}
 
   bool enters(Doubt& doubt, const Vec3& center, const Vec3& half, const Cover& cover) {
-    const Box box = list_.boxOf(center, half, cover);
-    if (full || box.middle.z() + box.half.z() < lowest_ || !list_.meets(box, doubt)) {
+    const Box box = list_.frame_.boxOf(center, half, cover);
+    if (full || box.middle.z() + box.half.z() < lowest_ || !list_.frame_.meets(box, doubt)) {
       return false;
     }
     const double middle = doubt.middle();
-    const Line line = list_.lineOf(box, middle);
+    const Line line = list_.frame_.lineOf(box, middle);
     if (line.at(middle) >= edge_.at(middle)) {
       if (box.half.x() + box.half.y() > smallBox * (doubt.to - doubt.from)) {
         return true;
@@ -66,14 +50,14 @@ class UprightList::Collect {
       return false;
     }
     const Doubt before = doubt;
-    return !doubt.isSettled(list_.lineOf(box, before.from), edge_, before.from) &&
-           !doubt.isSettled(list_.lineOf(box, before.to), edge_, before.to);
+    return !doubt.isSettled(list_.frame_.lineOf(box, before.from), edge_, before.from) &&
+           !doubt.isSettled(list_.frame_.lineOf(box, before.to), edge_, before.to);
   }
   void visit(Doubt doubt, std::size_t i) {
     if (full) {
       return;
     }
-    own_.facet = list_.facetOf(i);
+    own_.facet = list_.frame_.facetOf(i);
     if (list_.bounds_.isBeside(own_.facet, doubt.middle(), 0.5 * (doubt.to - doubt.from))) {
       return;
     }
@@ -137,11 +121,11 @@ class UprightList::Highest {
   double height;
 
   bool enters(Doubt here, const Vec3& center, const Vec3& half, const Cover& cover) {
-    const Box box = list_.boxOf(center, half, cover);
-    return list_.meets(box, here) && list_.lineOf(box, s_).at(s_) > height;
+    const Box box = list_.frame_.boxOf(center, half, cover);
+    return list_.frame_.meets(box, here) && list_.frame_.lineOf(box, s_).at(s_) > height;
   }
   void visit(const Doubt& /*here*/, std::size_t i) {
-    const tool::UprightFacet facet = list_.facetOf(i);
+    const tool::UprightFacet facet = list_.frame_.facetOf(i);
     if (list_.bounds_.isBeside(facet, s_, 0.0)) {
       return;
     }
@@ -162,76 +146,12 @@ class UprightList::Highest {
   double s_;
 };
 
-UprightList::Box UprightList::boxOf(const Vec3& center,
-                                    const Vec3& half,
-                                    const Cover& cover) const {
-  Box box;
-  box.middle = local(center);
-  box.half = upright_ ? Vec3(share_.x() * half.x() + share_.y() * half.y(),
-                             share_.y() * half.x() + share_.x() * half.y(), half.z())
-                      : Vec3(share_.dot(half), across_.cwiseAbs().dot(half),
-                             task_.section.up.cwiseAbs().dot(half));
-  const Vec3 normal(cover.normal[0], cover.normal[1], cover.normal[2]);
-  box.plane = turned(normal);
-  box.beyond = cover.most - normal.dot(center);
-  if (box.plane.z() < UprightBounds::usefulRise) {
-    // Where the other side looks up nothing is known of it.
-    box.plane = Vec3::Zero();
-  }
-  const double lean = std::sqrt(box.plane.x() * box.plane.x() + box.plane.y() * box.plane.y());
-  box.out = lean > 0.0 ? bounds_.profile().r + bounds_.profile().e / lean : 0.0;
-  return box;
-}
-
-/// Leaves of the way where the cutter comes to a box; false where it does not.
-bool UprightList::meets(const Box& box, Doubt& doubt) const {
-  const double radius = bounds_.radius();
-  if (std::abs(box.middle.y()) - box.half.y() > radius) {
-    return false;
-  }
-  doubt.from = std::max(doubt.from, box.middle.x() - box.half.x() - radius);
-  doubt.to = std::min(doubt.to, box.middle.x() + box.half.x() + radius);
-  if (doubt.from > doubt.to) {
-    return false;
-  }
-  const double out = box.middle.x() - std::clamp(box.middle.x(), doubt.from, doubt.to);
-  const double distance = std::sqrt(out * out + box.middle.y() * box.middle.y());
-  return distance * (distance - radius) <=
-         std::abs(out) * box.half.x() + std::abs(box.middle.y()) * box.half.y();
-}
-
-/// Above what may be touched of a box, best near s: where the cutter would touch its plane, or near
-/// to that. How far places reach along a normal is how far
-/// they reach along that of the plane that covers them, and along the rest.
-UprightList::Line UprightList::lineOf(const Box& box, double s) const {
-  const auto nearest = [&](double touch, Eigen::Index k) {
-    return std::clamp(touch, box.middle[k] - box.half[k], box.middle[k] + box.half[k]);
-  };
-  const Normal n = bounds_.normalTowards(nearest(s - box.out * box.plane.x(), 0) - s,
-                                         nearest(-box.out * box.plane.y(), 1));
-  double most = n.n.cwiseAbs().dot(box.half);
-  if (box.plane.z() > 0.0) {
-    const double share = n.n.z() / box.plane.z();
-    const Vec3 rest = n.n - share * box.plane;
-    most = std::min(most, share * box.beyond + rest.cwiseAbs().dot(box.half));
-  }
-  return bounds_.lineOf(most + n.n.dot(box.middle), n);
-}
-
-tool::UprightFacet UprightList::facetOf(std::size_t i) const {
-  const surface::MeshShape& shape = task_.mesh->shape();
-  const Vec3 up = turned(shape.normals[i]);
-  return {{local(shape.mesh.corner(i, 0)), local(shape.mesh.corner(i, 1)),
-           local(shape.mesh.corner(i, 2))},
-          up.z() < 0.0 ? Vec3(-up) : up};
-}
-
 bool UprightList::gather(const Way& way, std::size_t limit) {
   all_.clear();
   near_.clear();
   rounds_ = 0;
   Collect search(*this, way, limit);
-  task_.mesh->shape().tree.search(search, search.all());
+  frame_.mesh().tree.search(search, search.all());
   return !search.full;
 }
 
@@ -239,7 +159,7 @@ std::optional<double> UprightList::highestAt(double s,
                                              double floor,
                                              const tool::UprightTouch& touch) const {
   Highest search(*this, touch, s, floor);
-  task_.mesh->shape().tree.search(search, Doubt{s, s});
+  frame_.mesh().tree.search(search, Doubt{s, s});
   return search.height > floor ? std::optional(search.height) : std::nullopt;
 }
 

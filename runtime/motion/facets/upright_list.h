@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/motion/facets/upright_bounds.h"
+#include "runtime/motion/facets/upright_frame.h"
 
 namespace arelem::motion {
 
@@ -17,6 +17,8 @@ class UprightList {
   using Line = UprightBounds::Line;
 
   UprightList(const FacetTask& task, const tool::UprightProfile& profile);
+  UprightList(const UprightList&) = delete;
+  UprightList& operator=(const UprightList&) = delete;
 
   bool gather(const Way& way, std::size_t limit);
   /// The height of touch at s, of all triangles of the mesh, where it is above `floor`.
@@ -63,32 +65,18 @@ class UprightList {
       return edge.isAbove(lines[0]) || edge.isAbove(lines[1]);
     }
   };
-  using Cover = geometry::TriangleTree::Cover;
-  /// A box in the frame of the section: its middle, half its lengths, and a plane that is at most
-  /// `beyond` from the middle.
-  struct Box {
-    Vec3 middle, half, plane;
-    double beyond = 0.0;
-    double out = 0.0;  ///< from the axis to where the cutter touches the plane, by how it leans
-  };
   using Doubt = UprightBounds::Doubt;
+  using Box = UprightFrame::Box;
+  using Cover = UprightFrame::Cover;
   class Collect;
   class Highest;
 
-  [[nodiscard]] Vec3 local(const Vec3& place) const;
-  [[nodiscard]] Vec3 turned(const Vec3& direction) const;
-  [[nodiscard]] Box boxOf(const Vec3& center, const Vec3& half, const Cover& cover) const;
-  [[nodiscard]] bool meets(const Box& box, Doubt& doubt) const;
-  [[nodiscard]] Line lineOf(const Box& box, double s) const;
-  [[nodiscard]] tool::UprightFacet facetOf(std::size_t i) const;
   [[nodiscard]] bool reaches(Own& own, const Way& way);
   void sweep(const Vec3& normal);
   void fill();
 
-  const FacetTask task_;
-  UprightBounds bounds_;
-  Vec3 across_, share_;  ///< how far boxes reach along it
-  bool upright_;         ///< up is z
+  UprightFrame frame_;
+  const UprightBounds& bounds_;
   std::vector<Own> all_;
   std::vector<std::uint32_t> near_;
   /// Coordinates of the near triangles' corners, one after the other for each of nine.
