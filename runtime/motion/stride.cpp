@@ -274,6 +274,9 @@ std::optional<std::array<double, 2>> Stride::slopes(std::size_t role,
   if (path_.guides[role].flat() || length <= 0.0) {
     return std::nullopt;
   }
+  if (path_.middle.straight && path_.middle.end == b.toolEnd && !path_.guides[role].field->flat()) {
+    return path_.middle.ends[role];
+  }
   const Vec3 turn = a.axis != b.axis ? spin(a.axis, b.axis, length) : Vec3(Vec3::Zero());
   return std::array{slopeAlong(a.contacts[role], a.toolEnd, chord / length, turn),
                     slopeAlong(b.contacts[role], b.toolEnd, chord / length, turn)};
