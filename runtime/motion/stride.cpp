@@ -249,19 +249,21 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
     if (better) {
       best = std::move(b);
       bestLength = reached;
-      middle = path_.middle;
     }
     if (!better || factor < (t.toRidge ? ridgeFit : goodFit) || t.length >= cap * safety ||
         t.length >= longest_ || (++grown > growLimit && !corner)) {
       break;
     }
+    middle = path_.middle;
     t.length = std::min({t.tried.longer(t.length, factor), cap, longest_});
   }
   // Beside a corner a cut vector may change its gap, but does not get on.
   if (!best || (best->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
     return std::nullopt;
   }
-  path_.middle = middle;
+  if (middle.end == best->toolEnd) {
+    path_.middle = middle;  // longer ones were tried
+  }
   return best;
 }
 
