@@ -197,6 +197,7 @@ class ChordFit {
   }
 
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
+  [[nodiscard]] std::array<double, 2> endSlopes() const { return {first_.slope, last_.slope}; }
   /// In the part that sets the factor.
   [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
   /// Whether the ends foretell the middle.
@@ -222,7 +223,9 @@ class ChordFit {
   static constexpr double hopelessShare = 0.02;
 
   [[nodiscard]] Node node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
-    return {{along, c.gap, slopeAlong(c, toolEnd, direction_, turn_)}, c.normal};
+    const double slope =
+        turning_ ? slopeAlong(c, toolEnd, direction_, turn_) : c.normal.dot(direction_);
+    return {{along, c.gap, slope}, c.normal};
   }
   [[nodiscard]] Path::Ridge ridgeBetween(const Node& a, const Node& b) const {
     const double along = crossing(a, b);
@@ -321,6 +324,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   }
   double factor = tolerance::farAway;
   middle.end = b.toolEnd;
+  middle.straight = !turning;
   misses = {0, 0};
   ridge.reset();
   for (std::size_t i = 0; i < guides.size(); ++i) {
@@ -346,6 +350,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     middle.smooth[i] = chordFit.isSmooth();
     middle.behind[i] = chordFit.behind();
     middle.slope[i] = chordFit.middleSlope();
+    middle.ends[i] = chordFit.endSlopes();
   }
   return factor;
 }

@@ -87,7 +87,9 @@ class Path {
   struct Middle {
     Vec3 end = Vec3::Zero();
     std::array<double, 2> slope{0.0, 0.0};
-    std::array<bool, 2> smooth{true, true};  ///< the ends foretell the middle
+    std::array<std::array<double, 2>, 2> ends{};  ///< slopes at both ends
+    bool straight = false;                        ///< the axis stays
+    std::array<bool, 2> smooth{true, true};       ///< the ends foretell the middle
     /// The curvature next to the end, if it was looked at.
     std::array<std::optional<double>, 2> behind;
   };

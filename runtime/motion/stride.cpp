@@ -249,19 +249,21 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
     if (better) {
       best = std::move(b);
       bestLength = reached;
-      middle = path_.middle;
     }
     if (!better || factor < (t.toRidge ? ridgeFit : goodFit) || t.length >= cap * safety ||
         t.length >= longest_ || (++grown > growLimit && !corner)) {
       break;
     }
+    middle = path_.middle;
     t.length = std::min({t.tried.longer(t.length, factor), cap, longest_});
   }
   // Beside a corner a cut vector may change its gap, but does not get on.
   if (!best || (best->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
     return std::nullopt;
   }
-  path_.middle = middle;
+  if (middle.end == best->toolEnd) {
+    path_.middle = middle;  // longer ones were tried
+  }
   return best;
 }
 
@@ -273,6 +275,9 @@ std::optional<std::array<double, 2>> Stride::slopes(std::size_t role,
   const double length = chord.norm();
   if (path_.guides[role].flat() || length <= 0.0) {
     return std::nullopt;
+  }
+  if (path_.middle.straight && path_.middle.end == b.toolEnd && !path_.guides[role].field->flat()) {
+    return path_.middle.ends[role];
   }
   const Vec3 turn = a.axis != b.axis ? spin(a.axis, b.axis, length) : Vec3(Vec3::Zero());
   return std::array{slopeAlong(a.contacts[role], a.toolEnd, chord / length, turn),
