@@ -1,64 +1,12 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <vector>
 
+#include "runtime/certify/piece.h"
 #include "runtime/certify/probe.h"
 
 /// Proof that no point of a cutter comes nearer to a surface than some gap while it moves along a
 /// part of a cut vector: branch and bound over time, angle about the axis and place on the profile.
 namespace arelem::certify {
-
-/// A piece of the half-profile turned about the axis, thickened by a ball. It is the straight line
-/// from a to b, or, with a radius, the arc about a from angle `low` to `high`, counted from
-/// straight below a outwards.
-struct Piece {
-  tool::ProfilePoint a, b;
-  double ball = 0.0;
-  double radius = 0.0, low = 0.0, high = 0.0;
-
-  [[nodiscard]] double length() const {
-    return radius > 0.0 ? radius * (high - low) : std::hypot(b.rho - a.rho, b.z - a.z);
-  }
-  [[nodiscard]] tool::ProfilePoint at(double share) const {
-    const double angle = low + share * (high - low);
-    return radius > 0.0
-               ? tool::ProfilePoint{a.rho + radius * std::sin(angle),
-                                    a.z - radius * std::cos(angle)}
-               : tool::ProfilePoint{a.rho + share * (b.rho - a.rho), a.z + share * (b.z - a.z)};
-  }
-  /// Largest distance from the axis, and from the tool end.
-  [[nodiscard]] double widest() const { return std::max(a.rho, b.rho) + radius; }
-  [[nodiscard]] double reach() const {
-    return std::max(std::hypot(a.rho, a.z), std::hypot(b.rho, b.z)) + radius;
-  }
-  /// Least of x rho + y z over the part with shares in [from, to].
-  [[nodiscard]] double least(double x, double y, double from, double to) const;
-};
-
-/// The pieces whose union covers all cutting points of a profile.
-[[nodiscard]] std::vector<Piece> piecesOf(const tool::Profile& cutter);
-
-/// An angle by what proofs ask of it.
-struct Turn {
-  double radians = 0.0, cosine = 1.0, sine = 0.0;
-
-  /// Of an angle of at most pi.
-  [[nodiscard]] Turn half() const {
-    const double halved = std::sqrt(0.5 * (1.0 + cosine));
-    // The sine of a small angle must keep its figures.
-    return {0.5 * radians, halved,
-            halved > 0.5 ? 0.5 * sine / halved : std::sqrt(0.5 * (1.0 - cosine))};
-  }
-  [[nodiscard]] Turn plus(const Turn& b, double sign) const {
-    return {radians + sign * b.radians, cosine * b.cosine - sign * sine * b.sine,
-            sine * b.cosine + sign * cosine * b.sine};
-  }
-};
-
-/// Least over |x| <= half, half <= pi, of first (1 - cos x) + second sin x.
-[[nodiscard]] double leastOfTurn(double first, double second, const Turn& half);
 
 /// What the bounds of a box lose to each of its half widths; what is lost most is halved.
 struct Loss {
@@ -117,6 +65,9 @@ class BodySearch {
       const double below = std::max(box.low, bound(box, gap, aim));
       // A box of no size whose bound is too low lies where the gap passes the aim.
       const bool vain = below < aim && sizeOf(box) < smallest;
+      if (vain) {
+        descend(box, from, to, aim, result);
+      }
       if (gap < aim || vain || ++result.measured > budget) {
         result.low = below;
         for (const Box& left : boxes_) {
@@ -139,6 +90,8 @@ class BodySearch {
   static constexpr double lostShare = 0.25;
   /// Boxes below this are not halved. Part unit.
   static constexpr double smallest = 1e-9;
+  /// Least step downwards, as a share of what there is.
+  static constexpr double smallestStep = 1e-10;
 
   /// The axis and two directions square to it.
   struct Base {
@@ -171,6 +124,38 @@ class BodySearch {
   [[nodiscard]] double sizeOf(const Box& box) const {
     return (chord_->length() + chord_->turn() * reach_) * box.halfS +
            widest_ * box.halfAngle.radians + length_ * box.halfShare;
+  }
+  /// Looks for a gap below `aim` downwards from a box, in [from, to].
+  void descend(Box box, double from, double to, double aim, BodyResult& result) {
+    double low = unbounded;
+    for (double step = 1.0; step > smallestStep && low >= aim;) {
+      bool better = false;
+      for (const double way : {-step, step}) {
+        for (int k = 0; k < 3; ++k) {
+          Box next = box;
+          const double turn = way * pi;
+          if (k == 0) {
+            next.s = std::clamp(box.s + way * (to - from), from, to);
+          } else if (k == 1) {
+            next.angle = box.angle.plus({turn, std::cos(turn), std::sin(turn)}, 1.0);
+          } else {
+            next.share = std::clamp(box.share + way, 0.0, 1.0);
+          }
+          const double gap = measure(next);
+          ++result.measured;
+          if (gap < low) {
+            low = gap;
+            box = next;
+            better = true;
+          }
+        }
+      }
+      step *= better ? 1.0 : 0.5;
+    }
+    if (low < result.sample) {
+      result.sample = low;
+      result.sampleAt = box.s;
+    }
   }
   double measure(const Box& box) {
     frame_ = frameAt(box.s, box.angle);

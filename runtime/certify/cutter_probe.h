@@ -116,6 +116,7 @@ class CutterProbe final : public Probe {
     Stretch result;
     if (way_ == Way::general || way_ == Way::convex) {
       node.low = std::max(node.low, searched(node.s, node.s, aim, pieces_, result));
+      node.high = std::min(node.high, result.sample);
     }
   }
 

@@ -109,7 +109,15 @@ class HollowSearch {
     };
     for (const Piece& p : pieces) {
       if (p.radius > 0.0) {
-        add(body_.run(chord, p, s, s, aim, budget));
+        // The whole ball is nearer than the arc of it that cuts, and quickly judged.
+        const Vec3 axis = chord.axis(s);
+        const BodyResult whole =
+            rims_.run(chord.toolEnd(s) + p.a.z * axis, axis, p.a.rho, p.radius, aim, budget);
+        if (whole.proven) {
+          all.low = std::min(all.low, whole.low);
+        } else {
+          add(body_.run(chord, p, s, s, aim, budget));
+        }
       } else {
         rim(p.a, p.ball);
         if (p.length() > 0.0) {

@@ -53,7 +53,8 @@ class Probe {
   /// The gap between two nodes. A lower bound above `aim` need not be made narrower; where a gap
   /// below it is measured, that ends the search. With an aim of -unbounded none is looked for.
   virtual Stretch over(const Node& a, const Node& b, double aim) = 0;
-  /// Raises `low` of a node to at least `aim`, if that can be proven.
+  /// Raises `low` of a node to at least `aim`, if that can be proven; a gap below that was measured
+  /// becomes its `high`.
   virtual void settle(Node& node, double aim) = 0;
 };
 

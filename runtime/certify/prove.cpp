@@ -111,8 +111,13 @@ class Proof {
       if (!(farthest_.low > ceiling_)) {
         probe_.settle(farthest_, std::nextafter(ceiling_, unbounded));
       }
-      verdict_.outer = farthest_.low > ceiling_ ? State::refuted : State::undecided;
-    } else if (!(verdict_.greatest.proven <= ceiling_)) {
+      if (farthest_.low > ceiling_) {
+        verdict_.outer = State::refuted;
+        return;
+      }
+      verdict_.greatest.measured = std::min(verdict_.greatest.measured, farthest_.high);
+    }
+    if (!(verdict_.greatest.proven <= ceiling_)) {
       verdict_.outer = State::undecided;
     }
   }

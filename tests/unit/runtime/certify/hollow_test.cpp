@@ -1,3 +1,4 @@
+#include <array>
 #include <numbers>
 #include <random>
 
@@ -163,6 +164,98 @@ TEST(Hollow, CylindersAndQuadrics) {
     const Verdict bad = scene.prove(Vec3(0, 0, -4), Vec3(5, 0, -4 - 2.6e-6));
     EXPECT_EQ(bad.inner, State::refuted);
     EXPECT_NEAR(bad.least.measured, -0.8 * 2.6e-6, 1e-9);
+  }
+}
+
+/// The least gap of a moving cutter, by a search of its places that knows no bounds.
+class Sampled {
+ public:
+  Sampled(const surface::AnySurface& surface, const tool::Profile& cutter, const Chord& chord)
+      : surface_(surface), chord_(chord), pieces_(piecesOf(cutter)) {}
+
+  double least() {
+    double best = unbounded;
+    for (const Piece& piece : pieces_) {
+      std::array<double, 3> from{};
+      double low = unbounded;
+      for (int i = 0; i < 4000; ++i) {
+        const std::array<double, 3> at{i % 10 / 9.0, i / 10 % 40 / 40.0, i / 400 / 9.0};
+        const double gap = this->gap(piece, at);
+        if (gap < low) {
+          low = gap;
+          from = at;
+        }
+      }
+      for (double step = 0.05; step > 1e-10;) {
+        bool better = false;
+        for (std::size_t k = 0; k < 6; ++k) {
+          auto at = from;
+          at.at(k / 2) += k % 2 == 0 ? step : -step;
+          at[0] = std::clamp(at[0], 0.0, 1.0);
+          at[2] = std::clamp(at[2], 0.0, 1.0);
+          const double gap = this->gap(piece, at);
+          if (gap < low) {
+            low = gap;
+            from = at;
+            better = true;
+          }
+        }
+        step *= better ? 1.5 : 0.5;
+      }
+      best = std::min(best, low);
+    }
+    return best;
+  }
+
+ private:
+  double gap(const Piece& piece, const std::array<double, 3>& at) const {
+    const Vec3 axis = chord_.axis(at[0]);
+    const Vec3 e2 = chord_.turn() > 0.0 ? chord_.pole() : Vec3(axis.unitOrthogonal());
+    const double angle = 2.0 * std::numbers::pi * at[1];
+    const tool::ProfilePoint p = piece.at(at[2]);
+    const Vec3 place = chord_.toolEnd(at[0]) + p.z * axis +
+                       p.rho * (std::cos(angle) * e2.cross(axis) + std::sin(angle) * e2);
+    return std::visit(
+        [&]<class S>(const S& s) {
+          typename S::Hint hint{};
+          return -s.foot(place, hint).distance - piece.ball;
+        },
+        surface_);
+  }
+  const surface::AnySurface& surface_;
+  Chord chord_;
+  std::vector<Piece> pieces_;
+};
+
+TEST(Hollow, RandomCuttersAreProvenUpToTheirLeastGap) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const std::array<surface::AnySurface, 4> hollows{
+      surface::Cylinder{Vec3(0, 0, -1), Vec3(1, 0.3, 0.2).normalized(), 9.0}, cone(35.0),
+      surface::Quadric(Vec3(0.01, 0.02, 0.03).asDiagonal().toDenseMatrix(), Vec3::Zero(), -1.0),
+      surface::Torus{Vec3::Zero(), Vec3::UnitZ(), 12.0, 8.0}};
+  const std::array cutters{cutter({4, 0}), cutter({4, 1}), cutter({5, 0.5, 1, 1.2, 20, 8, 5}),
+                           cutter({4, 0, 0, 0, 30, 0, 4}), cutter({3, 1.5})};
+  for (int i = 0; i < 80; ++i) {
+    const std::size_t kind = static_cast<std::size_t>(i) % hollows.size();
+    Scene scene{hollows.at(kind), cutters.at(static_cast<std::size_t>(i / 4) % cutters.size())};
+    const Vec3 middle = kind == 1 ? Vec3(0, 0, 12) : kind == 3 ? Vec3(12, 0, 0) : Vec3(0, 0, 0);
+    const auto near = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+    const Vec3 from = middle + near();
+    const Vec3 to = from + near();
+    scene.axis = (Vec3::UnitZ() + 0.4 * near()).normalized();
+    scene.axisTo = i % 3 == 0 ? scene.axis : Vec3((scene.axis + 0.1 * near()).normalized());
+    const double least =
+        Sampled(scene.surface, scene.cutter, Chord(from, to, scene.axis, scene.axisTo)).least();
+    const auto within = [&](double floor) {
+      scene.allowed = {-floor, 100.0, 0.0};
+      scene.allowed.figures = false;
+      return scene.prove(from, to);
+    };
+    const Verdict good = within(least - 1e-5);
+    EXPECT_EQ(good.inner, State::proven) << i << " " << least << " " << good.least.proven;
+    const Verdict bad = within(least + 1e-6);
+    EXPECT_EQ(bad.inner, State::refuted) << i << " " << least << " " << bad.least.measured;
   }
 }
 
