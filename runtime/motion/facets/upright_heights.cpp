@@ -12,6 +12,8 @@ namespace {
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 /// Normals that are more level tell nothing of others.
 constexpr double usefulRise = 0.05;
+/// Arcs of less than so many bands touch elsewhere when they are thickened by the band.
+constexpr double thinArc = 8.0;
 /// Triangles that are measured for one node, and for one piece of a bottom, at most.
 constexpr int nodeLimit = 400;
 constexpr int pieceLimit = 60;
@@ -115,7 +117,8 @@ double UprightHeights::top(double s, TouchHeight& height) {
   const double nz = height.tangent.byZ;
   const double nxy = std::sqrt(std::max(0.0, 1.0 - nz * nz));
   const tool::UprightProfile& low = low_.profile();
-  if (!height.hasTop && nz > low.sinBeta + tolerance::nullDirection) {
+  const bool round = low.r >= thinArc * (high_.profile().r - low.r);
+  if (!height.hasTop && round && nz > low.sinBeta + tolerance::nullDirection) {
     if (const auto over = high_.over(low.e + low.r * nxy)) {
       height.top = std::max(height.z, height.z + low.f - low.r * nz + *over);
       height.hasTop = true;
