@@ -281,7 +281,8 @@ void Association::endFollow() {
 }
 
 const Action* Association::outputFrom(std::size_t index) const {
-  for (std::uint64_t steps = 0; index < actions_.size() && steps < options_.limits.steps; ++steps) {
+  // More steps than there are actions go round for ever.
+  for (std::size_t steps = 0; index < actions_.size() && steps < actions_.size(); ++steps) {
     const Action& action = actions_[index];
     if (putsOut(action)) {
       return &action;

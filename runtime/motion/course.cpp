@@ -8,6 +8,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_choice.h"
 #include "runtime/motion/direction.h"
+#include "runtime/motion/modal.h"
 #include "runtime/motion/route.h"
 #include "runtime/motion/told.h"
 
@@ -229,6 +230,10 @@ class Planner {
     start.face(*direction);
     warnWrongSide();
     for (CheckWatch& w : course_.watches) {
+      const double away = footOn(w.surface().surface, state_.toolEnd).distance;
+      if (auto bad = tooFarOut(state_, checkRole, std::abs(away))) {
+        return bad;
+      }
       w.begin(state_.toolEnd, state_.axis);
     }
     return std::nullopt;

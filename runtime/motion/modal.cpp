@@ -172,13 +172,19 @@ std::optional<Failure> wideBand(const State& state) {
   return std::nullopt;
 }
 
+std::optional<Failure> tooFarOut(const State& state, Role role, double size) {
+  const double rounding = tolerance::rounding * size;
+  const double band = state.band(role);
+  return band > 0.0 && rounding > tolerance::roundingOfBand * band
+             ? std::optional(fail(diag::TooFarOut, size, rounding, bandOwner[role], band))
+             : std::nullopt;
+}
+
 std::optional<Failure> tooFarOut(const State& state) {
   const double farthest = state.toolEnd.cwiseAbs().maxCoeff();
-  const double rounding = tolerance::rounding * farthest;
   for (const Role role : {partRole, driveRole, checkRole}) {
-    const double band = state.band(role);
-    if (band > 0.0 && rounding > tolerance::roundingOfBand * band) {
-      return fail(diag::TooFarOut, farthest, rounding, bandOwner[role], band);
+    if (auto bad = tooFarOut(state, role, farthest)) {
+      return bad;
     }
   }
   return std::nullopt;

@@ -31,6 +31,8 @@ void setParameter(State& state, const runtime::Parameter& p, RecordWriter& write
 [[nodiscard]] std::optional<Failure> wideBand(const State& state);
 /// The error of a place whose coordinates are too large to keep the tolerances.
 [[nodiscard]] std::optional<Failure> tooFarOut(const State& state);
+/// The same of one tolerance, for a coordinate or distance of this size.
+[[nodiscard]] std::optional<Failure> tooFarOut(const State& state, Role role, double size);
 /// MULTAX, NOPS, AUTOPS, 3DCALC, 2DCALC, NDTEST, GOUGCK.
 void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer);
 /// The tool goes straight to a place; a move that is not along its axis is the forward direction.

@@ -39,6 +39,8 @@ constexpr double slabBands = 1.5;
 /// How often a height is looked for, each time so much farther below.
 constexpr int probes = 6;
 constexpr double deeper = 4.0;
+/// A way that bows by more than this share of half its length meets a wall there.
+constexpr double steepest = 0.25;
 constexpr double faster = 1.6;
 constexpr double slower = 0.8;
 /// A rest of a list shorter than this share of a step is no step.
@@ -132,9 +134,10 @@ Way TunnelBuilder::ahead(const SectionPoint& here, double slope, double length) 
   const auto middle = probe(here.s + half, here.z + half * (rise + half * bow));
   const auto end =
       middle ? probe(way.to.s, 2.0 * *middle - here.z + 2.0 * half * half * bow) : std::nullopt;
-  if (end) {
+  const double lift = end ? 0.5 * (here.z + *end - 2.0 * *middle) : 0.0;
+  if (end && std::abs(lift) <= steepest * half) {
     way.to.z = *end;
-    way.bow = 0.5 * (here.z + *end - 2.0 * *middle) / (half * half);
+    way.bow = lift / (half * half);
   }
   foreseen_ = way;
   return way;

@@ -117,7 +117,7 @@ double UprightHeights::top(double s, TouchHeight& height) {
   const double nz = height.tangent.byZ;
   const double nxy = std::sqrt(std::max(0.0, 1.0 - nz * nz));
   const tool::UprightProfile& low = low_.profile();
-  const bool round = low.r >= thinArc * (high_.profile().r - low.r);
+  const bool round = low.r > 0.0 && low.r >= thinArc * (high_.profile().r - low.r);
   if (!height.hasTop && round && nz > low.sinBeta + tolerance::nullDirection) {
     if (const auto over = high_.over(low.e + low.r * nxy)) {
       height.top = std::max(height.z, height.z + low.f - low.r * nz + *over);
