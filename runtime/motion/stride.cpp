@@ -211,6 +211,22 @@ void Stride::shorten(Trials& t, double factor, double cap, const PathPoint& a, c
 }
 
 std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap) {
+  auto found = longestAlongCurves(a, cap);
+  bool turned = false;
+  // Behind a corner the path may not lead from one edge of the band to the other: it keeps to that
+  // which it is at.
+  for (std::size_t i = 0; i < path_.guides.size() && !found; ++i) {
+    Guide& g = path_.guides[i];
+    const bool outwards = 2.0 * a.contacts[i].gap > g.outer - g.inner;
+    if (!g.flat() && !g.field->isFaceted() && (g.bend >= 0.0) != outwards) {
+      g.startAnew(outwards ? leastBend : -leastBend);
+      turned = true;
+    }
+  }
+  return turned ? longestAlongCurves(a, cap) : found;
+}
+
+std::optional<PathPoint> Stride::longestAlongCurves(const PathPoint& a, double cap) {
   Trials t;
   t.length = std::min(planned(a), cap);
   const double accept = accepted();

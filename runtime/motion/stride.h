@@ -17,6 +17,7 @@ class Stride {
 
  private:
   [[nodiscard]] std::optional<PathPoint> nextAlongCurves(const PathPoint& a, double cap);
+  [[nodiscard]] std::optional<PathPoint> longestAlongCurves(const PathPoint& a, double cap);
   [[nodiscard]] std::optional<PathPoint> nextAlongMesh(const PathPoint& a, double cap);
   [[nodiscard]] std::optional<PathPoint> nextAlongFacets(const PathPoint& a, double cap);
   /// How far from the gap aimed at a cut vector may end.
