@@ -81,6 +81,8 @@ class Association {
   [[nodiscard]] bool isMet(const PathEnd& end) const;
   /// True where the next statement, GOTO or GODLTA, leads there.
   [[nodiscard]] bool isNext(const Vec3& place) const;
+  /// True where the next output from an action on is a GOTO or GODLTA from a location to a place.
+  [[nodiscard]] bool leadsTo(std::size_t way, const Location& from, const Vec3& place) const;
   void take(const Held& next);
   /// The motion ended before the locations that are held back.
   void release();

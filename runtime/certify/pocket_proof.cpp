@@ -12,6 +12,7 @@
 
 #include "ir/diag/verify.h"
 #include "ir/space/tolerance.h"
+#include "runtime/spline/bezier.h"
 
 namespace arelem::certify {
 
@@ -60,13 +61,6 @@ Polygon cut(const Polygon& polygon, const Vec3& inward, double least) {
   return left;
 }
 
-double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
-
 struct Cell {
   Polygon corners;                ///< convex
   std::vector<std::size_t> near;  ///< cut vectors that may reach it, by their first location
@@ -94,7 +88,9 @@ class Search {
       Cell cell = std::move(open_.back());
       open_.pop_back();
       const Vec3 middle = middleOf(cell.corners);
-      const auto away = [&](std::size_t i) { return distance(middle, path_[i], path_[i + 1]); };
+      const auto away = [&](std::size_t i) {
+        return spline::distanceToSegment(middle, path_[i], path_[i + 1]);
+      };
       const auto nearest =
           std::min_element(cell.near.begin(), cell.near.end(),
                            [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
@@ -113,7 +109,7 @@ class Search {
   [[nodiscard]] double nearestOfAll(const Vec3& place) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
-      least = std::min(least, distance(place, path_[i], path_[i + 1]));
+      least = std::min(least, spline::distanceToSegment(place, path_[i], path_[i + 1]));
     }
     return least;
   }
@@ -121,7 +117,7 @@ class Search {
   [[nodiscard]] bool isReached(const Cell& cell) const {
     return std::any_of(cell.near.begin(), cell.near.end(), [&](std::size_t i) {
       return std::all_of(cell.corners.begin(), cell.corners.end(), [&](const Vec3& p) {
-        return distance(p, path_[i], path_[i + 1]) <= reach_;
+        return spline::distanceToSegment(p, path_[i], path_[i + 1]) <= reach_;
       });
     });
   }
@@ -137,7 +133,7 @@ class Search {
     }
     Cell cell{std::move(corners), {}};
     for (const std::size_t i : from) {
-      if (distance(middle, path_[i], path_[i + 1]) <= reach_ + around) {
+      if (spline::distanceToSegment(middle, path_[i], path_[i + 1]) <= reach_ + around) {
         cell.near.push_back(i);
       }
     }

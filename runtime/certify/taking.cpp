@@ -107,13 +107,15 @@ bool Association::goesOn(const Held& next) {
   return found.met && !found.strays && (place - last).norm() > options_.slack && !isNext(place);
 }
 
+bool Association::leadsTo(std::size_t way, const Location& from, const Vec3& place) const {
+  const Action* action = outputFrom(way);
+  const auto* locate = action != nullptr ? std::get_if<runtime::Locate>(&action->body) : nullptr;
+  return locate != nullptr && (wantedBy(*locate, from) - place).norm() <= options_.slack;
+}
+
 bool Association::isNext(const Vec3& place) const {
   const Location end = taking_->proof->end().place();
-  const auto leads = [&](std::size_t way) {
-    const Action* action = outputFrom(way);
-    const auto* locate = action != nullptr ? std::get_if<runtime::Locate>(&action->body) : nullptr;
-    return locate != nullptr && (wantedBy(*locate, end) - place).norm() <= options_.slack;
-  };
+  const auto leads = [&](std::size_t way) { return leadsTo(way, end, place); };
   const auto& checks = taking_->follow->checks;
   return modal_.output && (leads(index_) || std::any_of(checks.begin(), checks.end(), [&](auto& c) {
                              return c.label && leads(placeOf(*c.label));
@@ -299,10 +301,8 @@ void Association::choose(std::optional<int> isn, const Location* next) {
   }
   const auto fits = [&](std::size_t way) {
     const Action* action = outputFrom(way);
-    const auto* locate = action != nullptr ? std::get_if<runtime::Locate>(&action->body) : nullptr;
     return isn ? action != nullptr && action->isn == *isn
-               : next != nullptr && locate != nullptr &&
-                     (wantedBy(*locate, here()) - next->toolEnd).norm() <= options_.slack;
+               : next != nullptr && leadsTo(way, here(), next->toolEnd);
   };
   const auto way = std::find_if(ways_.begin(), ways_.end(), fits);
   index_ = way != ways_.end() ? *way : ways_.front();

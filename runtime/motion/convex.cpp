@@ -9,6 +9,7 @@
 
 #include "ir/diag/pocket.h"
 #include "ir/space/tolerance.h"
+#include "runtime/spline/bezier.h"
 
 namespace arelem::motion {
 
@@ -56,12 +57,6 @@ std::vector<Corner> withoutShort(const std::vector<Corner>& polygon, double size
     }
   }
   return kept;
-}
-
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * along).norm();
 }
 }  // namespace
 
@@ -152,7 +147,7 @@ double outside(const std::vector<Vec3>& corners, const Vec3& normal, const Vec3&
     const Vec3& a = corners[i];
     const Vec3& b = corners[(i + 1) % corners.size()];
     inside = inside && (b - a).cross(place - a).dot(normal) >= 0.0;
-    least = std::min(least, distanceToSegment(place, a, b));
+    least = std::min(least, spline::distanceToSegment(place, a, b));
   }
   return inside ? 0.0 : least;
 }
@@ -185,7 +180,7 @@ std::optional<std::size_t> coveringSide(const std::vector<Vec3>& corners, double
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) {
-          return distanceToSegment(p, corners[i], corners[(i + 1) % n]) <= distance;
+          return spline::distanceToSegment(p, corners[i], corners[(i + 1) % n]) <= distance;
         })) {
       return i;
     }

@@ -208,16 +208,19 @@ Settled nearestAround(const Settled& near,
                       AxisRule& axis,
                       std::span<const Wanted> wanted,
                       std::span<const Constraint> constraints) {
-  // In parts of what is missed; where the tool nearly fits, what it misses tells nothing about how
-  // far off it does.
-  const double farthest = std::max(16.0 * near.worst, (near.toolEnd - from).norm());
+  // Distances by what is missed; where the tool nearly fits, that tells nothing about how far off
+  // it does, and farther ones are tried until one leads there.
+  constexpr double growth = 4.0;
+  const double shortest = 0.25 * near.worst;
+  const double usual = 16.0 * near.worst;
+  const double farthest = std::max(usual, (near.toolEnd - from).norm());
   const Eigen::Matrix3d frame = frameOf(near, wanted.size());
   Settled best = near;
   double least = tolerance::farAway;
-  for (double distance = 0.25 * near.worst;
-       distance > 0.0 && distance <= farthest &&
-       (distance <= 16.0 * near.worst || least == tolerance::farAway);
-       distance *= 4.0) {
+  for (double distance = shortest; distance > 0.0 && distance <= farthest; distance *= growth) {
+    if (distance > usual && least < tolerance::farAway) {
+      break;
+    }
     for (int cell = 0; cell < 27; ++cell) {
       const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
       const Settled found =
