@@ -55,10 +55,11 @@ double expectFirst(const FacetTask& task, const std::string& what) {
   const tool::UprightProfile profile = *tool::UprightProfile::of(*task.cutter, task.low);
   const tool::UprightTouch touch(profile);
   const UprightFrame frame(task, profile);
-  const UprightPlaces places(frame);
+  const auto places =
+      UprightPlaces::of(task.mesh->shape(), profile, frame.bounds().radius(), task.section.up);
   std::vector<UprightPlaces::Found> found;
   const std::size_t count = task.mesh->shape().mesh.triangles.size();
-  EXPECT_TRUE(places.find(-0.5, 0.5, count, found));
+  EXPECT_TRUE(places->find(task.section, {-0.5, 0.5}, count, found));
   std::size_t met = 0;
   constexpr int steps = 100;
   for (int i = 0; i < steps; ++i) {
@@ -71,7 +72,7 @@ double expectFirst(const FacetTask& task, const std::string& what) {
     double first = -10.0;
     for (const UprightPlaces::Found& f : found) {
       if (f.range.first <= s && s <= f.range.last) {
-        const auto one = touch.of(f.facet, s);
+        const auto one = touch.of(frame.facetOf(f.triangle), s);
         first = one ? std::max(first, one->z) : first;
         ++met;
       }
