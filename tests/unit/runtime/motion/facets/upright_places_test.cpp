@@ -8,8 +8,13 @@
 namespace arelem::motion {
 namespace {
 
-const std::vector<std::vector<double>> cutters = {
-    {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, 0.266342, 0.125, 0, 8, 3}};
+/// Flat, ball, bull-nose, and tapered with a corner arc that is a tangent of the side.
+const std::vector<std::vector<double>> cutters = [] {
+  const double beta = 8.0 * std::acos(-1.0) / 180.0;
+  const double e = 0.375 - 0.125 * (1.0 - std::sin(beta)) / std::cos(beta);
+  return std::vector<std::vector<double>>{
+      {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, e, 0.125, 0, 8, 3}};
+}();
 
 class Random {
  public:
@@ -52,7 +57,12 @@ surface::Mesh waved(Random& random, int side, double roughness, int hole, bool t
 
 /// How many triangles are found at a place, in the middle.
 double expectFirst(const FacetTask& task, const std::string& what) {
-  const tool::UprightProfile profile = *tool::UprightProfile::of(*task.cutter, task.low);
+  const auto shape = tool::UprightProfile::of(*task.cutter, task.low);
+  if (!shape) {
+    ADD_FAILURE() << what << " does not stand upright";
+    return 0.0;
+  }
+  const tool::UprightProfile& profile = *shape;
   const tool::UprightTouch touch(profile);
   const UprightFrame frame(task, profile);
   const auto places =
