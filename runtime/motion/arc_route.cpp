@@ -51,6 +51,11 @@ std::optional<Found> ArcRoute::findStop(StopFinder& stops, double turns) {
     at.tangent = segment.direction;
     if (auto found = stops.find(at, segment)) {
       found_ = i * length + 0.5 * (found->met.hit.low + found->met.hit.high);
+      if (found->end) {
+        // The pieces are level, whatever the slope of the part plane: no check surface sees heights.
+        const PathPoint& end = *found->end;
+        found->end = course_.path.look(onPart(end.toolEnd.head<2>()), end.tangent);
+      }
       return found;
     }
   }
