@@ -14,20 +14,6 @@ namespace {
 /// Where a path ends the axis is asked for this far ahead. Part unit.
 constexpr std::array looksAhead{0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
-/// True of a TABCYL whose last point is its first. It does not close: both ends go on straight.
-bool endsWhereItBegins(const surface::AnySurface& surface) {
-  const auto* tabulated = std::get_if<surface::TabulatedCylinder>(&surface);
-  if (tabulated == nullptr) {
-    return false;
-  }
-  const auto& pieces = tabulated->curve().pieces;
-  const auto& last = pieces.back();
-  const auto& first = pieces.front();
-  return pieces.size() > 2 && first.openStart && last.openEnd &&
-         std::hypot(first.u + first.length * first.dirU - last.u,
-                    first.v + first.length * first.dirV - last.v) <= tolerance::coincidence;
-}
-
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -86,15 +72,6 @@ Failure lost(Course& course, const PathPoint& last) {
   }
   const Vec3 p = told(last.toolEnd);
   const double sine = last.contacts[0].normal.cross(last.contacts[1].normal).norm();
-  for (const NamedSurface* surface : {&course.drive, &course.part}) {
-    if (sine > tolerance::nullDirection && endsWhereItBegins(surface->surface)) {
-      return fail(diag::ContactLost, course.drive.name, course.part.name, p.x(), p.y(), p.z())
-          .withHelp(fmt::format("`{}` ends where it begins, but a TABCYL goes on straight from both "
-                                "ends: end the motion before that place, and define the piece "
-                                "around it as a TABCYL of its own",
-                                surface->name));
-    }
-  }
   return sine <= tolerance::nullDirection
              ? fail(diag::SurfacesParallel, course.drive.name, course.part.name, p.x(), p.y(),
                     p.z())
