@@ -22,6 +22,15 @@ using State = Verdict::State;
 double excess(const Touch& t, const Allowed& a) {
   return std::max({0.0, -a.inner - a.slack - t.low, t.high - a.outer - a.slack});
 }
+
+/// Whether a gap that is within its band where the path ends turns round within it: a touch, which
+/// is TO and PAST at one place. `chord` and `path`: slopes of the gap along the last cut vector, of
+/// `length`, and along the path at its end. Both together tell how the gap bends.
+bool isTouch(const Touch& t, const Allowed& a, double chord, double path, double length) {
+  const double bend = 2.0 * (path - chord) / length;
+  return std::abs(path) <= glancing ||
+         (bend > 0.0 && t.low - 0.5 * path * path / bend >= -a.inner - a.slack);
+}
 }  // namespace
 
 void PathEnd::moveTo(const Location& next) {
@@ -37,8 +46,13 @@ void PathEnd::moveTo(const Location& next) {
   place_ = next;
 }
 
-Vec3 PathEnd::towards(const Vec3& offset) const {
-  const Vec3 velocity = stretch_.velocity(offset);
+Vec3 PathEnd::towards(const Vec3& offset, const Vec3& line) const {
+  Vec3 velocity = stretch_.velocity(offset);
+  const double squared = line.squaredNorm();
+  if (squared > 0.0) {
+    const double way = std::copysign(stretch_.length(), line.dot(stretch_.step()));
+    velocity += way / std::sqrt(squared) * line - stretch_.step();
+  }
   const double length = velocity.norm();
   return length > tolerance::sameSide ? Vec3(velocity / length) : Vec3(Vec3::Zero());
 }
@@ -157,6 +171,32 @@ double MotionCheck::Contact::missed() const {
   return excess(touch, allowed);
 }
 
+/// How the tool touches a surface that guides it, on the side on which it keeps the tolerance.
+Touch MotionCheck::touchOf(const Modal& modal,
+                           const surface::AnySurface& guide,
+                           Role role,
+                           const Location& end) const {
+  const bool on = role == partRole ? modal.toolOnPart() : modal.toolOnDrive();
+  const tool::Profile* cutter = on ? nullptr : modal.cutterFor(role);
+  const Allowed keeps = allowedFor(modal, role);
+  const Touch plus = touch(guide, {cutter, 1.0, modal.thick[role]}, end, keeps);
+  const Touch minus = touch(guide, {cutter, -1.0, modal.thick[role]}, end, keeps);
+  // A tool without size is on the side that keeps the tolerance.
+  const double apart = excess(minus, keeps) - excess(plus, keeps);
+  const bool ofPlus = apart != 0.0 ? apart > 0.0 : std::abs(plus.high) <= std::abs(minus.high);
+  return ofPlus ? plus : minus;
+}
+
+/// Direction in which the path takes the point of the tool at `offset` from the tool end.
+Vec3 MotionCheck::alongPath(const Modal& modal,
+                            const surface::AnySurface& drive,
+                            const PathEnd& at,
+                            const Vec3& offset) const {
+  const Vec3 across = touchOf(modal, drive, driveRole, at.place()).normal;
+  const Vec3 up = touchOf(modal, modal.partSurface().surface, partRole, at.place()).normal;
+  return at.towards(offset, across.cross(up));
+}
+
 MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
                                             const Goal& goal,
                                             std::size_t index,
@@ -188,23 +228,19 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
   // side on which it is of its guide.
   std::optional<Vec3> guideNormal;
   if (c.tangent) {
-    const Named part = modal.partSurface();
-    const surface::AnySurface& guide = touchesPart ? part.surface : drive;
-    const Role guideRole = touchesPart ? partRole : driveRole;
-    const tool::Profile* guideCutter = modal.cutterFor(guideRole);
-    const double thick = modal.thick[guideRole];
-    const Allowed keeps = allowedFor(modal, guideRole);
-    const Touch plus = touch(guide, {guideCutter, 1.0, thick}, end, keeps);
-    const Touch minus = touch(guide, {guideCutter, -1.0, thick}, end, keeps);
-    // A tool without size is on the side that keeps the tolerance.
-    const double apart = excess(minus, keeps) - excess(plus, keeps);
-    const bool ofPlus = apart != 0.0 ? apart > 0.0 : std::abs(plus.high) <= std::abs(minus.high);
-    guideNormal = ofPlus ? plus.normal : minus.normal;
+    guideNormal = touchesPart ? touchOf(modal, modal.partSurface().surface, partRole, end).normal
+                              : touchOf(modal, drive, driveRole, end).normal;
   }
   const double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
   const auto fits = [&](const Touch& t) {
-    return guideNormal ? t.normal.dot(*guideNormal) >= agreeing
-                       : sign * t.normal.dot(at.towards(t.offset)) >= -glancing;
+    if (guideNormal) {
+      return t.normal.dot(*guideNormal) >= agreeing;
+    }
+    const double slope = t.normal.dot(at.towards(t.offset));
+    return sign * slope >= -glancing ||
+           (excess(t, c.allowed) == 0.0 &&
+            isTouch(t, c.allowed, slope, t.normal.dot(alongPath(modal, drive, at, t.offset)),
+                    at.length()));
   };
   const bool first = fits(sides[0]) == fits(sides[1])
                          ? std::abs(sides[0].high) <= std::abs(sides[1].high)
