@@ -16,20 +16,14 @@ namespace {
 constexpr double glancing = 1e-3;
 /// Cosine of the angle within which contact normals agree at a tangency.
 constexpr double agreeing = 0.5;
+/// How far ahead the slope of a gap tells how it bends, as a share of the root of its band: a touch
+/// passes through the band in a length of that order.
+constexpr double aheadShare = 0.05;
 
 using State = Verdict::State;
 
 double excess(const Touch& t, const Allowed& a) {
   return std::max({0.0, -a.inner - a.slack - t.low, t.high - a.outer - a.slack});
-}
-
-/// Whether a gap that is within its band where the path ends turns round within it: a touch, which
-/// is TO and PAST at one place. `chord` and `path`: slopes of the gap along the last cut vector, of
-/// `length`, and along the path at its end. Both together tell how the gap bends.
-bool isTouch(const Touch& t, const Allowed& a, double chord, double path, double length) {
-  const double bend = 2.0 * (path - chord) / length;
-  return std::abs(path) <= glancing ||
-         (bend > 0.0 && t.low - 0.5 * path * path / bend >= -a.inner - a.slack);
 }
 }  // namespace
 
@@ -187,14 +181,34 @@ Touch MotionCheck::touchOf(const Modal& modal,
   return ofPlus ? plus : minus;
 }
 
-/// Direction in which the path takes the point of the tool at `offset` from the tool end.
-Vec3 MotionCheck::alongPath(const Modal& modal,
-                            const surface::AnySurface& drive,
-                            const PathEnd& at,
-                            const Vec3& offset) const {
+/// Whether a gap that is within its band where the path ends turns round within it: a touch, which
+/// is TO and PAST at one place. How the gap bends follows from its slopes along the last cut
+/// vector, along the path at its end and a little ahead.
+bool MotionCheck::isTouch(const Modal& modal,
+                          const surface::AnySurface& drive,
+                          const PathEnd& at,
+                          const surface::AnySurface& check,
+                          const Relation& relation,
+                          const Allowed& allowed,
+                          const Touch& t) const {
+  if (excess(t, allowed) > 0.0) {
+    return false;
+  }
   const Vec3 across = touchOf(modal, drive, driveRole, at.place()).normal;
   const Vec3 up = touchOf(modal, modal.partSurface().surface, partRole, at.place()).normal;
-  return at.towards(offset, across.cross(up));
+  const Vec3 line = across.cross(up);
+  const Vec3 way = at.towards(t.offset, line);
+  const double slope = t.normal.dot(way);
+  if (std::abs(slope) <= glancing) {
+    return true;
+  }
+  const double step = aheadShare * std::sqrt(allowed.inner + allowed.outer);
+  Location ahead = at.place();
+  ahead.toolEnd += step * at.towards(Vec3::Zero(), line);
+  const double next = touch(check, relation, ahead, allowed).normal.dot(way);
+  const double bend =
+      (next - slope) / step + 2.0 * (slope - t.normal.dot(at.towards(t.offset))) / at.length();
+  return bend > 0.0 && t.low - 0.5 * slope * slope / bend >= -allowed.inner - allowed.slack;
 }
 
 MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
@@ -221,9 +235,10 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     return c;
   }
   const tool::Profile* cutter = modal.cutterFor(role);
-  const std::array<Touch, 2> sides = {
-      touch(goal.surface.surface, {cutter, 1.0, modal.thick[role]}, end, c.allowed),
-      touch(goal.surface.surface, {cutter, -1.0, modal.thick[role]}, end, c.allowed)};
+  const std::array relations = {Relation{cutter, 1.0, modal.thick[role]},
+                                Relation{cutter, -1.0, modal.thick[role]}};
+  const std::array sides = {touch(goal.surface.surface, relations[0], end, c.allowed),
+                            touch(goal.surface.surface, relations[1], end, c.allowed)};
   // TO ends while the tool comes nearer, PAST while it leaves; at a tangency the tool is on the
   // side on which it is of its guide.
   std::optional<Vec3> guideNormal;
@@ -232,19 +247,15 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
                               : touchOf(modal, drive, driveRole, end).normal;
   }
   const double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
-  const auto fits = [&](const Touch& t) {
-    if (guideNormal) {
-      return t.normal.dot(*guideNormal) >= agreeing;
-    }
-    const double slope = t.normal.dot(at.towards(t.offset));
-    return sign * slope >= -glancing ||
-           (excess(t, c.allowed) == 0.0 &&
-            isTouch(t, c.allowed, slope, t.normal.dot(alongPath(modal, drive, at, t.offset)),
-                    at.length()));
+  const auto fits = [&](std::size_t side) {
+    const Touch& t = sides[side];
+    return guideNormal
+               ? t.normal.dot(*guideNormal) >= agreeing
+               : sign * t.normal.dot(at.towards(t.offset)) >= -glancing ||
+                     isTouch(modal, drive, at, goal.surface.surface, relations[side], c.allowed, t);
   };
-  const bool first = fits(sides[0]) == fits(sides[1])
-                         ? std::abs(sides[0].high) <= std::abs(sides[1].high)
-                         : fits(sides[0]);
+  const bool first =
+      fits(0) == fits(1) ? std::abs(sides[0].high) <= std::abs(sides[1].high) : fits(0);
   c.touch = sides[first ? 0 : 1];
   return c;
 }

@@ -90,10 +90,13 @@ class MotionCheck {
                               const surface::AnySurface& guide,
                               Role role,
                               const Location& end) const;
-  [[nodiscard]] Vec3 alongPath(const Modal& modal,
-                               const surface::AnySurface& drive,
-                               const PathEnd& at,
-                               const Vec3& offset) const;
+  [[nodiscard]] bool isTouch(const Modal& modal,
+                             const surface::AnySurface& drive,
+                             const PathEnd& at,
+                             const surface::AnySurface& check,
+                             const Relation& relation,
+                             const Allowed& allowed,
+                             const Touch& t) const;
   [[nodiscard]] Allowed allowedFor(const Modal& modal, Role role) const;
 
   const Options& options_;
