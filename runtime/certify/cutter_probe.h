@@ -82,7 +82,7 @@ class CutterProbe final : public Probe {
       return core;
     }
     Node n = placeOn(chord_, s);
-    touch(n);
+    touch(n, guess_);
     n.low = convex_ ? planes_.below(n, n) : -unbounded;
     n.support = n.normal;
     if constexpr (std::is_same_v<S, surface::Cone>) {
@@ -122,7 +122,12 @@ class CutterProbe final : public Probe {
     Stretch result;
     if (way_ == Way::general || way_ == Way::convex) {
       node.low = std::max(node.low, searched(node.s, node.s, aim, pieces_, result));
-      node.high = std::min(node.high, result.sample);
+      if (result.sample < node.high) {
+        Node again = node;
+        tool::Search<S> search;
+        touch(again, search);
+        node = again.high < node.high ? again : node;
+      }
     }
   }
 
@@ -158,9 +163,9 @@ class CutterProbe final : public Probe {
   [[nodiscard]] bool isCut() const { return pieces_.front().radius > 0.0; }
 
   /// Measures the gap at a point of the cutter that is likely to be the contact.
-  void touch(Node& n) {
+  void touch(Node& n, tool::Search<S>& search) {
     const tool::Contact guess =
-        tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, guess_);
+        tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, search);
     const Vec3 w = guess.point - n.toolEnd;
     const double z = w.dot(n.axis);
     const Vec3 across = w - z * n.axis;
