@@ -188,11 +188,13 @@ class CheckWatch {
     double free = tolerance::farAway;  ///< and at the segment's end is so far from it
   };
   TangentLook lookForTangency(const Segment& segment, double along, Field& guide);
-  static std::optional<double> slopeBefore(const Segment& segment, double along, Field& field);
-  std::optional<Hit> tangency(const Segment& segment,
-                              const TangentLook& look,
-                              double before,
-                              double along);
+  [[nodiscard]] static Vec3 wayAt(const Segment& segment, double along, Field& guide);
+  static std::optional<double> slopeBefore(const Segment& segment,
+                                           double along,
+                                           Field& field,
+                                           Field& guide);
+  std::optional<Hit> tangency(
+      const Segment& segment, const TangentLook& look, double before, double along, Field& guide);
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   /// A distance from the surface, and where it was.
   struct Approach {
