@@ -8,6 +8,9 @@
 namespace arelem::tool {
 
 namespace {
+/// Within the cone by more than this share of the corner's radius its axis is near, where normals
+/// of all sides meet.
+constexpr double deepest = 0.1;
 /// Steps of Newton; where they do not do the search that knows no cone does better.
 constexpr int limit = 4;
 /// What the gap may be off where the last step is not looked at. Part unit.
@@ -26,7 +29,8 @@ constexpr double noWay = 1e-24;
 class Circle {
  public:
   struct Place {
-    bool good = false;      ///< before the tip, with the normal against the cutter
+    bool good = false;      ///< beside the cone and before its tip, with the normal
+                            ///< against the cutter
     double angle = 0.0;     ///< Newton's next turn about the tool axis
     double bent = 0.0;      ///< the curvature of the distance along the circle, by its radius
     double distance = 0.0;  ///< from the cone, and its normal, and by that turn
@@ -67,10 +71,11 @@ class Circle {
     const double bend = over * oneOver * aroundOn;
     p.bent = radius_ * bend * aroundOn;
     const double curvature = p.bent + pull;
-    p.good = pull > leastPull && curvature > leastCurvature;
+    const double distance = rho * cone_.cosHalf - along * cone_.sinHalf;
+    p.good = pull > leastPull && curvature > leastCurvature && distance > -deepest * radius_;
     const double flat = 1.0 / curvature;
     p.angle = -slope * flat;
-    p.distance = rho * cone_.cosHalf - along * cone_.sinHalf + 0.5 * radius_ * p.angle * slope;
+    p.distance = distance + 0.5 * radius_ * p.angle * slope;
     p.normal = over * radial - cone_.sinHalf * a_;
     p.turning = radius_ * bend * around;
     p.turns = -bend * flat * around;
