@@ -73,10 +73,8 @@ TEST_P(WarmContact, AroundACone) {
         const Contact foretold = contact(s, 1.0, tool(), te, axis, warm);
         Search<surface::Cone> cold;
         const Contact searched = contact(s, 1.0, tool(), te, axis, cold);
-        if (searched.gap > -1.0) {
-          ASSERT_NEAR(foretold.gap, searched.gap, 1e-9) << k << " " << radius << " " << i;
-        }
         if (searched.gap > 0.0) {
+          ASSERT_NEAR(foretold.gap, searched.gap, 1e-9) << k << " " << radius << " " << i;
           ASSERT_NEAR((foretold.normal - searched.normal).norm(), 0.0, 1e-6) << i;
           ASSERT_NEAR((foretold.point - searched.point).norm(), 0.0, 1e-4) << i;
         }
