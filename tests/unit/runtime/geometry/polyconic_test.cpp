@@ -185,12 +185,13 @@ TEST(PolyconicSurface, ConicsThatShrinkHaveAnEnd) {
 
 /// No place of a surface, at many s and t, is nearer than this. All are nearly this near.
 double leastFrom(const geometry::Polyconic& form, const Vec3& p) {
-  constexpr int places = 150;
+  constexpr int across = 75;
+  constexpr int along = 600;
   double least = 1e300;
-  for (int i = 0; i <= places; ++i) {
-    for (int k = 0; k <= places; ++k) {
-      const double s = 0.3 + 0.5 * i / places;
-      const double t = -0.5 + 2.0 * k / places;
+  for (int i = 0; i <= across; ++i) {
+    for (int k = 0; k <= along; ++k) {
+      const double s = 0.3 + 0.5 * i / across;
+      const double t = -2.0 + 5.0 * k / along;
       const auto at = form.at<double>(s, t, form.partOf(s), geometry::Polyconic::along(t));
       least = std::min(least, (Vec3(at[0].value, at[1].value, at[2].value) - p).norm());
     }
@@ -214,7 +215,7 @@ TEST(PolyconicSurface, FootIsTheNearestOfAll) {
       const double away = std::abs(s.foot(p, hint).distance);
       const double least = leastFrom(form, p);
       EXPECT_LE(away, least + 1e-9) << y << " " << z;
-      EXPECT_GE(away, least - 0.02) << y << " " << z;
+      EXPECT_GE(away, least - 0.05) << y << " " << z;
     }
   }
 }
