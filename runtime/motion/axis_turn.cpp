@@ -41,7 +41,8 @@ class Turn {
 
  private:
   /// The turned tool at a share of the way, if one cut vector leads there: at the gaps of stops, or
-  /// at the edge of the band that gives the vector room.
+  /// at the edge of the band that gives the vector room. Looked for from the last one: the tool
+  /// that turned far where it stood may be deep inside, and from there steps lead anywhere.
   std::optional<PathPoint> reach(const PathPoint& last, double share) {
     const Vec3 axis = (from_.axis + share * (goal_ - from_.axis)).normalized();
     std::array<double, 2> inner = path_.rests(), outer = path_.rests();
@@ -51,7 +52,7 @@ class Turn {
       outer[i] = g.field->flat() ? g.rest : g.outer;
     }
     for (const auto& gaps : {path_.rests(), inner, outer}) {
-      const auto p = path_.standing(from_.toolEnd, tangent_, gaps, share < 1.0 ? &axis : nullptr);
+      const auto p = path_.standing(last.toolEnd, tangent_, gaps, share < 1.0 ? &axis : nullptr);
       if (p && path_.fit(last, *p) >= 1.0 - tolerance::wholeExponent) {
         return p;
       }
