@@ -92,6 +92,8 @@ std::shared_ptr<const void> builtOf(EntityType type, std::span<const double> can
       return builtMesh(canon);
     case EntityType::ruledSurface:
       return std::make_shared<const Ruled>(geometry::RuledSurface::of(canon));
+    case EntityType::polyconic:
+      return std::make_shared<const Polyconic>(geometry::Polyconic::of(canon));
     default:
       return nullptr;
   }
@@ -128,7 +130,8 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
       return AnySurface(entity.built ? *std::static_pointer_cast<const Ruled>(entity.built)
                                      : Ruled(geometry::RuledSurface::of(c)));
     case EntityType::polyconic:
-      return AnySurface(Polyconic(geometry::Polyconic::of(c)));
+      return AnySurface(entity.built ? *std::static_pointer_cast<const Polyconic>(entity.built)
+                                     : Polyconic(geometry::Polyconic::of(c)));
     default:
       return fail(diag::NotASurface, spell(entity.type));
   }

@@ -42,7 +42,8 @@ class Turn {
  private:
   /// The turned tool at a share of the way, if one cut vector leads there: at the gaps of stops, or
   /// at edges of the bands that give the vector room. Planes keep the gap of stops if they can; but
-  /// where that is an edge of the band, a turn leaves it at once.
+  /// where that is an edge of the band, a turn leaves it at once. Looked for from the last one: the
+  /// tool that turned far where it stood may be deep inside, and from there steps lead anywhere.
   std::optional<PathPoint> reach(const PathPoint& last, double share) {
     const Vec3 axis = (from_.axis + share * (goal_ - from_.axis)).normalized();
     const auto gap = [&](std::size_t i, bool outwards, bool planesToo) {
@@ -58,7 +59,7 @@ class Turn {
       }
     }
     for (const auto& gaps : choices) {
-      const auto p = path_.standing(from_.toolEnd, tangent_, gaps, share < 1.0 ? &axis : nullptr);
+      const auto p = path_.standing(last.toolEnd, tangent_, gaps, share < 1.0 ? &axis : nullptr);
       if (p && path_.fit(last, *p) >= 1.0 - tolerance::wholeExponent) {
         return p;
       }
