@@ -314,9 +314,6 @@ class CutterProbe final : public Probe {
     Curve(const S& surface, const tool::Profile& cutter, const Relation& relation)
         : search(surface, cutter, relation) {}
     bool run(const CutterProbe& probe, double from, double to, double aim, Stretch& result) {
-      if (probe.chord_.turn() > 0.0) {
-        return false;
-      }
       const BodyResult r = search.run(probe.chord_, from, to, aim, budget);
       if (r.sample < result.sample) {
         result.sample = r.sample;
