@@ -78,7 +78,7 @@ void CurveSearch::begin(double from, double to) {
     const double aside = std::max({p.lowY - q.y(), q.y() - p.highY, 0.0});
     if (part.x0 <= part.x1 && aside <= far) {
       parts_.push_back(part);
-      const bool joint = i + 1 < pieces.size() && part.x1 == p.length;
+      const bool joint = !p.openEnd && part.x1 == p.length;
       if (joint && gap_ < 0.0) {
         part.x0 = p.length;
         part.corner = true;

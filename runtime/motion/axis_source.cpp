@@ -76,9 +76,11 @@ class AngleAxis final : public AxisSource {
     }
     state_ = before <= tolerance::symmetric ? State::found : State::restless;
     if (state_ == State::restless) {
-      if (const auto both = atBoth(toolEnd, axis)) {
+      auto settled = byNewton(toolEnd, axis);
+      settled = settled ? settled : atBoth(toolEnd, axis);
+      if (settled) {
         state_ = State::found;
-        axis = *both;
+        axis = *settled;
       }
     }
     last_ = axis;
@@ -103,6 +105,9 @@ class AngleAxis final : public AxisSource {
   /// Repeats without a smaller move after which there will be none.
   static constexpr int patience = 12;
   static constexpr double slowShare = 0.9;
+  /// Newton ends at what is left of an axis, turns by at most so much at once, and tries steps down
+  /// to this share.
+  static constexpr double newtonMiss = 1e-14, largestTurn = 0.3, leastShare = 1e-3;
   /// How near two axes with both contacts are that count as the same one.
   static constexpr double bothMoved = 1e-13;
 
@@ -130,6 +135,49 @@ class AngleAxis final : public AxisSource {
     }
     const Vec3 normal = control_.field->at(toolEnd, axis).normal;
     return (normal - axis).norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
+  }
+
+  /// The axis that its own normals give back, by Newton: where the place of the contact follows the
+  /// axis by as much as it turns (a ball in a narrow hollow, over an edge), repeats do not come
+  /// nearer.
+  std::optional<Vec3> byNewton(const Vec3& toolEnd, Vec3 axis) {
+    constexpr double h = 1e-6;
+    auto next = step(toolEnd, axis);
+    for (int i = 0; i < repeatLimit && next; ++i) {
+      const Vec3 miss = *next - axis;
+      if (miss.norm() <= newtonMiss) {
+        return axis;
+      }
+      const Vec3 e1 = axis.unitOrthogonal();
+      const Vec3 e2 = axis.cross(e1);
+      const auto along1 = step(toolEnd, (axis + h * e1).normalized());
+      const auto along2 = step(toolEnd, (axis + h * e2).normalized());
+      if (!along1 || !along2) {
+        return std::nullopt;
+      }
+      const Vec3 d1 = (*along1 - *next) / h - e1;
+      const Vec3 d2 = (*along2 - *next) / h - e2;
+      Eigen::Matrix2d change;
+      change << d1.dot(e1), d2.dot(e1), d1.dot(e2), d2.dot(e2);
+      const Eigen::Vector2d turn =
+          change.fullPivLu().solve(Eigen::Vector2d(-miss.dot(e1), -miss.dot(e2)));
+      std::optional<Vec3> better;
+      for (double share = std::min(1.0, largestTurn / std::max(turn.norm(), h)); share > leastShare;
+           share *= 0.5) {
+        const Vec3 there = (axis + share * (turn.x() * e1 + turn.y() * e2)).normalized();
+        const auto behind = step(toolEnd, there);
+        if (behind && (*behind - there).norm() < miss.norm()) {
+          better = there;
+          next = behind;
+          break;
+        }
+      }
+      if (!better) {
+        return miss.norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
+      }
+      axis = *better;
+    }
+    return std::nullopt;
   }
 
   /// The axis with which two places of the cutter touch at once: with more of a turn to either

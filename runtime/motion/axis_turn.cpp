@@ -15,59 +15,12 @@ class Turn {
       : path_(path), from_(from), tangent_(tangent) {}
 
   std::vector<PathPoint> run() {
+    std::vector<PathPoint> ends;
     const auto goal = path_.standing(from_.toolEnd, tangent_, path_.rests(), nullptr);
     if (!goal) {
-      return {};
+      return ends;
     }
     goal_ = goal->axis;
-    const auto [rests, inner, outer] = gapsOf(path_);
-    gaps_ = {rests, inner, outer};
-    auto ends = turn();
-    if (ends.empty()) {
-      // A top edge on a plane runs in an arc about the tool end: without INTOL only cut vectors
-      // that end off the plane have room for its sagitta, while the other surface may ask for the
-      // other edge.
-      gaps_.clear();
-      const auto edges = edgesOf(path_);
-      for (const double part : edges[0]) {
-        for (const double drive : edges[1]) {
-          gaps_.push_back({part, drive});
-        }
-      }
-      ends = turn();
-    }
-    return ends;
-  }
-
- private:
-  using Gaps = std::array<double, 2>;
-  struct Three {
-    Gaps rests, inner, outer;
-  };
-  /// The gaps of stops, and the edges of the bands that give cut vectors room along curved
-  /// surfaces.
-  static Three gapsOf(const Path& path) {
-    Three three{path.rests(), path.rests(), path.rests()};
-    for (std::size_t i = 0; i < path.guides.size(); ++i) {
-      const Guide& g = path.guides[i];
-      if (!g.field->flat()) {
-        three.inner[i] = -g.inner;
-        three.outer[i] = g.outer;
-      }
-    }
-    return three;
-  }
-  static std::array<std::array<double, 3>, 2> edgesOf(const Path& path) {
-    std::array<std::array<double, 3>, 2> edges{};
-    for (std::size_t i = 0; i < path.guides.size(); ++i) {
-      const Guide& g = path.guides[i];
-      edges[i] = {g.rest, -g.inner, g.outer};
-    }
-    return edges;
-  }
-
-  std::vector<PathPoint> turn() {
-    std::vector<PathPoint> ends;
     PathPoint last = from_;
     for (double done = 0.0; done < 1.0;) {
       auto next = reach(last, 1.0);
@@ -86,10 +39,25 @@ class Turn {
     return ends;
   }
 
-  /// The turned tool at a share of the way, if one cut vector leads there.
+ private:
+  /// The turned tool at a share of the way, if one cut vector leads there: at the gaps of stops, or
+  /// at edges of the bands that give the vector room. Planes keep the gap of stops if they can; but
+  /// where that is an edge of the band, a turn leaves it at once.
   std::optional<PathPoint> reach(const PathPoint& last, double share) {
     const Vec3 axis = (from_.axis + share * (goal_ - from_.axis)).normalized();
-    for (const Gaps& gaps : gaps_) {
+    const auto gap = [&](std::size_t i, bool outwards, bool planesToo) {
+      const Guide& g = path_.guides[i];
+      return g.field->flat() && !planesToo ? g.rest : g.edge(outwards);
+    };
+    std::vector<std::array<double, 2>> choices{path_.rests()};
+    for (const bool planesToo : {false, true}) {
+      for (const bool part : {false, true}) {
+        for (const bool drive : {part, !part}) {
+          choices.push_back({gap(0, part, planesToo), gap(1, drive, planesToo)});
+        }
+      }
+    }
+    for (const auto& gaps : choices) {
       const auto p = path_.standing(from_.toolEnd, tangent_, gaps, share < 1.0 ? &axis : nullptr);
       if (p && path_.fit(last, *p) >= 1.0 - tolerance::wholeExponent) {
         return p;
@@ -113,7 +81,6 @@ class Turn {
   const PathPoint& from_;
   Vec3 tangent_;
   Vec3 goal_ = Vec3::UnitZ();
-  std::vector<Gaps> gaps_;  ///< at which cut vectors may end, those to be tried first first
 };
 }  // namespace
 
