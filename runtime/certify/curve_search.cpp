@@ -103,7 +103,7 @@ void CurveSearch::begin(double from, double to) {
       for (const Vec2& corner : polygonOf(part)) {
         far_ = std::max(far_, (corner - middle).norm() + step_.norm());
       }
-      const bool joint = i + 1 < pieces.size() && part.x1 == p.length;
+      const bool joint = !p.openEnd && part.x1 == p.length;
       if (joint && gap_ < 0.0) {
         part.x0 = p.length;
         part.corner = true;

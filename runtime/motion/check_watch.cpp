@@ -40,6 +40,7 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
       pointTool_(tool.cutter == nullptr),
       pace_(surface.surface, tool.cutter),
+      thickPassesTool_(tool.cutter != nullptr && tool.thick < -tool.cutter->maxRadius()),
       arm_(tool.cutter == nullptr ? 0.0 : std::hypot(tool.cutter->maxRadius(), tool.cutter->h)) {
   plus_ = makeField(surface.surface, 1.0, tool);
   minus_ = makeField(surface.surface, -1.0, tool);

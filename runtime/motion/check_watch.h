@@ -107,6 +107,9 @@ class CheckWatch {
   [[nodiscard]] bool neverLeft() const { return !wasClear() && nearest() <= band_; }
   /// True where the tool was at the surface, within its tolerance, when the motion began.
   [[nodiscard]] bool startedAt() const { return startedAt_; }
+  /// True where a negative THICK is deeper than the tool is wide: then it is never clear of both
+  /// sides of the surface, and has no position TO or PAST it.
+  [[nodiscard]] bool thickPassesTool() const { return thickPassesTool_; }
 
   /// What changes from segment to segment; can be put back to try a segment again.
   struct Progress {
@@ -220,6 +223,7 @@ class CheckWatch {
   bool tangent_;
   bool pointTool_;
   CheckPace pace_;
+  bool thickPassesTool_;
   double arm_;  ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
