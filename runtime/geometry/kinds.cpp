@@ -25,6 +25,19 @@ Quadric quadricOf(const std::vector<double>& c) {
   return {sign * matrix, sign * vec(c, 7), sign * c[3]};
 }
 
+/// Where the straight ends begin at one place, the curve closes there, without them.
+void close(TabulatedCylinder::Curve& curve) {
+  const TabulatedCylinder::Piece& first = curve.pieces.front();
+  const TabulatedCylinder::Piece& last = curve.pieces.back();
+  const double du = first.u + first.length * first.dirU - last.u;
+  const double dv = first.v + first.length * first.dirV - last.v;
+  if (curve.pieces.size() > 3 && std::hypot(du, dv) <= tolerance::coincidence) {
+    curve.pieces.pop_back();
+    curve.pieces.erase(curve.pieces.begin());
+    curve.pieces.front().openStart = curve.pieces.back().openEnd = false;
+  }
+}
+
 AnySurface tabulatedOf(const std::vector<double>& c) {
   const geometry::TabulatedCylinder view = geometry::TabulatedCylinder::of(c);
   auto curve = std::make_shared<TabulatedCylinder::Curve>();
@@ -48,6 +61,7 @@ AnySurface tabulatedOf(const std::vector<double>& c) {
     p.highY = interval.highest;
     curve->pieces.push_back(p);
   }
+  close(*curve);
   return TabulatedCylinder(std::move(curve));
 }
 
