@@ -16,6 +16,9 @@ namespace {
 constexpr double glancing = 1e-3;
 /// Cosine of the angle within which contact normals agree at a tangency.
 constexpr double agreeing = 0.5;
+/// How far ahead the slope of a gap tells how it bends, as a share of the root of its band: a touch
+/// passes through the band in a length of that order.
+constexpr double aheadShare = 0.05;
 
 using State = Verdict::State;
 
@@ -37,8 +40,13 @@ void PathEnd::moveTo(const Location& next) {
   place_ = next;
 }
 
-Vec3 PathEnd::towards(const Vec3& offset) const {
-  const Vec3 velocity = stretch_.velocity(offset);
+Vec3 PathEnd::towards(const Vec3& offset, const Vec3& line) const {
+  Vec3 velocity = stretch_.velocity(offset);
+  const double squared = line.squaredNorm();
+  if (squared > 0.0) {
+    const double way = std::copysign(stretch_.length(), line.dot(stretch_.step()));
+    velocity += way / std::sqrt(squared) * line - stretch_.step();
+  }
   const double length = velocity.norm();
   return length > tolerance::sameSide ? Vec3(velocity / length) : Vec3(Vec3::Zero());
 }
@@ -157,6 +165,52 @@ double MotionCheck::Contact::missed() const {
   return excess(touch, allowed);
 }
 
+/// How the tool touches a surface that guides it, on the side on which it keeps the tolerance.
+Touch MotionCheck::touchOf(const Modal& modal,
+                           const surface::AnySurface& guide,
+                           Role role,
+                           const Location& end) const {
+  const bool on = role == partRole ? modal.toolOnPart() : modal.toolOnDrive();
+  const tool::Profile* cutter = on ? nullptr : modal.cutterFor(role);
+  const Allowed keeps = allowedFor(modal, role);
+  const Touch plus = touch(guide, {cutter, 1.0, modal.thick[role]}, end, keeps);
+  const Touch minus = touch(guide, {cutter, -1.0, modal.thick[role]}, end, keeps);
+  // A tool without size is on the side that keeps the tolerance.
+  const double apart = excess(minus, keeps) - excess(plus, keeps);
+  const bool ofPlus = apart != 0.0 ? apart > 0.0 : std::abs(plus.high) <= std::abs(minus.high);
+  return ofPlus ? plus : minus;
+}
+
+/// Whether a gap that is within its band where the path ends turns round within it: a touch, which
+/// is TO and PAST at one place. How the gap bends follows from its slopes along the last cut
+/// vector, along the path at its end and a little ahead.
+bool MotionCheck::isTouch(const Modal& modal,
+                          const surface::AnySurface& drive,
+                          const PathEnd& at,
+                          const surface::AnySurface& check,
+                          const Relation& relation,
+                          const Allowed& allowed,
+                          const Touch& t) const {
+  if (excess(t, allowed) > 0.0) {
+    return false;
+  }
+  const Vec3 across = touchOf(modal, drive, driveRole, at.place()).normal;
+  const Vec3 up = touchOf(modal, modal.partSurface().surface, partRole, at.place()).normal;
+  const Vec3 line = across.cross(up);
+  const Vec3 way = at.towards(t.offset, line);
+  const double slope = t.normal.dot(way);
+  if (std::abs(slope) <= glancing) {
+    return true;
+  }
+  const double step = aheadShare * std::sqrt(allowed.inner + allowed.outer);
+  Location ahead = at.place();
+  ahead.toolEnd += step * at.towards(Vec3::Zero(), line);
+  const double next = touch(check, relation, ahead, allowed).normal.dot(way);
+  const double bend =
+      (next - slope) / step + 2.0 * (slope - t.normal.dot(at.towards(t.offset))) / at.length();
+  return bend > 0.0 && t.low - 0.5 * slope * slope / bend >= -allowed.inner - allowed.slack;
+}
+
 MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
                                             const Goal& goal,
                                             std::size_t index,
@@ -181,34 +235,27 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     return c;
   }
   const tool::Profile* cutter = modal.cutterFor(role);
-  const std::array<Touch, 2> sides = {
-      touch(goal.surface.surface, {cutter, 1.0, modal.thick[role]}, end, c.allowed),
-      touch(goal.surface.surface, {cutter, -1.0, modal.thick[role]}, end, c.allowed)};
+  const std::array relations = {Relation{cutter, 1.0, modal.thick[role]},
+                                Relation{cutter, -1.0, modal.thick[role]}};
+  const std::array sides = {touch(goal.surface.surface, relations[0], end, c.allowed),
+                            touch(goal.surface.surface, relations[1], end, c.allowed)};
   // TO ends while the tool comes nearer, PAST while it leaves; at a tangency the tool is on the
   // side on which it is of its guide.
   std::optional<Vec3> guideNormal;
   if (c.tangent) {
-    const Named part = modal.partSurface();
-    const surface::AnySurface& guide = touchesPart ? part.surface : drive;
-    const Role guideRole = touchesPart ? partRole : driveRole;
-    const tool::Profile* guideCutter = modal.cutterFor(guideRole);
-    const double thick = modal.thick[guideRole];
-    const Allowed keeps = allowedFor(modal, guideRole);
-    const Touch plus = touch(guide, {guideCutter, 1.0, thick}, end, keeps);
-    const Touch minus = touch(guide, {guideCutter, -1.0, thick}, end, keeps);
-    // A tool without size is on the side that keeps the tolerance.
-    const double apart = excess(minus, keeps) - excess(plus, keeps);
-    const bool ofPlus = apart != 0.0 ? apart > 0.0 : std::abs(plus.high) <= std::abs(minus.high);
-    guideNormal = ofPlus ? plus.normal : minus.normal;
+    guideNormal = touchesPart ? touchOf(modal, modal.partSurface().surface, partRole, end).normal
+                              : touchOf(modal, drive, driveRole, end).normal;
   }
   const double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
-  const auto fits = [&](const Touch& t) {
-    return guideNormal ? t.normal.dot(*guideNormal) >= agreeing
-                       : sign * t.normal.dot(at.towards(t.offset)) >= -glancing;
+  const auto fits = [&](std::size_t side) {
+    const Touch& t = sides[side];
+    return guideNormal
+               ? t.normal.dot(*guideNormal) >= agreeing
+               : sign * t.normal.dot(at.towards(t.offset)) >= -glancing ||
+                     isTouch(modal, drive, at, goal.surface.surface, relations[side], c.allowed, t);
   };
-  const bool first = fits(sides[0]) == fits(sides[1])
-                         ? std::abs(sides[0].high) <= std::abs(sides[1].high)
-                         : fits(sides[0]);
+  const bool first =
+      fits(0) == fits(1) ? std::abs(sides[0].high) <= std::abs(sides[1].high) : fits(0);
   c.touch = sides[first ? 0 : 1];
   return c;
 }

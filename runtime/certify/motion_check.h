@@ -17,9 +17,12 @@ class PathEnd {
 
   void moveTo(const Location& next);
   [[nodiscard]] const Location& place() const { return place_; }
+  /// Of the way by which the tool end came there.
+  [[nodiscard]] double length() const { return stretch_.length(); }
   /// Direction in which the point of the tool at `offset` from the tool end came: where the axis
-  /// turns, another one than that of the tool end. Zero if it did not move.
-  [[nodiscard]] Vec3 towards(const Vec3& offset) const;
+  /// turns, another one than that of the tool end. Zero if it did not move. `line`: that along
+  /// which the tool end moved there, of any length and sense, if it was not the chord.
+  [[nodiscard]] Vec3 towards(const Vec3& offset, const Vec3& line = Vec3::Zero()) const;
 
  private:
   Location place_;
@@ -83,6 +86,17 @@ class MotionCheck {
                                   std::size_t index,
                                   const PathEnd& end,
                                   const surface::AnySurface& drive) const;
+  [[nodiscard]] Touch touchOf(const Modal& modal,
+                              const surface::AnySurface& guide,
+                              Role role,
+                              const Location& end) const;
+  [[nodiscard]] bool isTouch(const Modal& modal,
+                             const surface::AnySurface& drive,
+                             const PathEnd& at,
+                             const surface::AnySurface& check,
+                             const Relation& relation,
+                             const Allowed& allowed,
+                             const Touch& t) const;
   [[nodiscard]] Allowed allowedFor(const Modal& modal, Role role) const;
 
   const Options& options_;

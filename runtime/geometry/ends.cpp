@@ -1,8 +1,13 @@
 #include "runtime/geometry/ends.h"
 
+#include "runtime/geometry/kinds/ruled_ends.h"
+
 namespace arelem::surface {
 
 double endBefore(const AnySurface& surface, const Vec3& p) {
+  if (const auto* ruled = std::get_if<Ruled>(&surface)) {
+    return endBefore(*ruled, p);
+  }
   const auto* tabulated = std::get_if<TabulatedCylinder>(&surface);
   if (tabulated == nullptr) {
     return 0.0;

@@ -4,8 +4,9 @@
 namespace arelem::surface {
 
 /// The straight ends of a TABCYL have a length in its canonical form, behind which there is no
-/// surface. How long the end is behind which p lies; 0 where p lies behind none, and for kinds
-/// without ends.
+/// surface; the rulings of a RLDSRF and the tangents of its arcs go on for a length too. How long
+/// the end is behind which p, a place of the surface, lies; 0 where it lies behind none, and for
+/// kinds without ends.
 [[nodiscard]] double endBefore(const AnySurface& surface, const Vec3& p);
 
 }  // namespace arelem::surface

@@ -19,8 +19,11 @@ namespace arelem::surface {
 inline constexpr int rulingsOfASpan = 64;
 /// How far beyond its end points a curve is followed, in chords.
 inline constexpr double reachOfACurve = 1.0;
-/// A curve that leaves its base line steeper than this (a section that turns back) ends there.
+/// A curve that leaves its base line steeper than this (a section that turns back) ends there, and
+/// beyond its end points sooner: near the turn it bends ever more by its fraction, and the rulings
+/// between two such curves turn over.
 inline constexpr double steepest = 8.0;
+inline constexpr double steepestBeyond = 3.0;
 /// Coefficients of the polynomial that stands for a curve's height over a span of its fractions.
 inline constexpr int curveTerms = 8;
 /// Polynomials for each curve distance.
@@ -361,7 +364,8 @@ class RuledCurve {
     for (int i = middle; i != last + way; i += way) {
       const double f = static_cast<double>(i) / rulingsOfASpan;
       const auto place = section_.at(f);
-      if (!place || !(derived(*place).first.norm() <= steepest * length) ||
+      const double most = i < 0 || i > rulingsOfASpan ? steepestBeyond : steepest;
+      if (!place || !(derived(*place).first.norm() <= most * length) ||
           (*place - before).norm() > 2.0 * steepest * length / rulingsOfASpan) {
         break;
       }

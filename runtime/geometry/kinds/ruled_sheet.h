@@ -34,6 +34,7 @@ class Ruled::Sheet {
     atLow_ = {first_.at(low_), second_.at(low_)};
     atHigh_ = {first_.at(high_), second_.at(high_)};
     makeRows();
+    findEnds();
   }
 
   [[nodiscard]] SheetPlace at(double f, double g) const {
@@ -69,8 +70,12 @@ class Ruled::Sheet {
   [[nodiscard]] bool isNearest(const Foot& foot, const Hint& hint) const;
   /// The foot of p. `known` is one that may not be the nearest place, with its hint; or none.
   [[nodiscard]] Foot nearest(const Vec3& p, const Foot* known, Hint& hint) const;
+  /// See ruled_ends.h.
+  [[nodiscard]] static double endBefore(const Ruled& surface, const Vec3& p);
 
  private:
+  void findEnds();
+  [[nodiscard]] double endBefore(double f, double g) const;
   struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
@@ -209,6 +214,8 @@ class Ruled::Sheet {
 
   RuledCurve first_, second_;
   double low_, high_;
+  Vec3 middle_ = Vec3::Zero();
+  double amidst_ = 0.0;  ///< no end is nearer to it than the root of this
   std::array<CurvePlace, 2> atLow_, atHigh_;
   std::vector<Row> rows_, blocks_;
   std::vector<Strip> strips_, blockStrips_;  ///< of them, close together
