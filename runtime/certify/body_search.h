@@ -104,8 +104,7 @@ class BodySearch {
   /// The base turns with the tool: its first direction lies in the plane of the turn.
   [[nodiscard]] Base baseAt(double s) const {
     const Vec3 axis = chord_->axis(s);
-    const Vec3 e2 = chord_->turn() > 0.0 ? chord_->pole() : Vec3(axis.unitOrthogonal());
-    return {axis, e2.cross(axis), e2};
+    return {axis, chord_->pole().cross(axis), chord_->pole()};
   }
   [[nodiscard]] Frame frameAt(double s, const Turn& angle) const {
     const Base base = chord_->turn() > 0.0 ? baseAt(s) : steady_;

@@ -34,7 +34,8 @@ class Chord {
   [[nodiscard]] double length() const { return step_.norm(); }
   /// Angle between the axes at the two ends. Radians.
   [[nodiscard]] double turn() const { return turn_; }
-  [[nodiscard]] const Vec3& pole() const { return pole_; }  ///< unit
+  /// Unit, square to the axis at all places, which turns about it if it does.
+  [[nodiscard]] const Vec3& pole() const { return pole_; }
 
  private:
   /// Of axes that differ by rounding alone the product is rounding of any direction; the pole is

@@ -47,10 +47,7 @@ class CoreGap {
   }
 
   [[nodiscard]] Node at(double s) {
-    Node n;
-    n.s = s;
-    n.toolEnd = chord_->toolEnd(s);
-    n.axis = chord_->axis(s);
+    Node n = placeOn(*chord_, s);
     const Vec3 offset = core_.height * n.axis;
     n.point = n.toolEnd + offset;
     n.foot = surface_.foot(n.point, hint_);
@@ -61,23 +58,24 @@ class CoreGap {
     return n;
   }
 
-  [[nodiscard]] Range over(const Node& a, const Node& b) const {
-    return between(a, b, b.s - a.s, bySpeed(bends(a, b), speed_, aside_), speed_);
-  }
-  /// The same where the normal is to keep a component of at least `least` along the axis. Where
-  /// that is not certain (near the axis of a cone around the tool) the places of the ball that
-  /// touch at both ends bound the gap from above, as far as they move.
-  [[nodiscard]] Range overBelow(const Node& a, const Node& b, double least) const {
+  /// The gap between two nodes, and the least component along the axis that its normal has there.
+  struct Passed {
+    Range range;
+    double leastAlong = 0.0;
+  };
+  [[nodiscard]] Passed over(const Node& a, const Node& b) const {
     const double h = b.s - a.s;
     const Curving c = bends(a, b);
-    Range range = between(a, b, h, bySpeed(c, speed_, aside_), speed_);
     const double turn = std::max(std::abs(c.least), std::abs(c.most)) * speed_ + chord_->turn();
-    const double lowest = std::min(a.normal.dot(a.axis), b.normal.dot(b.axis)) - 0.5 * turn * h;
-    if (lowest < least) {
-      const double rate = speed_ + chord_->turn() * core_.ball;
-      range.high = 0.5 * (a.high + b.high + rate * h);
-    }
-    return range;
+    return {between(a, b, h, bySpeed(c, speed_, aside_), speed_),
+            std::min(a.normal.dot(a.axis), b.normal.dot(b.axis)) - 0.5 * turn * h};
+  }
+  /// The place of the ball that touches at a node.
+  [[nodiscard]] Node onBall(Node n) const {
+    n.point -= core_.ball * n.normal;
+    n.foot.distance -= relation_.side * core_.ball;
+    n.slope = n.normal.dot(chord_->velocity(n.point - n.toolEnd));
+    return n;
   }
 
  private:

@@ -50,25 +50,47 @@ CurveSearch::CurveSearch(const surface::TabulatedCylinder& surface,
   }
 }
 
+Vec2 CurveSearch::inPlane(const Vec3& v) const {
+  return {surface_.curve().u.dot(v), surface_.curve().v.dot(v)};
+}
+
+CurveSearch::Pose CurveSearch::poseOf(const Vec3& axis, const Vec2& toolEnd) const {
+  Pose pose{axis, inPlane(axis), Vec2::UnitX(), surface_.curve().w.dot(axis), toolEnd};
+  const double length = pose.axisInPlane.norm();
+  const Vec2 up = length > 0.0 ? Vec2(pose.axisInPlane / length) : Vec2(Vec2::UnitY());
+  pose.across = {up.y(), -up.x()};
+  return pose;
+}
+
+CurveSearch::Pose CurveSearch::poseAt(double s) const {
+  const Vec2 toolEnd = first_.toolEnd + s * step_;
+  if (chord_->turn() > 0.0) {
+    return poseOf(chord_->axis(s), toolEnd);
+  }
+  Pose pose = first_;
+  pose.toolEnd = toolEnd;
+  return pose;
+}
+
 void CurveSearch::place(const Chord& chord, double aim) {
-  const auto& curve = surface_.curve();
-  const auto inPlane = [&](const Vec3& v) { return Vec2(curve.u.dot(v), curve.v.dot(v)); };
-  axis_ = chord.axis(0.0);
-  oblique_ = curve.w.dot(axis_);
-  axisInPlane_ = inPlane(axis_);
-  const double length = axisInPlane_.norm();
-  const Vec2 up = length > 0.0 ? Vec2(axisInPlane_ / length) : Vec2(Vec2::UnitY());
-  across_ = {up.y(), -up.x()};
-  start_ = inPlane(chord.toolEnd(0.0));
-  step_ = inPlane(chord.toolEnd(1.0)) - start_;
+  chord_ = &chord;
+  first_ = poseOf(chord.axis(0.0), inPlane(chord.toolEnd(0.0)));
+  step_ = inPlane(chord.toolEnd(1.0)) - first_.toolEnd;
+  inPlaneTurn_ = chord.turn() * chord.pole().dot(surface_.curve().w);
   gap_ = aim + thick_;
+}
+
+/// The way of the tool during a part, at its fastest place.
+double CurveSearch::wayOf(const Part& part) const {
+  return (step_.norm() + chord_->turn() * reach_) * (part.s1 - part.s0);
 }
 
 /// The parts of the curve that the cutter may come near to.
 void CurveSearch::begin(double from, double to) {
   const auto& pieces = surface_.curve().pieces;
-  const Vec2 middle = toolEnd(0.5 * (from + to));
+  const Vec2 middle = poseAt(0.5 * (from + to)).toolEnd;
   const double far = reach_ + std::abs(gap_) + 0.5 * step_.norm() * (to - from) + shortest;
+  far_ = 0.0;
   parts_.clear();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& p = pieces[i];
@@ -78,7 +100,10 @@ void CurveSearch::begin(double from, double to) {
     const double aside = std::max({p.lowY - q.y(), q.y() - p.highY, 0.0});
     if (part.x0 <= part.x1 && aside <= far) {
       parts_.push_back(part);
-      const bool joint = i + 1 < pieces.size() && part.x1 == p.length;
+      for (const Vec2& corner : polygonOf(part)) {
+        far_ = std::max(far_, (corner - middle).norm() + step_.norm());
+      }
+      const bool joint = !p.openEnd && part.x1 == p.length;
       if (joint && gap_ < 0.0) {
         part.x0 = p.length;
         part.corner = true;
@@ -88,39 +113,39 @@ void CurveSearch::begin(double from, double to) {
   }
 }
 
-double CurveSearch::support(const Vec2& direction) const {
-  return tool::reach(cutter_, -direction.dot(axisInPlane_));
+double CurveSearch::support(const Pose& pose, const Vec2& direction) const {
+  return tool::reach(cutter_, -direction.dot(pose.axisInPlane));
 }
 
 /// The point of the cutter that reaches farthest, from the tool end.
-Vec3 CurveSearch::supportPoint(const Vec2& direction) const {
+Vec3 CurveSearch::supportPoint(const Pose& pose, const Vec2& direction) const {
   const auto& curve = surface_.curve();
-  const double along = direction.dot(axisInPlane_);
+  const double along = direction.dot(pose.axisInPlane);
   const tool::ProfilePoint q = tool::reachPoint(cutter_, -along);
-  const Vec3 aside = direction.x() * curve.u + direction.y() * curve.v - along * axis_;
+  const Vec3 aside = direction.x() * curve.u + direction.y() * curve.v - along * pose.axis;
   const double length = aside.norm();
-  const Vec3 out = length > 0.0 ? Vec3(aside / length) : Vec3(axis_.unitOrthogonal());
-  return q.rho * out + q.z * axis_;
+  const Vec3 out = length > 0.0 ? Vec3(aside / length) : Vec3(pose.axis.unitOrthogonal());
+  return q.rho * out + q.z * pose.axis;
 }
 
 /// A unit direction from the cutter to a place, from the tool end, that parts them well.
-Vec2 CurveSearch::towards(const Vec2& place) const {
-  const double across = place.dot(across_);
-  const double up = place.x() * -across_.y() + place.y() * across_.x();
+Vec2 CurveSearch::towards(const Pose& pose, const Vec2& place) const {
+  const double across = place.dot(pose.across);
+  const double up = place.x() * -pose.across.y() + place.y() * pose.across.x();
   const tool::Body::Away away = body_.away(std::abs(across), up);
-  Vec2 best = (across < 0.0 ? -away.byRho : away.byRho) * across_ +
-              away.byZ * Vec2(-across_.y(), across_.x());
-  if (std::abs(oblique_) <= square) {
+  Vec2 best = (across < 0.0 ? -away.byRho : away.byRho) * pose.across +
+              away.byZ * Vec2(-pose.across.y(), pose.across.x());
+  if (std::abs(pose.oblique) <= square) {
     return best;
   }
-  double most = best.dot(place) - support(best);
+  double most = best.dot(place) - support(pose, best);
   for (int i = 0; i < looks; ++i) {
-    const Vec3 point = supportPoint(best);
+    const Vec3 point = supportPoint(pose, best);
     const Vec2 on(surface_.curve().u.dot(point), surface_.curve().v.dot(point));
     const Vec2 next = (place - on).normalized();
     const Vec2 between = (best + next).normalized();
     for (const Vec2& n : {next, between}) {
-      const double value = n.allFinite() ? n.dot(place) - support(n) : -unbounded;
+      const double value = n.allFinite() ? n.dot(place) - support(pose, n) : -unbounded;
       if (value > most) {
         most = value;
         best = n;
@@ -157,29 +182,59 @@ double CurveSearch::setBack(const Part& part, const Vec2& direction) const {
   return -gap_ * (least > 0.0 ? least : -1.0);
 }
 
-double CurveSearch::clearance(const Part& part, const Vec2& direction) const {
+/// The polygon that holds a part of the curve, and is it where the part has no length.
+CurveSearch::Polygon CurveSearch::polygonOf(const Part& part) const {
   const Piece& p = surface_.curve().pieces[part.piece];
-  const Vec2 d = local(p, direction);
   const double third = (part.x1 - part.x0) / 3.0;
   const double y0 = height(p, part.x0);
   const double y3 = height(p, part.x1);
-  const double y1 = y0 + slope(p, part.x0) * third;
-  const double y2 = y3 - slope(p, part.x1) * third;
-  double least = std::min(d.x() * part.x0 + d.y() * y0, d.x() * part.x1 + d.y() * y3);
-  if (third > 0.0) {
-    least = std::min(
-        {least, d.x() * (part.x0 + third) + d.y() * y1, d.x() * (part.x1 - third) + d.y() * y2});
+  const auto place = [&](double x, double y) {
+    return Vec2(p.u + x * p.dirU - y * p.dirV, p.v + x * p.dirV + y * p.dirU);
+  };
+  return {place(part.x0, y0), place(part.x0 + third, y0 + slope(p, part.x0) * third),
+          place(part.x1 - third, y3 - slope(p, part.x1) * third), place(part.x1, y3)};
+}
+
+/// How far a polygon is beyond the cutter.
+double CurveSearch::beyond(const Pose& pose, const Vec2& direction, const Polygon& polygon) const {
+  double least = unbounded;
+  for (const Vec2& corner : polygon) {
+    least = std::min(least, direction.dot(corner - pose.toolEnd));
   }
-  const double moved = std::max(direction.dot(toolEnd(part.s0)), direction.dot(toolEnd(part.s1)));
-  return direction.dot(Vec2(p.u, p.v)) + least - moved - support(direction) +
-         setBack(part, direction);
+  return least - support(pose, direction);
+}
+
+double CurveSearch::clearance(const Part& part, const Vec2& direction) const {
+  const Polygon polygon = polygonOf(part);
+  const double half = 0.5 * (part.s1 - part.s0) * inPlaneTurn_;
+  const Eigen::Rotation2Dd turn(half);
+  const Vec2 before = half == 0.0 ? direction : Vec2(turn.inverse() * direction);
+  const Vec2 after = half == 0.0 ? direction : Vec2(turn * direction);
+  const double least =
+      std::min(beyond(poseAt(part.s0), before, polygon), beyond(poseAt(part.s1), after, polygon));
+  const double back =
+      std::min(setBack(part, before), half == 0.0 ? unbounded : setBack(part, after));
+  return least - bulge(part.s1 - part.s0) + back;
+}
+
+/// What lines that turn with the tool lose between the ends of a time: of the way of the tool end,
+/// of places of the curve, and of the cutter as seen from a line, where the tool turns in another
+/// plane.
+double CurveSearch::bulge(double time) const {
+  const double turn = chord_->turn();
+  if (turn == 0.0) {
+    return 0.0;
+  }
+  const double along = std::abs(inPlaneTurn_);
+  const double aside = std::sqrt(std::max(0.0, turn * turn - along * along));
+  return 0.125 * time * time *
+         (2.0 * along * step_.norm() + along * along * far_ + aside * (turn + along) * reach_);
 }
 
 void CurveSearch::split(const Part& part) {
   Part first = part;
   Part second = part;
-  const double way = step_.norm() * (part.s1 - part.s0);
-  if (part.corner || way >= part.x1 - part.x0) {
+  if (part.corner || wayOf(part) >= part.x1 - part.x0) {
     first.s1 = second.s0 = 0.5 * (part.s0 + part.s1);
   } else {
     first.x1 = second.x0 = 0.5 * (part.x0 + part.x1);
@@ -193,8 +248,8 @@ BodyResult CurveSearch::run(const Chord& chord, double from, double to, double a
   place(chord, aim);
   begin(from, to);
   // One point of the cutter must be on the right side: then all are that no curve parts from it.
-  const auto measure = [&](const Vec2& direction, double s) {
-    const Vec3 point = chord.toolEnd(s) + supportPoint(direction);
+  const auto measure = [&](const Pose& pose, const Vec2& direction, double s) {
+    const Vec3 point = chord.toolEnd(s) + supportPoint(pose, direction);
     const double gap = side_ * surface_.foot(point, hint_).distance - thick_;
     if (gap < result.sample) {
       result.sample = gap;
@@ -202,7 +257,9 @@ BodyResult CurveSearch::run(const Chord& chord, double from, double to, double a
     }
     return gap >= aim;
   };
-  if (!measure(axisInPlane_.norm() > 0.0 ? Vec2(axisInPlane_.normalized()) : across_,
+  const Pose middle = poseAt(0.5 * (from + to));
+  const Vec2& up = middle.axisInPlane;
+  if (!measure(middle, up.norm() > 0.0 ? Vec2(up.normalized()) : middle.across,
                0.5 * (from + to))) {
     return result;
   }
@@ -214,16 +271,18 @@ BodyResult CurveSearch::run(const Chord& chord, double from, double to, double a
     }
     const double s = 0.5 * (part.s0 + part.s1);
     const double x = 0.5 * (part.x0 + part.x1);
+    const Pose pose = poseAt(s);
     const Piece& p = surface_.curve().pieces[part.piece];
     // Square to the cutter, which parts it from a sharper curve, or square to the curve.
-    const std::array directions{towards(placeOf(p, x) - toolEnd(s)), Vec2(-side_ * normalOf(p, x))};
+    const std::array directions{towards(pose, placeOf(p, x) - pose.toolEnd),
+                                Vec2(-side_ * normalOf(p, x))};
     if (clearance(part, directions[0]) >= 0.0 || clearance(part, directions[1]) >= 0.0) {
       continue;
     }
-    const double size = std::max(part.x1 - part.x0, step_.norm() * (part.s1 - part.s0));
-    const Part middle{part.piece, x, x, s, s, part.corner};
-    if (clearance(middle, directions[0]) < 0.0 && clearance(middle, directions[1]) < 0.0 &&
-        !measure(directions[0], s)) {
+    const double size = std::max(part.x1 - part.x0, wayOf(part));
+    const Part place{part.piece, x, x, s, s, part.corner};
+    if (clearance(place, directions[0]) < 0.0 && clearance(place, directions[1]) < 0.0 &&
+        !measure(pose, directions[0], s)) {
       return result;
     }
     if (size <= shortest) {

@@ -5,6 +5,7 @@
 #include "runtime/certify/core_probe.h"
 #include "runtime/certify/curve_search.h"
 #include "runtime/certify/hollow_search.h"
+#include "runtime/certify/support_planes.h"
 #include "runtime/tool/contact.h"
 #include "runtime/tool/rounded.h"
 
@@ -32,11 +33,16 @@ class CutterProbe final : public Probe {
         search_(surface_, relation_),
         hollow_(surface_, relation_),
         curve_(surface_, cutter_, relation_),
+        planes_(surface_, cutter_, relation_),
         pieces_(piecesOf(cutter_)) {
     relation_.cutter = &cutter_;
     convex_ = relation.side > 0.0 && isConvexSolid(surface_) && isConvex(cutter_);
     for (const Piece& p : pieces_) {
       reach_ = std::max(reach_, p.reach() + p.ball);
+    }
+    if (cutter_.r > 0.0) {
+      const double above = cutter_.h - cutter_.f;
+      ballEnds_ = isCut() ? cutter_.sinBeta : -above / std::hypot(above, cutter_.sideEnd.rho);
     }
   }
 
@@ -70,21 +76,18 @@ class CutterProbe final : public Probe {
   Node at(double s) override {
     if (way_ == Way::wall || way_ == Way::ball) {
       Node core = core_.at(s);
-      if (way_ == Way::ball && isCut() && core.normal.dot(core.axis) < cutter_.sinBeta) {
+      if (way_ == Way::ball && core.normal.dot(core.axis) < ballEnds_) {
         core.high = unbounded;
       }
       return core;
     }
-    Node n;
-    n.s = s;
-    n.toolEnd = chord_.toolEnd(s);
-    n.axis = chord_.axis(s);
-    touch(n);
-    n.low = convex_ ? supported(n, n) : -unbounded;
+    Node n = placeOn(chord_, s);
+    touch(n, guess_);
+    n.low = convex_ ? planes_.below(n, n) : -unbounded;
     n.support = n.normal;
     if constexpr (std::is_same_v<S, surface::Cone>) {
       if (convex_) {
-        supportAtTip(n);
+        planes_.supportAtTip(n, chord_);
       }
     }
     return n;
@@ -93,10 +96,13 @@ class CutterProbe final : public Probe {
   Stretch over(const Node& a, const Node& b, double aim) override {
     Stretch result;
     if (way_ == Way::wall) {
-      static_cast<Range&>(result) = core_.over(a, b);
+      static_cast<Range&>(result) = core_.over(a, b).range;
     } else if (way_ == Way::ball) {
-      static_cast<Range&>(result) =
-          isCut() ? core_.overBelow(a, b, cutter_.sinBeta) : core_.over(a, b);
+      const auto [range, leastAlong] = core_.over(a, b);
+      static_cast<Range&>(result) = range;
+      if (!(leastAlong >= ballEnds_)) {
+        result.high = highest(core_.onBall(a), core_.onBall(b));
+      }
       clearRest(a, b, aim, result);
     } else if (way_ == Way::convex) {
       static_cast<Range&>(result) = overConvex(a, b);
@@ -116,7 +122,12 @@ class CutterProbe final : public Probe {
     Stretch result;
     if (way_ == Way::general || way_ == Way::convex) {
       node.low = std::max(node.low, searched(node.s, node.s, aim, pieces_, result));
-      node.high = std::min(node.high, result.sample);
+      if (result.sample < node.high) {
+        Node again = node;
+        tool::Search<S> search;
+        touch(again, search);
+        node = again.high < node.high ? again : node;
+      }
     }
   }
 
@@ -127,8 +138,6 @@ class CutterProbe final : public Probe {
   /// Places measured in vain for all cut vectors of a motion: what stays undecided must not take
   /// hours.
   static constexpr int patience = 1000000;
-  /// Golden sections for the plane at the tip of a cone.
-  static constexpr int tipSections = 60;
   /// A contact this near to the cutter is on it. Part unit.
   static constexpr double onCutter = 1e-9;
 
@@ -154,9 +163,9 @@ class CutterProbe final : public Probe {
   [[nodiscard]] bool isCut() const { return pieces_.front().radius > 0.0; }
 
   /// Measures the gap at a point of the cutter that is likely to be the contact.
-  void touch(Node& n) {
+  void touch(Node& n, tool::Search<S>& search) {
     const tool::Contact guess =
-        tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, guess_);
+        tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, search);
     const Vec3 w = guess.point - n.toolEnd;
     const double z = w.dot(n.axis);
     const Vec3 across = w - z * n.axis;
@@ -172,85 +181,23 @@ class CutterProbe final : public Probe {
     n.slope = n.normal.dot(chord_.velocity(n.point - n.toolEnd));
   }
 
-  /// Lower bound of the gap at `there` by the plane that supports the convex solid at the foot of
-  /// `of`.
-  [[nodiscard]] double supported(const Node& of, const Node& there) const {
-    const double plane = of.foot.distance + of.normal.dot(there.toolEnd - of.point);
-    return plane - tool::reach(cutter_, of.normal.dot(there.axis)) - relation_.thick;
-  }
-
-  /// Of a cutter that covers the tip of a cone the nearest point lies on the cone's axis, where the
-  /// planes that support the cone all around meet: none of them alone says how near. Their weighted
-  /// means do: any normal leaning from the axis by up to 90 degrees less the half angle, so long
-  /// that its share of the axis is sin(half). Golden sections find the one that says most.
-  void supportAtTip(Node& n) const requires std::is_same_v<S, surface::Cone> {
-    if (n.high - n.low <= tolerance::rounding) {
-      return;
-    }
-    const Vec3 up = -surface_.axis;
-    const Vec3 way = n.toolEnd + cutter_.f * n.axis - surface_.vertex;
-    const Vec3 across = way - way.dot(up) * up;
-    const Vec3 out = across.norm() > 0.0 ? Vec3(across.normalized()) : up.unitOrthogonal();
-    const auto mean = [&](double tangent) -> Vec3 {
-      return surface_.sinHalf * (up + tangent * out);
-    };
-    const auto below = [&](double tangent) {
-      const Vec3 m = mean(tangent);
-      const double length = m.norm();
-      return m.dot(n.toolEnd - surface_.vertex) -
-             length * tool::reach(cutter_, m.dot(n.axis) / length) - relation_.thick;
-    };
-    constexpr double golden = 0.6180339887498949;
-    double low = 0.0;
-    double high = surface_.cosHalf / surface_.sinHalf;
-    for (int i = 0; i < tipSections; ++i) {
-      const double left = high - golden * (high - low);
-      const double right = low + golden * (high - low);
-      (below(left) >= below(right) ? high : low) = below(left) >= below(right) ? right : left;
-    }
-    const double best = 0.5 * (low + high);
-    if (below(best) > n.low) {
-      n.low = below(best);
-      n.support = mean(best);
-      // The place of the cutter that such a plane touches is the one on the cone's axis.
-      const Vec3 normal = n.support.normalized();
-      const double nz = normal.dot(n.axis);
-      const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
-      const Vec3 beside = nz * n.axis - normal;
-      const double aside = beside.norm();
-      const Vec3 place = n.toolEnd + q.z * n.axis +
-                         (aside > 0.0 ? Vec3(q.rho / aside * beside) : Vec3(Vec3::Zero()));
-      measure(n, place);
-    }
-  }
-
-  /// Takes the gap at a place of the cutter, if that is the lowest so far.
-  void measure(Node& n, const Vec3& place) const {
-    typename S::Hint hint{};
-    const surface::Foot foot = surface_.foot(place, hint);
-    const double gap = relation_.side * foot.distance - relation_.thick;
-    if (gap < n.high) {
-      n.point = place;
-      n.foot = foot;
-      n.normal = relation_.side * foot.normal;
-      n.high = gap;
-      n.slope = n.normal.dot(chord_.velocity(place - n.toolEnd));
-    }
-  }
-
   [[nodiscard]] Range overConvex(const Node& a, const Node& b) const {
     const double h = b.s - a.s;
     const double rate = chord_.length() + chord_.turn() * reach_;
     if (chord_.turn() == 0.0) {
       const Known left{a.low, a.high, a.support.dot(chord_.step())};
       const Known right{b.low, b.high, b.support.dot(chord_.step())};
-      return between(left, right, h, {0.0, unbounded}, rate);
+      Range range = between(left, right, h, {0.0, unbounded}, rate);
+      if (!planes_.reachesBelowTop(a, b, range.low, chord_)) {
+        range.high = highest(a, b);
+      }
+      return range;
     }
     // The reach towards a fixed plane is the greatest of circular motions: over a chord it bulges
     // by at most turn^2 reach h^2 / 8.
     const double bulge = 0.125 * chord_.turn() * chord_.turn() * reach_ * h * h;
-    const double byA = std::min(supported(a, a), supported(a, b));
-    const double byB = std::min(supported(b, a), supported(b, b));
+    const double byA = std::min(planes_.below(a, a), planes_.below(a, b));
+    const double byB = std::min(planes_.below(b, a), planes_.below(b, b));
     return {std::max(byA, byB) - bulge, highest(a, b)};
   }
 
@@ -367,9 +314,6 @@ class CutterProbe final : public Probe {
     Curve(const S& surface, const tool::Profile& cutter, const Relation& relation)
         : search(surface, cutter, relation) {}
     bool run(const CutterProbe& probe, double from, double to, double aim, Stretch& result) {
-      if (probe.chord_.turn() > 0.0) {
-        return false;
-      }
       const BodyResult r = search.run(probe.chord_, from, to, aim, budget);
       if (r.sample < result.sample) {
         result.sample = r.sample;
@@ -387,6 +331,7 @@ class CutterProbe final : public Probe {
   BodySearch<S> search_;
   HollowSearch<S> hollow_;
   std::conditional_t<std::is_same_v<S, surface::TabulatedCylinder>, Curve, NoCurve> curve_;
+  SupportPlanes<S> planes_;
   std::vector<Piece> pieces_;
   tool::Search<S> guess_;
   typename S::Hint hint_{};
@@ -395,6 +340,9 @@ class CutterProbe final : public Probe {
   bool convex_ = false;
   int inVain_ = 0;
   double reach_ = 0.0;
+  /// Least component along the axis of a normal of the ball by which it touches, or what is nearer
+  /// than the ball does: below that the ball looks out of the cutter at the top.
+  double ballEnds_ = -unbounded;
 };
 
 }  // namespace arelem::certify

@@ -20,10 +20,8 @@ class MeshPointProbe final : public Probe {
   Node resume(const Node& previous) override { return turned(previous, chord_); }
 
   Node at(double s) override {
-    Node n;
-    n.s = s;
-    n.toolEnd = n.point = chord_.toolEnd(s);
-    n.axis = chord_.axis(s);
+    Node n = placeOn(chord_, s);
+    n.point = n.toolEnd;
     n.foot = mesh_.foot(n.point, hint_);
     n.triangle = static_cast<std::size_t>(hint_.triangle);
     n.normal = side_ * n.foot.normal;

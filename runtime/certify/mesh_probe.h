@@ -29,17 +29,10 @@ class MeshProbe final : public Probe {
   Node resume(const Node& previous) override { return turned(previous, chord_); }
 
   Node at(double s) override {
-    Node n;
-    n.s = s;
-    n.toolEnd = chord_.toolEnd(s);
-    n.axis = chord_.axis(s);
+    Node n = placeOn(chord_, s);
     const tool::Contact c = tool::contact(mesh_, 1.0, cutter_, n.toolEnd, n.axis, search_);
     n.triangle = static_cast<std::size_t>(search_.hint.triangle);
-    n.point = c.point;
-    n.normal = c.normal;
-    n.high = c.gap - thick_;
-    n.low = -unbounded;
-    n.slope = n.normal.dot(chord_.step());
+    note(c, thick_, chord_, n);
     return n;
   }
 

@@ -102,16 +102,9 @@ class MeshRingProbe final : public Probe {
   Node resume(const Node& previous) override { return turned(previous, chord_); }
 
   Node at(double s) override {
-    Node n;
-    n.s = s;
-    n.toolEnd = chord_.toolEnd(s);
-    n.axis = chord_.axis(s);
+    Node n = placeOn(chord_, s);
     const tool::Contact c = tool::contact(mesh_, side_, ring_, n.toolEnd, n.axis, search_);
-    n.point = c.point;
-    n.normal = c.normal;
-    n.high = c.gap - thick_;
-    n.low = -unbounded;
-    n.slope = n.normal.dot(chord_.velocity(n.point - n.toolEnd));
+    note(c, thick_, chord_, n);
     return n;
   }
 
@@ -140,8 +133,7 @@ class MeshRingProbe final : public Probe {
   /// The base turns with the tool: its first direction lies in the plane of the turn.
   [[nodiscard]] Vec3 place(double s, double angle) const {
     const Vec3 axis = chord_.axis(s);
-    const Vec3 e2 = chord_.turn() > 0.0 ? chord_.pole() : Vec3(axis.unitOrthogonal());
-    const Vec3 out = std::cos(angle) * e2.cross(axis) + std::sin(angle) * e2;
+    const Vec3 out = std::cos(angle) * chord_.pole().cross(axis) + std::sin(angle) * chord_.pole();
     return chord_.toolEnd(s) + ring_.f * axis + ring_.e * out;
   }
 

@@ -20,7 +20,7 @@ class PointProbe final : public Probe {
   }
   Node resume(const Node& previous) override { return turned(previous, chord_); }
   Node at(double s) override { return core_.at(s); }
-  Stretch over(const Node& a, const Node& b, double) override { return {core_.over(a, b)}; }
+  Stretch over(const Node& a, const Node& b, double) override { return {core_.over(a, b).range}; }
   void settle(Node&, double) override {}
 
  private:
@@ -40,30 +40,26 @@ class ClosedProbe final : public Probe {
     }
     convexBody_ = isConvex(cutter_);
   }
-  void take(const Chord& chord) override { chord_ = chord; }
+  void take(const Chord& chord) override {
+    chord_ = chord;
+    convex_ = chord.turn() == 0.0 && isConvexGap();
+  }
   Node resume(const Node& previous) override { return turned(previous, chord_); }
   Node at(double s) override {
-    Node n;
-    n.s = s;
-    n.toolEnd = chord_.toolEnd(s);
-    n.axis = chord_.axis(s);
+    Node n = placeOn(chord_, s);
     tool::Search<S> search;
-    const tool::Contact c =
-        tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, search);
-    n.point = c.point;
-    n.normal = c.normal;
+    tool::Contact c = tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, search);
     if constexpr (std::is_same_v<S, surface::Plane>) {
       // The contact of a plane stands for a whole circle or disc of the cutter: one of its points.
-      const double nz = n.normal.dot(n.axis);
-      const Vec3 across = nz * n.axis - n.normal;
+      const double nz = c.normal.dot(n.axis);
+      const Vec3 across = nz * n.axis - c.normal;
       const double length = across.norm();
       const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
-      n.point = n.toolEnd + q.z * n.axis +
+      c.point = n.toolEnd + q.z * n.axis +
                 q.rho * (length > 0.0 ? Vec3(across / length) : Vec3(n.axis.unitOrthogonal()));
     }
-    n.high = c.gap - relation_.thick;
+    note(c, relation_.thick, chord_, n);
     n.low = n.high;
-    n.slope = n.normal.dot(chord_.velocity(n.point - n.toolEnd));
     return n;
   }
   Stretch over(const Node& a, const Node& b, double) override {
@@ -72,7 +68,7 @@ class ClosedProbe final : public Probe {
     const double rate = chord_.length() + turn * reach_;
     const double least = 0.5 * (a.low + b.low - rate * h) + relation_.thick;
     Curving c = bySpeed(bends(least), rate, turn * turn * reach_);
-    if (turn > 0.0 || !isConvexGap()) {
+    if (!convex_) {
       c.least = -unbounded;
     }
     return {between(a, b, h, c, rate)};
@@ -92,9 +88,28 @@ class ClosedProbe final : public Probe {
       return {0.0, 0.0};
     }
   }
-  /// A plane's gap is linear without a turn; a sphere's is convex for convex bodies outside.
+  /// Without a turn a plane's gap is linear; that of a sphere is convex outside for convex bodies
+  /// with all of their faces: where the top face, which does not cut, is not the nearest one.
   [[nodiscard]] bool isConvexGap() const {
-    return std::is_same_v<S, surface::Plane> || (convexBody_ && relation_.side > 0.0);
+    if constexpr (std::is_same_v<S, surface::Sphere>) {
+      return convexBody_ && relation_.side > 0.0 && !passesOverTop();
+    } else {
+      return true;
+    }
+  }
+  /// Whether the center of the sphere comes to be right above the top face.
+  [[nodiscard]] bool passesOverTop() const requires std::is_same_v<S, surface::Sphere> {
+    const Vec3 axis = chord_.axis(0.0);
+    const Vec3 first = surface_.center - chord_.toolEnd(0.0);
+    const Vec3 last = surface_.center - chord_.toolEnd(1.0);
+    if (std::max(first.dot(axis), last.dot(axis)) <= cutter_.h) {
+      return false;
+    }
+    const Vec3 beside = first - first.dot(axis) * axis;
+    const Vec3 way = chord_.step() - chord_.step().dot(axis) * axis;
+    const double squared = way.squaredNorm();
+    const double nearest = squared > 0.0 ? std::clamp(beside.dot(way) / squared, 0.0, 1.0) : 0.0;
+    return (beside - nearest * way).norm() < cutter_.sideEnd.rho;
   }
 
   S surface_;
@@ -102,6 +117,7 @@ class ClosedProbe final : public Probe {
   Relation relation_;
   Chord chord_;
   bool convexBody_ = false;
+  bool convex_ = false;  ///< the gap, along the chord taken
   double reach_ = 0.0;
 };
 }  // namespace

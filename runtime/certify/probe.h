@@ -4,7 +4,7 @@
 #include "runtime/certify/bounds.h"
 #include "runtime/certify/chord.h"
 #include "runtime/geometry/kinds.h"
-#include "runtime/tool/profile.h"
+#include "runtime/tool/contact.h"
 
 namespace arelem::certify {
 
@@ -57,6 +57,24 @@ class Probe {
   /// becomes its `high`.
   virtual void settle(Node& node, double aim) = 0;
 };
+
+/// A place of a chord, where nothing was measured yet.
+[[nodiscard]] inline Node placeOn(const Chord& chord, double s) {
+  Node n;
+  n.s = s;
+  n.toolEnd = chord.toolEnd(s);
+  n.axis = chord.axis(s);
+  return n;
+}
+
+/// What a contact tells of a place of a chord: no more than how near the cutter is at most.
+inline void note(const tool::Contact& contact, double thick, const Chord& chord, Node& n) {
+  n.point = contact.point;
+  n.normal = contact.normal;
+  n.high = contact.gap - thick;
+  n.low = -unbounded;
+  n.slope = n.normal.dot(chord.velocity(n.point - n.toolEnd));
+}
 
 /// `previous` as the beginning of a chord: only its slope changes.
 [[nodiscard]] inline Node turned(Node previous, const Chord& chord) {

@@ -37,8 +37,12 @@ class Proof {
   }
 
  private:
-  void see(const Node& n) {
+  /// What is measured too far off may have another place that is not, which then counts.
+  void see(Node& n) {
     ++verdict_.nodes;
+    if (n.high > std::max(ceiling_, verdict_.greatest.measured)) {
+      probe_.settle(n, std::nextafter(ceiling_, unbounded));
+    }
     if (n.high < verdict_.least.measured) {
       verdict_.least.measured = n.high;
       verdict_.least.at = n.s;
@@ -88,7 +92,7 @@ class Proof {
       take(range);
       return;
     }
-    const Node middle = probe_.at(0.5 * (a.s + b.s));
+    Node middle = probe_.at(0.5 * (a.s + b.s));
     see(middle);
     decide(middle, b, range);
     decide(a, middle, range);
@@ -107,17 +111,9 @@ class Proof {
       verdict_.inner = State::undecided;
     }
     if (verdict_.greatest.measured > ceiling_) {
-      // A measured point of the cutter is too far off; the nearest one may be another.
-      if (!(farthest_.low > ceiling_)) {
-        probe_.settle(farthest_, std::nextafter(ceiling_, unbounded));
-      }
-      if (farthest_.low > ceiling_) {
-        verdict_.outer = State::refuted;
-        return;
-      }
-      verdict_.greatest.measured = std::min(verdict_.greatest.measured, farthest_.high);
-    }
-    if (!(verdict_.greatest.proven <= ceiling_)) {
+      // A measured point of the cutter is too far off; is the nearest one?
+      verdict_.outer = farthest_.low > ceiling_ ? State::refuted : State::undecided;
+    } else if (!(verdict_.greatest.proven <= ceiling_)) {
       verdict_.outer = State::undecided;
     }
   }

@@ -25,6 +25,19 @@ Quadric quadricOf(const std::vector<double>& c) {
   return {sign * matrix, sign * vec(c, 7), sign * c[3]};
 }
 
+/// Where the straight ends begin at one place, the curve closes there, without them.
+void close(TabulatedCylinder::Curve& curve) {
+  const TabulatedCylinder::Piece& first = curve.pieces.front();
+  const TabulatedCylinder::Piece& last = curve.pieces.back();
+  const double du = first.u + first.length * first.dirU - last.u;
+  const double dv = first.v + first.length * first.dirV - last.v;
+  if (curve.pieces.size() > 3 && std::hypot(du, dv) <= tolerance::coincidence) {
+    curve.pieces.pop_back();
+    curve.pieces.erase(curve.pieces.begin());
+    curve.pieces.front().openStart = curve.pieces.back().openEnd = false;
+  }
+}
+
 AnySurface tabulatedOf(const std::vector<double>& c) {
   const geometry::TabulatedCylinder view = geometry::TabulatedCylinder::of(c);
   auto curve = std::make_shared<TabulatedCylinder::Curve>();
@@ -48,6 +61,7 @@ AnySurface tabulatedOf(const std::vector<double>& c) {
     p.highY = interval.highest;
     curve->pieces.push_back(p);
   }
+  close(*curve);
   return TabulatedCylinder(std::move(curve));
 }
 
@@ -78,6 +92,8 @@ std::shared_ptr<const void> builtOf(EntityType type, std::span<const double> can
       return builtMesh(canon);
     case EntityType::ruledSurface:
       return std::make_shared<const Ruled>(geometry::RuledSurface::of(canon));
+    case EntityType::polyconic:
+      return std::make_shared<const Polyconic>(geometry::Polyconic::of(canon));
     default:
       return nullptr;
   }
@@ -114,7 +130,8 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
       return AnySurface(entity.built ? *std::static_pointer_cast<const Ruled>(entity.built)
                                      : Ruled(geometry::RuledSurface::of(c)));
     case EntityType::polyconic:
-      return AnySurface(Polyconic(geometry::Polyconic::of(c)));
+      return AnySurface(entity.built ? *std::static_pointer_cast<const Polyconic>(entity.built)
+                                     : Polyconic(geometry::Polyconic::of(c)));
     default:
       return fail(diag::NotASurface, spell(entity.type));
   }

@@ -1,6 +1,9 @@
 #include "runtime/geometry/polyconic.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "ir/space/tolerance.h"
 
@@ -55,6 +58,37 @@ double Polyconic::value(Function which, double s) const {
 
 double Polyconic::area(double s) const {
   return value(a, s) * value(b, s) - value(c, s) * value(d, s);
+}
+
+double Polyconic::properEnd(Part beyond) const {
+  const double end = beyond == Part::before ? low_ : high;
+  const double way = beyond == Part::before ? -1.0 : 1.0;
+  const auto line = [&](Function which) {
+    const Jet<double> there = polynomial(curves_[which], end);
+    return std::array{there.value, way * there.s};
+  };
+  // A B - C D by the way beyond the end: the functions go on along straight lines.
+  const auto [a0, a1] = line(a);
+  const auto [b0, b1] = line(b);
+  const auto [c0, c1] = line(c);
+  const auto [d0, d1] = line(d);
+  const double square = a1 * b1 - c1 * d1;
+  const double slope = a0 * b1 + a1 * b0 - c0 * d1 - c1 * d0;
+  const double start = a0 * b0 - c0 * d0;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  double least = never;
+  const auto take = [&](double root) {
+    least = std::isfinite(root) && root > 0.0 ? std::min(least, root) : least;
+  };
+  const double discriminant = slope * slope - 4.0 * square * start;
+  // Conics that keep their form shrink to a point, at which the area only touches zero.
+  if (discriminant >= -tolerance::rounding * slope * slope) {
+    const double sum =
+        -0.5 * (slope + std::copysign(std::sqrt(std::max(0.0, discriminant)), slope));
+    take(start / sum);
+    take(sum / square);
+  }
+  return end + way * least;
 }
 
 std::optional<PolyconicFault> faultOf(const Polyconic& surface) {

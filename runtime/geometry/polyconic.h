@@ -52,6 +52,9 @@ class Polyconic {
   [[nodiscard]] double value(Function which, double s) const;
   /// A B - C D at s: 0 where the conic is flat or a point.
   [[nodiscard]] double area(double s) const;
+  /// Up to which s the conics beyond an end go on before they are flat or a point; behind that they
+  /// are turned over. Without end where they never are.
+  [[nodiscard]] double properEnd(Part beyond) const;
   /// True where the conics at d = 0 shrink to a point: the halves of the surface form a nose.
   [[nodiscard]] bool hasNose() const { return nose_; }
 

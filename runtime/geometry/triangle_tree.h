@@ -15,6 +15,8 @@ class TriangleTree {
   /// The mesh must have triangles.
   explicit TriangleTree(const TriangleMesh& mesh);
 
+  /// All triangles, neighbors in space mostly side by side.
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   /// The triangle nearest to p, of the same mesh. `guess` is one that is likely to be near, or -1.
   [[nodiscard]] std::size_t nearest(const TriangleMesh& mesh, const Vec3& p, int guess) const;
   /// A triangle down the tree by the lesser of `measure(center, half)`: likely the one of the

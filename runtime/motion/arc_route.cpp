@@ -29,13 +29,13 @@ ArcRoute::ArcRoute(Course& course) : course_(course) {
 
 Segment ArcRoute::piece(double along, double length) const {
   const double angle = startAngle_ + sense_ * along / radius_;
-  const Vec3 out(std::cos(angle), std::sin(angle), 0.0);
+  const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
   Segment s;
-  s.from = onPart(center_ + radius_ * out.head<2>());
-  s.direction = sense_ * Vec3(-out.y(), out.x(), 0.0);
+  s.from = onPart(center_ + radius_ * out);
+  s.direction = sense_ * alongPart({-out.y(), out.x()});
   s.length = length;
   s.curvature = sense_ / radius_;
-  s.toCenter = -radius_ * out;
+  s.toCenter = -radius_ * alongPart(out);
   s.tangentFrom = s.direction;
   s.tangentTo = s.tangentAt(length);
   s.axisFrom = s.axisTo = course_.start.axis;

@@ -54,6 +54,10 @@ class ArcRoute {
   [[nodiscard]] Vec3 onPart(const Eigen::Vector2d& p) const {
     return {p.x(), p.y(), partHeight_ + partSlope_.dot(p)};
   }
+  /// A level direction, lifted into the part plane.
+  [[nodiscard]] Vec3 alongPart(const Eigen::Vector2d& v) const {
+    return {v.x(), v.y(), partSlope_.dot(v)};
+  }
 
   Course& course_;
   Eigen::Vector2d center_;

@@ -13,7 +13,8 @@ constexpr int partNumber = 1;  ///< of TLAXIS/PARLEL and ATANGL; 2 is the drive 
 
 AngleSide angleSide(const AxisParty& party) {
   auto field = party.on ? makeField(party.surface->surface, 1.0, {}) : party.contact();
-  return {std::move(field), party.on, party.surface->name, party.side};
+  return {std::move(field), party.on, party.surface->name, party.side,
+          makeField(party.surface->surface, party.side, {})};
 }
 
 Tilt tiltOf(const runtime::ToolAxis& axis) {

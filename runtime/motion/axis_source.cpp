@@ -50,6 +50,11 @@ class AngleAxis final : public AxisSource {
         forward_(forward) {}
 
   Vec3 at(const Vec3& toolEnd) override {
+    if (const auto upright = onToolEnd(toolEnd)) {
+      state_ = State::found;
+      last_ = *upright;
+      return last_;
+    }
     Vec3 axis = last_;
     double before = 2.0, least = before;
     int idle = 0;
@@ -70,6 +75,14 @@ class AngleAxis final : public AxisSource {
       }
     }
     state_ = before <= tolerance::symmetric ? State::found : State::restless;
+    if (state_ == State::restless) {
+      auto settled = byNewton(toolEnd, axis);
+      settled = settled ? settled : atBoth(toolEnd, axis);
+      if (settled) {
+        state_ = State::found;
+        axis = *settled;
+      }
+    }
     last_ = axis;
     return axis;
   }
@@ -92,22 +105,142 @@ class AngleAxis final : public AxisSource {
   /// Repeats without a smaller move after which there will be none.
   static constexpr int patience = 12;
   static constexpr double slowShare = 0.9;
+  /// Newton ends at what is left of an axis, turns by at most so much at once, and tries steps down
+  /// to this share.
+  static constexpr double newtonMiss = 1e-14, largestTurn = 0.3, leastShare = 1e-3;
+  /// How near two axes with both contacts are that count as the same one.
+  static constexpr double bothMoved = 1e-13;
+
+  /// The normals from which the axis follows.
+  struct Normals {
+    Vec3 control = Vec3::UnitZ(), other = Vec3::UnitX();
+    [[nodiscard]] Normals towards(const Normals& to, double share) const {
+      return {(control + share * (to.control - control)).normalized(),
+              (other + share * (to.other - other)).normalized()};
+    }
+    [[nodiscard]] double from(const Normals& n) const {
+      return (control - n.control).norm() + (other - n.other).norm();
+    }
+  };
+
+  /// Without an angle any place of a level bottom is the contact for the axis along its normal: of
+  /// these axes the one whose contact is the tool end, if that is the contact.
+  std::optional<Vec3> onToolEnd(const Vec3& toolEnd) {
+    if (tilt_.alpha != 0.0 || tilt_.lead.value_or(0.0) != 0.0 || control_.on || !control_.under) {
+      return std::nullopt;
+    }
+    Vec3 axis = control_.under->at(toolEnd, last_).normal;
+    if (tilt_.across) {
+      axis = (axis - axis.dot(*tilt_.across) * *tilt_.across).normalized();
+    }
+    const Vec3 normal = control_.field->at(toolEnd, axis).normal;
+    return (normal - axis).norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
+  }
+
+  /// The axis that its own normals give back, by Newton: where the place of the contact follows the
+  /// axis by as much as it turns (a ball in a narrow hollow, over an edge), repeats do not come
+  /// nearer.
+  std::optional<Vec3> byNewton(const Vec3& toolEnd, Vec3 axis) {
+    constexpr double h = 1e-6;
+    auto next = step(toolEnd, axis);
+    for (int i = 0; i < repeatLimit && next; ++i) {
+      const Vec3 miss = *next - axis;
+      if (miss.norm() <= newtonMiss) {
+        return axis;
+      }
+      const Vec3 e1 = axis.unitOrthogonal();
+      const Vec3 e2 = axis.cross(e1);
+      const auto along1 = step(toolEnd, (axis + h * e1).normalized());
+      const auto along2 = step(toolEnd, (axis + h * e2).normalized());
+      if (!along1 || !along2) {
+        return std::nullopt;
+      }
+      const Vec3 d1 = (*along1 - *next) / h - e1;
+      const Vec3 d2 = (*along2 - *next) / h - e2;
+      Eigen::Matrix2d change;
+      change << d1.dot(e1), d2.dot(e1), d1.dot(e2), d2.dot(e2);
+      const Eigen::Vector2d turn =
+          change.fullPivLu().solve(Eigen::Vector2d(-miss.dot(e1), -miss.dot(e2)));
+      std::optional<Vec3> better;
+      for (double share = std::min(1.0, largestTurn / std::max(turn.norm(), h)); share > leastShare;
+           share *= 0.5) {
+        const Vec3 there = (axis + share * (turn.x() * e1 + turn.y() * e2)).normalized();
+        const auto behind = step(toolEnd, there);
+        if (behind && (*behind - there).norm() < miss.norm()) {
+          better = there;
+          next = behind;
+          break;
+        }
+      }
+      if (!better) {
+        return miss.norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
+      }
+      axis = *better;
+    }
+    return std::nullopt;
+  }
+
+  /// The axis with which two places of the cutter touch at once: with more of a turn to either
+  /// side one of them does, and its normals turn the axis back. The normals that count are then
+  /// between those of the two.
+  std::optional<Vec3> atBoth(const Vec3& toolEnd, Vec3 axis) {
+    Normals here = normalsAt(toolEnd, axis);
+    auto turned = axisOf(here);
+    if (!turned) {
+      return std::nullopt;
+    }
+    Normals there = normalsAt(toolEnd, *turned);
+    for (int i = 0; i < repeatLimit; ++i) {
+      double low = 0.0, high = 1.0;  // of the way from `here`: the axis there touches `there`
+      Normals atLow = there, atHigh = here;
+      while (high - low > tolerance::rounding) {
+        const double middle = 0.5 * (low + high);
+        const auto between = axisOf(here.towards(there, middle));
+        if (!between) {
+          return std::nullopt;
+        }
+        const Normals n = normalsAt(toolEnd, *between);
+        const bool isThere = n.from(there) < n.from(here);
+        (isThere ? low : high) = middle;
+        (isThere ? atLow : atHigh) = n;
+      }
+      const auto found = axisOf(here.towards(there, low));
+      if (!found || low == 0.0 || high == 1.0) {
+        return std::nullopt;
+      }
+      const double moved = (*found - axis).norm();
+      axis = *found;
+      there = atLow;
+      here = atHigh;
+      if (moved <= bothMoved) {
+        return axis;
+      }
+    }
+    return std::nullopt;
+  }
 
   std::optional<Vec3> step(const Vec3& toolEnd, const Vec3& from) {
+    return axisOf(normalsAt(toolEnd, from));
+  }
+
+  Normals normalsAt(const Vec3& toolEnd, const Vec3& from) {
     Vec3 normal = control_.field->at(toolEnd, from).normal;
     if (control_.on) {
       const double up = normal.dot(from);
       normal *= (std::abs(up) <= tolerance::symmetric ? control_.side : up) < 0.0 ? -1.0 : 1.0;
     }
-    const Vec3 other = other_.field->at(toolEnd, from).normal;
-    const Vec3 common = normal.cross(other);
+    return {normal, other_.field->at(toolEnd, from).normal};
+  }
+
+  std::optional<Vec3> axisOf(const Normals& n) {
+    const Vec3 common = n.control.cross(n.other);
     const Vec3 forward = common.dot(forward_) < 0.0 ? Vec3(-common) : common;
     if (forward.norm() > tolerance::symmetric) {
       forward_ = forward.normalized();
     }
-    auto axis = tilted(tilt_, normal, other, forward_);
+    auto axis = tilted(tilt_, n.control, n.other, forward_);
     if (!axis) {
-      reason_ = whyNotTilted(tilt_, normal, other);
+      reason_ = whyNotTilted(tilt_, n.control, n.other);
     }
     return axis;
   }

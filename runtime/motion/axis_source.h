@@ -37,6 +37,7 @@ struct AngleSide {
   bool on = false;  ///< the tool end is on the surface: the normal on the axis' side counts
   std::string name;
   double side = 1.0;  ///< on: from which side the tool came, where the axis lies in the surface
+  std::unique_ptr<Field> under{};  ///< of the tool end, on the tool's side
 };
 
 /// ATANGL. `start` is the axis near which the first one is looked for; `forward` gives the sense of

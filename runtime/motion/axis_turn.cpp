@@ -41,17 +41,25 @@ class Turn {
 
  private:
   /// The turned tool at a share of the way, if one cut vector leads there: at the gaps of stops, or
-  /// at the edge of the band that gives the vector room.
+  /// at edges of the bands that give the vector room. Planes keep the gap of stops if they can; but
+  /// where that is an edge of the band, a turn leaves it at once. Looked for from the last one: the
+  /// tool that turned far where it stood may be deep inside, and from there steps lead anywhere.
   std::optional<PathPoint> reach(const PathPoint& last, double share) {
     const Vec3 axis = (from_.axis + share * (goal_ - from_.axis)).normalized();
-    std::array<double, 2> inner = path_.rests(), outer = path_.rests();
-    for (std::size_t i = 0; i < path_.guides.size(); ++i) {
+    const auto gap = [&](std::size_t i, bool outwards, bool planesToo) {
       const Guide& g = path_.guides[i];
-      inner[i] = g.field->flat() ? g.rest : -g.inner;
-      outer[i] = g.field->flat() ? g.rest : g.outer;
+      return g.field->flat() && !planesToo ? g.rest : g.edge(outwards);
+    };
+    std::vector<std::array<double, 2>> choices{path_.rests()};
+    for (const bool planesToo : {false, true}) {
+      for (const bool part : {false, true}) {
+        for (const bool drive : {part, !part}) {
+          choices.push_back({gap(0, part, planesToo), gap(1, drive, planesToo)});
+        }
+      }
     }
-    for (const auto& gaps : {path_.rests(), inner, outer}) {
-      const auto p = path_.standing(from_.toolEnd, tangent_, gaps, share < 1.0 ? &axis : nullptr);
+    for (const auto& gaps : choices) {
+      const auto p = path_.standing(last.toolEnd, tangent_, gaps, share < 1.0 ? &axis : nullptr);
       if (p && path_.fit(last, *p) >= 1.0 - tolerance::wholeExponent) {
         return p;
       }

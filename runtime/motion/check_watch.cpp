@@ -40,6 +40,7 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
       tangent_(condition == ir::Condition::tanto || condition == ir::Condition::pstan),
       pointTool_(tool.cutter == nullptr),
       pace_(surface.surface, tool.cutter),
+      thickPassesTool_(tool.cutter != nullptr && tool.thick < -tool.cutter->maxRadius()),
       arm_(tool.cutter == nullptr ? 0.0 : std::hypot(tool.cutter->maxRadius(), tool.cutter->h)) {
   plus_ = makeField(surface.surface, 1.0, tool);
   minus_ = makeField(surface.surface, -1.0, tool);
@@ -250,6 +251,17 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   }
 }
 
+/// The direction of the path. Along a chord it goes evenly from that at one end to that at the
+/// other, but along a mesh from facet to facet.
+Vec3 CheckWatch::wayAt(const Segment& s, double u, Field& guide) {
+  const Vec3 way = s.tangentAt(u);
+  if (!guide.isFaceted()) {
+    return way;
+  }
+  const Vec3 normal = guide.at(s.at(u), s.axisAt(u)).normal;
+  return way - way.dot(normal) * normal;
+}
+
 /// What both gaps say of a tangency at one place.
 CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, Field& guide) {
   const Vec3 at = s.at(u);
@@ -265,7 +277,7 @@ CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, 
       look.near = true;
       if (agrees) {
         look.inside = field;
-        look.turn = slopeAlong(c, at, s.tangentAt(u), s.spin());
+        look.turn = slopeAlong(c, at, wayAt(s, u, guide), s.spin());
       }
       continue;
     }
@@ -278,17 +290,18 @@ CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, 
 
 /// A contact that jumps onto a stretch where nothing opens or closes, as where a tool comes to fit
 /// into a hollow, begins to touch there: the slope from which it jumps.
-std::optional<double> CheckWatch::slopeBefore(const Segment& s, double u, Field& field) {
+std::optional<double> CheckWatch::slopeBefore(const Segment& s,
+                                              double u,
+                                              Field& field,
+                                              Field& guide) {
   const Vec3 at = s.at(u);
   const tool::Contact c = field.at(at, s.axisAt(u));
-  const double slope = slopeAlong(c, at, s.tangentAt(u), s.spin());
+  const double slope = slopeAlong(c, at, wayAt(s, u, guide), s.spin());
   return std::abs(slope) > levelSlope ? std::optional(slope) : std::nullopt;
 }
 
-std::optional<CheckWatch::Hit> CheckWatch::tangency(const Segment& s,
-                                                    const TangentLook& look,
-                                                    double before,
-                                                    double u) {
+std::optional<CheckWatch::Hit> CheckWatch::tangency(
+    const Segment& s, const TangentLook& look, double before, double u, Field& guide) {
   if (!now_.armed || u <= ignoredUntil_) {
     return std::nullopt;
   }
@@ -305,7 +318,7 @@ std::optional<CheckWatch::Hit> CheckWatch::tangency(const Segment& s,
     return std::nullopt;
   }
   const double earlier = before < u ? before : u - tangentStep();
-  const auto slope = slopeBefore(s, earlier, *look.inside);
+  const auto slope = slopeBefore(s, earlier, *look.inside, guide);
   return slope
              ? std::optional(Hit{earlier, u, look.inside, true, std::copysign(levelSlope, *slope)})
              : std::nullopt;
@@ -321,7 +334,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
     }
     const TangentLook look = lookForTangency(s, u, guide);
     if (look.inside != nullptr) {
-      const auto hit = tangency(s, look, before, u);
+      const auto hit = tangency(s, look, before, u, guide);
       now_.lastTurn = look.turn;
       if (hit) {
         now_.free = 0.0;

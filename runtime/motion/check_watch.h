@@ -107,6 +107,9 @@ class CheckWatch {
   [[nodiscard]] bool neverLeft() const { return !wasClear() && nearest() <= band_; }
   /// True where the tool was at the surface, within its tolerance, when the motion began.
   [[nodiscard]] bool startedAt() const { return startedAt_; }
+  /// True where a negative THICK is deeper than the tool is wide: then it is never clear of both
+  /// sides of the surface, and has no position TO or PAST it.
+  [[nodiscard]] bool thickPassesTool() const { return thickPassesTool_; }
 
   /// What changes from segment to segment; can be put back to try a segment again.
   struct Progress {
@@ -185,11 +188,13 @@ class CheckWatch {
     double free = tolerance::farAway;  ///< and at the segment's end is so far from it
   };
   TangentLook lookForTangency(const Segment& segment, double along, Field& guide);
-  static std::optional<double> slopeBefore(const Segment& segment, double along, Field& field);
-  std::optional<Hit> tangency(const Segment& segment,
-                              const TangentLook& look,
-                              double before,
-                              double along);
+  [[nodiscard]] static Vec3 wayAt(const Segment& segment, double along, Field& guide);
+  static std::optional<double> slopeBefore(const Segment& segment,
+                                           double along,
+                                           Field& field,
+                                           Field& guide);
+  std::optional<Hit> tangency(
+      const Segment& segment, const TangentLook& look, double before, double along, Field& guide);
   std::optional<Hit> scanTangent(const Segment& segment, Field& guide);
   /// A distance from the surface, and where it was.
   struct Approach {
@@ -218,6 +223,7 @@ class CheckWatch {
   bool tangent_;
   bool pointTool_;
   CheckPace pace_;
+  bool thickPassesTool_;
   double arm_;  ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;

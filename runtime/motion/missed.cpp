@@ -45,6 +45,11 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
   }
   Failure never = fail(diag::CheckNotReached, w.surface().name, condition, told(w.nearest()), p.x(),
                        p.y(), p.z());
+  if (w.thickPassesTool()) {
+    return std::move(never).withHelp(
+        "the negative THICK of the check surface is deeper than the radius of the tool, which is "
+        "never clear of it then");
+  }
   if (w.startedAt()) {
     return std::move(never).withHelp(
         fmt::format("the tool is within the tolerance {} of it where the motion begins, which does "

@@ -47,7 +47,7 @@ void CheckWatch::findParallel(const Segment& s, const std::vector<double>& looks
   for (Field* field : {plus_.get(), minus_.get()}) {
     const auto slope = [&](double u) {
       const tool::Contact c = field->at(s.at(u), s.axisAt(u));
-      return slopeAlong(c, s.at(u), s.tangentAt(u), s.spin());
+      return slopeAlong(c, s.at(u), wayAt(s, u, guide), s.spin());
     };
     const auto opens = [&](double u) -> bool { return slope(u) > 0.0; };
     bool second = opens(looks.front());

@@ -125,8 +125,8 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
       guides[i].error = (corrections[i] + settled.missed[i]) / (along * along * along);
     }
   }
-  const double reach = jumpShare * (guess - from.toolEnd).norm();
-  if (!settled.ok || (settled.toolEnd - guess).norm() > reach) {
+  const double reach = jumpShare * jumpShare * (guess - from.toolEnd).squaredNorm();
+  if (!settled.ok || (settled.toolEnd - guess).squaredNorm() > reach) {
     return std::nullopt;
   }
   PathPoint p;

@@ -6,14 +6,15 @@
 namespace arelem::motion {
 
 /// A piece of path: a straight cut vector, with an axis that turns evenly from one end to the
-/// other, or an arc about a vertical axis with the tool axis vertical too.
+/// other, or an arc about a vertical axis with the tool axis vertical too: seen along that axis it
+/// is one of a circle, while both of its directions rise with a leaning part plane.
 struct Segment {
-  Vec3 from, direction;  ///< unit; at the start
+  Vec3 from, direction;  ///< at the start; unit, of an arc seen along its axis
   double length = 0.0;
   Vec3 tangentFrom, tangentTo;   ///< of the true path at both ends
   Vec3 axisFrom, axisTo;         ///< unit
   bool turning = false;          ///< whether the axes differ
-  Vec3 toCenter = Vec3::Zero();  ///< arc: from its start to its center, square to z
+  Vec3 toCenter = Vec3::Zero();  ///< arc: from its start to its center
   double curvature = 0.0;        ///< arc: one over the radius, positive counterclockwise; else 0
 
   [[nodiscard]] bool isArc() const { return curvature != 0.0; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -18,6 +19,20 @@ constexpr double leastGain = 0.1;
 constexpr int patience = 12;
 /// Steps that leave at most this share of what is missed need no new slopes of the axis.
 constexpr double stillGood = 0.1;
+/// Positions and axes in turn: how often, and the turn from which on both are sought at once.
+constexpr int turnLimit = 40;
+constexpr double turnedEnough = 1e-3;
+/// Coming near evenly: the longest and the shortest step, as shares of what is missed at first, how
+/// well places on the way are found, and what neighbors have at most: the turn of a contact normal,
+/// as a cosine, and their distance for what is gained.
+constexpr double longestShare = 0.125;
+constexpr double shortestShare = 1e-3;
+constexpr double shrunkEnough = 1e-3;
+constexpr double sameWay = 0.8;
+constexpr double farForGain = 8.0;
+/// Looking around: places found by whole steps are at most this many times as far from where they
+/// began as that is from the middle.
+constexpr double nearStart = 2.0;
 /// Residuals below this share of the coordinates' size are rounding.
 constexpr double relativeRest = 4e-16;
 constexpr double absoluteRest = 2e-15;
@@ -154,6 +169,17 @@ Eigen::Matrix3d freedom(std::span<const Constraint> constraints) {
   }
   return free;
 }
+
+/// True where one step along the way that shrinks what is missed led from one place to another: the
+/// contacts are much the same, and the tool did not go far for what was gained.
+bool isNeighbor(const Settled& here, const Settled& there, std::size_t count, double gained) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (here.contacts[i].normal.dot(there.contacts[i].normal) < sameWay) {
+      return false;
+    }
+  }
+  return (there.toolEnd - here.toolEnd).norm() <= farForGain * gained;
+}
 }  // namespace
 
 /// Levenberg and Marquardt: a step that misses more is damped until one misses less.
@@ -188,6 +214,71 @@ Settled closest(const Vec3& start,
   return here;
 }
 
+Settled settleEvenly(const Vec3& start,
+                     AxisRule& axis,
+                     std::span<const Wanted> wanted,
+                     std::span<const Constraint> constraints) {
+  Settled here = measured(start, axis, wanted);
+  const Settled first = here;
+  std::vector<Wanted> goals(wanted.begin(), wanted.end());
+  std::vector<Constraint> planes(constraints.begin(), constraints.end());
+  const auto setGoals = [&](double left) {
+    for (std::size_t i = 0; i < goals.size(); ++i) {
+      goals[i].target = wanted[i].target + left * (first.contacts[i].gap - wanted[i].target);
+    }
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      planes[i].through = constraints[i].through + left * (start - constraints[i].through);
+    }
+  };
+  double left = 1.0;
+  for (double share = longestShare; left > 0.0 && share >= shortestShare;) {
+    const double next = std::max(0.0, left - share);
+    setGoals(next);
+    const Settled there = settle(here.toolEnd, axis, goals, planes, shrunkEnough * first.worst);
+    if (there.ok && isNeighbor(here, there, wanted.size(), (left - next) * first.worst)) {
+      here = there;
+      left = next;
+      share = std::min(longestShare, 2.0 * share);
+    } else {
+      share *= 0.5;
+    }
+  }
+  if (left > 0.0) {
+    here.ok = false;
+    return here;
+  }
+  return settle(here.toolEnd, axis, wanted, constraints);
+}
+
+Settled settleInTurn(const Vec3& start,
+                     const Vec3& held,
+                     AxisRule& axis,
+                     std::span<const Wanted> wanted,
+                     std::span<const Constraint> constraints) {
+  Settled out;
+  out.toolEnd = start;
+  Vec3 turned = held;
+  for (int turns = 0; turns < turnLimit; ++turns) {
+    AxisRule fixed(turned);
+    const Settled there = settleEvenly(out.toolEnd, fixed, wanted, constraints);
+    if (!there.ok) {
+      return out;
+    }
+    out = there;
+    out.ok = false;
+    if (axis.fault(out.toolEnd)) {
+      return out;
+    }
+    const Vec3 next = axis.at(out.toolEnd);
+    const double apart = (next - turned).norm();
+    turned = next;
+    if (apart <= turnedEnough) {
+      break;
+    }
+  }
+  return settle(out.toolEnd, axis, wanted, constraints);
+}
+
 namespace {
 /// Directions that go with the surfaces wherever these lie: along the first contact normal, square
 /// to it towards the second, and square to both.
@@ -200,6 +291,20 @@ Eigen::Matrix3d frameOf(const Settled& at, std::size_t count) {
   Eigen::Matrix3d frame;
   frame << first, second, first.cross(second);
   return frame;
+}
+
+/// Whole steps that go far lead anywhere, and rounding chooses where: only those that end within a
+/// distance count.
+Settled settleNear(const Vec3& start,
+                   double distance,
+                   AxisRule& axis,
+                   std::span<const Wanted> wanted,
+                   std::span<const Constraint> constraints) {
+  Settled found = settle(start, axis, wanted, constraints);
+  if (found.ok && (found.toolEnd - start).norm() > distance) {
+    found.ok = false;
+  }
+  return found.ok ? found : settleEvenly(start, axis, wanted, constraints);
 }
 }  // namespace
 
@@ -214,6 +319,10 @@ Settled nearestAround(const Settled& near,
   const double shortest = 0.25 * near.worst;
   const double usual = 16.0 * near.worst;
   const double farthest = std::max(usual, (near.toolEnd - from).norm());
+  const Settled next = settleNear(near.toolEnd, farthest, axis, wanted, constraints);
+  if (next.ok) {
+    return next;
+  }
   const Eigen::Matrix3d frame = frameOf(near, wanted.size());
   Settled best = near;
   double least = tolerance::farAway;
@@ -223,8 +332,8 @@ Settled nearestAround(const Settled& near,
     }
     for (int cell = 0; cell < 27; ++cell) {
       const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
-      const Settled found =
-          settle(near.toolEnd + distance * (frame * way), axis, wanted, constraints);
+      const Vec3 start = near.toolEnd + distance * (frame * way);
+      const Settled found = settleNear(start, nearStart * distance, axis, wanted, constraints);
       const double away = (found.toolEnd - from).norm();
       // Mirror images are equally far: the first one stays.
       if (found.ok && away < least - tolerance::coincidence) {

@@ -47,6 +47,23 @@ struct Settled {
                               std::span<const Wanted> wanted,
                               std::span<const Constraint> constraints);
 
+/// The same from far away: all that is missed shrinks evenly, so that the tool comes to the place
+/// to which it can be led, and not to one behind a surface. Not ok where no such way is found.
+[[nodiscard]] Settled settleEvenly(const Vec3& start,
+                                   AxisRule& axis,
+                                   std::span<const Wanted> wanted,
+                                   std::span<const Constraint> constraints);
+
+/// The same for an axis that follows the tool position: positions with the axis held, from `held`
+/// on, and the axis there, in turn until they agree, then both at once. From far away contacts jump
+/// as the tool turns, so that both at once lead anywhere; with the axis held they do not. Where the
+/// rule gives no axis at a place on the way, that is where it ends.
+[[nodiscard]] Settled settleInTurn(const Vec3& start,
+                                   const Vec3& held,
+                                   AxisRule& axis,
+                                   std::span<const Wanted> wanted,
+                                   std::span<const Constraint> constraints);
+
 /// The position nearest to `from` of those that are found from places around `near`, where the
 /// conditions are missed least; `near` itself where none is found. In a plane of symmetry, or where
 /// a surface bends away and comes back, steps from one place do not lead there.

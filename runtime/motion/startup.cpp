@@ -215,18 +215,25 @@ class Starter {
     return list;
   }
 
+  Settled firstTry(const Vec3& from, std::span<const Constraint> extra) {
+    const auto goals = wanted(false, from);
+    return !rule_.isFixed() ? settleInTurn(from, state_.axis, rule_, goals, extra)
+           : exact_         ? settle(from, rule_, goals, extra)
+                            : settleEvenly(from, rule_, goals, extra);
+  }
+
   Result<Standing> runGo() {
     const Vec3 from = approach();
     const auto extra = constraints(from);
-    Settled found = settle(from, rule_, wanted(false, from), extra);
-    // From far away or across a kink Newton may miss what there is; and where surfaces nearly touch
+    Settled found = firstTry(from, extra);
+    const Vec3 reached = found.toolEnd;
+    // From far away or across a kink a way may miss what there is; and where surfaces nearly touch
     // each other, only places within the tolerances may be any.
     for (const bool atRest : {false, true}) {
       if (!found.ok) {
         const Settled near = closest(from, rule_, wanted(atRest, from), extra);
         const auto goals = wanted(atRest, near.toolEnd);
-        Settled tried = settle(near.toolEnd, rule_, goals, extra);
-        tried = tried.ok ? tried : nearestAround(near, from, rule_, goals, extra);
+        const Settled tried = nearestAround(near, from, rule_, goals, extra);
         found = tried.ok || !atRest ? tried : found;
       }
     }
@@ -234,7 +241,8 @@ class Starter {
       const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
       found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
-    if (auto bad = rule_.fault(found.toolEnd)) {
+    // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
+    if (auto bad = rule_.fault(found.ok ? found.toolEnd : reached)) {
       return *std::move(bad);
     }
     if (!found.ok) {

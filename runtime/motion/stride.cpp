@@ -81,6 +81,25 @@ double Stride::plannedBy(Guide& g, double from) {
   return share * (best > 0.0 ? best : longest);
 }
 
+/// The gaps at which a cut vector of that length should end. Where MAXDP alone ends it, it keeps
+/// the gaps that it has if the bands allow: one that went aside would be longer for nothing, and a
+/// straight way would not end in its last one.
+std::array<double, 2> Stride::aimedGaps(const PathPoint& a, double length) const {
+  std::array<double, 2> gaps = path_.vertexGaps();
+  if (length < longest_ || path_.flat()) {
+    return gaps;
+  }
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const Guide& g = path_.guides[i];
+    const double from = a.contacts[i].gap;
+    const double held = std::clamp(from, g.edge(false), g.edge(true));
+    if (!g.flat() && longestChord(g.bend, from, held, g.inner, g.outer) >= longest_) {
+      gaps[i] = held;
+    }
+  }
+  return gaps;
+}
+
 double Stride::accepted() const {
   double accept = tolerance::farAway;
   for (const Guide& g : path_.guides) {
@@ -236,7 +255,7 @@ std::optional<PathPoint> Stride::longestAlongCurves(const PathPoint& a, double c
   int grown = 0;
   bool corner = false;  // lengths fail because the path cannot be followed so far
   for (; t.count < tryLimit && t.length > tolerance::sameSide; ++t.count) {
-    auto b = path_.step(a, t.length, path_.vertexGaps(), accept);
+    auto b = path_.step(a, t.length, aimedGaps(a, t.length), accept);
     if (!b || b->tangent.dot(a.tangent) < turnCosine) {
       t.length = t.tried.shorter(t.length);
       corner = true;

@@ -23,6 +23,7 @@ class Stride {
   /// How far from the gap aimed at a cut vector may end.
   [[nodiscard]] double accepted() const;
   [[nodiscard]] double planned(const PathPoint& a);
+  [[nodiscard]] std::array<double, 2> aimedGaps(const PathPoint& a, double length) const;
   [[nodiscard]] static double plannedBy(Guide& guide, double from);
   struct Trials;
   void shorten(Trials& t, double factor, double cap, const PathPoint& a, const PathPoint& b);

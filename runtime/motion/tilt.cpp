@@ -40,7 +40,10 @@ std::optional<Vec3> inPlane(const Tilt& tilt,
   }
   const Vec3 first = within / length;
   const Vec3 second = across.cross(first);
-  const double c = std::min(cosine / length, 1.0);
+  // Where the angle is that at which the normal leans out of the plane, there is one axis; what is
+  // left of the sine is the root of rounding.
+  const double ratio = cosine / length;
+  const double c = 1.0 - ratio <= tolerance::rounding ? 1.0 : ratio;
   const double toSide = second.dot(side);
   const double toMotion = second.dot(forward);
   const double sense = std::abs(toSide) >= std::abs(toMotion) ? toSide : toMotion;

@@ -63,10 +63,21 @@ Contact contactOf(const surface::Cone& s,
                   const Vec3& te,
                   const Vec3& axis,
                   Search<surface::Cone>& search) {
+  if (side < 0.0) {
+    return contactOf<surface::Cone>(s, side, cutter, te, axis, search);
+  }
+  if (const auto corner = search.corner.contact(s, cutter, te, axis)) {
+    return *corner;
+  }
+  if (search.corner.isKnown()) {
+    search.toward = search.corner.toward();
+    search.towardTurns = Vec3::Zero();
+  }
   Contact c = contactOf<surface::Cone>(s, side, cutter, te, axis, search);
+  search.corner.goOn(s, cutter, te, axis, c);
   const Vec3 fromTip = c.point - s.vertex;
   const double share = -s.axis.dot(axis);
-  if (side > 0.0 && c.gap < 0.0 && cutter.alpha == 0.0 && share > s.sinHalf &&
+  if (c.gap < 0.0 && cutter.alpha == 0.0 && share > s.sinHalf &&
       (c.point - te).dot(axis) <= tolerance::sameSide &&
       fromTip.cross(s.axis).norm() <= tolerance::sameSide) {
     c.normal = (s.sinHalf / share) * axis;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/geometry/kinds.h"
+#include "runtime/tool/cone_contact.h"
 #include "runtime/tool/near_triangles.h"
 #include "runtime/tool/profile.h"
 #include "runtime/tool/section_contact.h"
@@ -44,6 +45,11 @@ struct Search : LastContact<typename S::Hint> {};
 template <>
 struct Search<surface::TabulatedCylinder> : LastContact<surface::TabulatedCylinder::Hint> {
   SectionSearch section;
+};
+
+template <>
+struct Search<surface::Cone> : LastContact<surface::Cone::Hint> {
+  ConeSearch corner;
 };
 
 /// With a mesh: the last foot or nearest triangle, and what is near on the way.

@@ -88,10 +88,15 @@ class ContactDescent {
   /// True where nearestPiece ended on the corner arc.
   [[nodiscard]] bool onCorner() const { return onCorner_; }
 
-  /// The bottom, from a share of its length; 1 is its rim.
+  /// The bottom, from a share of its length; 1 is its rim. Of a level one the corner's ball goes
+  /// along, of which the cutter has what is below the side: a contact above that is one of the
+  /// side.
   Contact onBottom(double along = 1.0) {
-    return cutter_.alpha == 0.0 ? onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, along)
-                                : onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, along);
+    if (cutter_.alpha > 0.0) {
+      return onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, along);
+    }
+    const Contact c = onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, along);
+    return c.normal.dot(axis_) < cutter_.sinBeta ? onSide(0.0) : c;
   }
   /// The side, from a share of its length.
   Contact onSide(double along) { return onLine(cutter_.sideStart, cutter_.sideEnd, 0.0, along); }

@@ -13,16 +13,31 @@ namespace arelem::tool {
 inline constexpr double seriesTurn = 0.03;
 inline constexpr double seriesRoot = 5e-5;
 
+/// Cosine and sine of an angle that mostly is small.
+struct Turn {
+  static constexpr double by6 = 1.0 / 6.0, by24 = 1.0 / 24.0, by120 = 1.0 / 120.0;
+  static constexpr double by720 = 1.0 / 720.0, by5040 = 1.0 / 5040.0;
+  double cosine, sine;
+  explicit Turn(double angle) {
+    if (std::abs(angle) > seriesTurn) {
+      cosine = std::cos(angle);
+      sine = std::sin(angle);
+      return;
+    }
+    const double a = angle * angle;
+    cosine = 1.0 - a * (0.5 - a * (by24 - a * by720));
+    sine = angle * (1.0 - a * (by6 - a * (by120 - a * by5040)));
+  }
+};
+
 /// A unit vector square to a unit axis, turned about it by an angle; none where that is too large
 /// for the series.
 [[nodiscard]] inline std::optional<Vec3> smallTurn(const Vec3& v, const Vec3& axis, double angle) {
   if (std::abs(angle) > seriesTurn) {
     return std::nullopt;
   }
-  const double a = angle * angle;
-  const double cosine = 1.0 - a / 2.0 * (1.0 - a / 12.0 * (1.0 - a / 30.0 * (1.0 - a / 56.0)));
-  const double sine = angle * (1.0 - a / 6.0 * (1.0 - a / 20.0 * (1.0 - a / 42.0)));
-  return cosine * v + sine * axis.cross(v);
+  const Turn t(angle);
+  return t.cosine * v + t.sine * axis.cross(v);
 }
 
 /// The unit vector along one that may be nearly of that length already.

@@ -115,6 +115,12 @@ class BadMotion(ArelemCase):
         self.assertFault(fault, "E0508", "724", 3.5, 9, -0.5)
         self.assertEqual(fault["help"], "the tool moves away from it from the start on")
 
+    def test_negative_thick_deeper_than_the_tool(self):
+        # With a radius of .5 and THICK -.6 the tool overlaps one side or the other wherever it is.
+        fault = self.fault(*self.LINES, "THICK/0,0,-.6", "FROM/0,-.5,0", "INDIRV/1,0,0", "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(fault, "E0508", "724", 0.1, 5)
+        self.assertIn("deeper than the radius of the tool", fault["help"])
+
     def test_fewer_positions_than_counted(self):
         # The line through the center crosses the circle ON at 17 and 23.
         circle = ("CUTTER/2", "L1=LINE/0,0,1,0", "C1=CIRCLE/20,0,3", "FROM/0,0,0", "INDIRV/1,0,0")

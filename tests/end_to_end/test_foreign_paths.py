@@ -100,6 +100,20 @@ class ForeignPaths(ArelemCase):
             self.assertEqual(self.run_arelem("verify", "h.apt", "h.cls"), code, self.err)
         self.assertIn("h.apt:10:1: error[E0904]: the cutter is 1.8", self.err)
 
+    def test_the_top_face_of_a_cutter_does_not_cut(self):
+        """A flat cutter of radius 1 below a surface of radius 100: half way its top face still touches, its edge is sqrt(1 + 100^2) - 100 =
+        .004999875 off. Where it begins off the middle and .001 higher, its edge goes .001 deep under the lowest place."""
+        for surface in ("SPHERE/0,0,105,100", "QADRIC/1,1,1,0,0,0,0,0,-210,1025"):
+            for x, z, tolerance, end, error in ((-1, 0, .004, 1, "E0905]: the cutter is 0.005 off `S`"), (-1, 0, .00501, 1, None),
+                                                (-.3, .001, .01, 1.7, "E0904]: the cutter is 0.00"), (-.3, -1e-6, .01, 1.7, None)):
+                part = self.write("t.apt", f"CUTTER/2\nINTOL/0\nOUTTOL/{tolerance}\nS={surface}\nDS=LINE/0,0,1,0\nFROM/{x},0,-5\n"
+                                           f"GO/ON,DS,TO,S,ON,(PLANE/1,0,0,{x})\nINDIRV/1,0,0\nTLON,GOFWD/DS,ON,(PLANE/1,0,0,{end})\nFINI\n")
+                self.write("t.cls", f"FROM/{x},0,-5\nGOTO/{x},0,{z}\nGOTO/{end},0,{z}\nFINI\n")
+                with self.subTest(surface=surface, x=x, tolerance=tolerance):
+                    self.assertEqual(self.run_arelem("verify", part, "t.cls"), 5 if error else 0, self.err)
+                    self.assertIn(error or "", self.err)
+                    self.assertExit(0, "verify", part)
+
     def test_a_last_cut_vector_shorter_than_the_tolerance_of_its_stop(self):
         """Across the top of a torus; a location .0053 before the stop, within the .01 that it has, divides the last cut vector."""
         part = self.write("t.apt", "S=TORUS/0,0,-20,0,0,1,60,20\nCUTTER/6\nTOLER/.01\nDS=PLANE/.2,1,0,12\nFROM/48,2.4,60\n"

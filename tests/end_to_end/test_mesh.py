@@ -110,6 +110,25 @@ class Mesh(ArelemCase):
         for found, wanted in zip(last, (2.0, 0.0, 0.0)):
             self.assertLess(abs(found - wanted), 0.010001)
 
+    def test_a_tangency_at_an_edge(self):
+        """A wall whose edge at (0, 3) stands out most touches the plane y = 3 with a ball at x = 0 and nowhere else, over which a cut
+        vector goes from facet to facet. So does a dome, whose corner at (0, 0, 0) is its highest, the plane z = 0."""
+        def wall(height, count):
+            return stl(tuple((x, 3 + h, z) for x, z, h in t) for t in facets(height, 20, count))
+        for count in (30, 10, 2):
+            (self.folder / "wall.stl").write_bytes(wall(lambda x, z: x * x / 60, count))
+            self.write("w.apt", "CUTTER/4,2\nTOLER/.002\nW=MESH/STL,'wall.stl'\nPS=PLANE/0,0,1,0\nFROM/0,-30,30\n"
+                                "GO/TO,W,TO,PS,ON,(PLANE/1,0,0,-10)\nINDIRV/1,0,0\nTLRGT,GOFWD/W,TANTO,(PLANE/0,1,0,3)\nFINI\n")
+            (self.folder / "dome.stl").write_bytes(stl(facets(dome, 12, count)))
+            self.write("d.apt", "CUTTER/4,2\nTOLER/.002\nM=MESH/STL,'dome.stl'\nDS=PLANE/0,1,0,0\nFROM/-9,0,30\n"
+                                "GO/ON,DS,TO,M,ON,(PLANE/1,0,0,-9)\nINDIRV/1,0,0\nTLON,GOFWD/DS,PSTAN,(PLANE/0,0,1,0)\nFINI\n")
+            for name in ("w.apt", "d.apt"):
+                with self.subTest(count=count, name=name):
+                    self.assertExit(0, "verify", name)
+                    self.assertExit(0, name, "--to", "cl", "-o", "-")
+                    end = points(self.out)[-1]
+                    self.assertLess(abs(end[0]), 1e-9)
+
     def test_the_ring_of_a_cutter_meets_a_leaning_wall_as_it_meets_a_plane(self):
         # y + z / 5 = 0: the ring of radius .7 at 1.5 comes to y = -1, the upper end of the cutter would be through it.
         square = [(-9, 1.6, -8), (9, 1.6, -8), (9, -1.6, 8), (-9, -1.6, 8)]

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "runtime/geometry/mesh_edges.h"
+#include "runtime/geometry/normal_cones.h"
 
 namespace arelem::surface {
 
@@ -18,6 +19,7 @@ MeshShape::MeshShape(geometry::TriangleMesh given) : mesh(std::move(given)), tre
   normals.reserve(count);
   edgeNormals.resize(count);
   vertexNormals.assign(mesh.vertices.size(), Vec3::Zero());
+  atBorder.assign(mesh.vertices.size(), false);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& t = mesh.triangles[i];
     const Vec3 normal = (mesh.corner(i, 1) - mesh.corner(i, 0))
@@ -31,6 +33,9 @@ MeshShape::MeshShape(geometry::TriangleMesh given) : mesh(std::move(given)), tre
     }
   }
   geometry::forEachEdge(geometry::edgesOf(mesh), [&](std::span<const geometry::MeshEdge> edge) {
+    if (edge.size() != 2) {
+      atBorder[edge[0].low] = atBorder[edge[0].high] = true;
+    }
     Vec3 sum = Vec3::Zero();
     for (const geometry::MeshEdge& e : edge) {
       sum += normals[e.triangle];
@@ -39,6 +44,15 @@ MeshShape::MeshShape(geometry::TriangleMesh given) : mesh(std::move(given)), tre
       edgeNormals[e.triangle][e.corner] = sum;
     }
   });
+}
+
+MeshShape::~MeshShape() = default;
+
+const geometry::NormalCones& MeshShape::cones() const {
+  std::call_once(once_, [this] {
+    cones_ = std::make_unique<geometry::NormalCones>(mesh, normals, atBorder, tree.order());
+  });
+  return *cones_;
 }
 
 Vec3 MeshShape::normalAt(std::size_t triangle, Feature feature) const {

@@ -1,22 +1,35 @@
 #pragma once
 #include <memory>
+#include <mutex>
 
 #include "runtime/geometry/surface.h"
 #include "runtime/geometry/triangle_tree.h"
+
+namespace arelem::geometry {
+class NormalCones;
+}  // namespace arelem::geometry
 
 namespace arelem::surface {
 
 /// A mesh with what queries need; shared between the copies of a surface.
 struct MeshShape {
   explicit MeshShape(geometry::TriangleMesh mesh);
+  ~MeshShape();
 
   geometry::TriangleMesh mesh;
   geometry::TriangleTree tree;
   std::vector<Vec3> normals;                     ///< unit, of each triangle
   std::vector<std::array<Vec3, 3>> edgeNormals;  ///< sum of the normals on both sides
   std::vector<Vec3> vertexNormals;               ///< sum of the normals around, by their angles
+  std::vector<bool> atBorder;                    ///< vertices that triangles do not surround
 
   [[nodiscard]] Vec3 normalAt(std::size_t triangle, geometry::Feature feature) const;
+  /// Made when first asked for.
+  [[nodiscard]] const geometry::NormalCones& cones() const;
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const geometry::NormalCones> cones_;
 };
 
 /// MESH: positive on the side of its normals. The sign at edges and vertices is that of the normals

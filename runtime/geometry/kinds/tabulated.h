@@ -8,8 +8,8 @@ namespace arelem::surface {
 
 /// A cylinder over a plane curve of cubic pieces (TABCYL). The generatrix is the w axis of the
 /// frame. In the local frame of piece i, x runs along the chord and the curve is y = a x^3 + b x^2
-/// + c x. The first and last piece are straight and run to infinity. Positive on the left of the
-/// curve, seen against w.
+/// + c x. The first and last piece are straight and run to infinity, unless the curve is closed.
+/// Positive on the left of the curve, seen against w.
 class TabulatedCylinder {
  public:
   struct Piece {
@@ -29,6 +29,8 @@ class TabulatedCylinder {
   struct Curve {
     Vec3 u = Vec3::UnitX(), v = Vec3::UnitY(), w = Vec3::UnitZ();
     std::vector<Piece> pieces;
+
+    [[nodiscard]] bool isClosed() const { return !pieces.front().openStart; }
   };
 
   explicit TabulatedCylinder(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}

@@ -26,6 +26,8 @@ class HeightSource {
   /// Lists all triangles whose gap may be less than the task's low anywhere within the slab. False
   /// where there are more than `limit`.
   virtual bool gather(const Way& way, std::size_t limit) = 0;
+  /// Whether the list is right at any height, not only within the slab.
+  [[nodiscard]] virtual bool isOfAnyHeight() const { return false; }
   /// The height of the tool end at s, of all triangles, where it is above `floor`; none also where
   /// that is not easily found.
   [[nodiscard]] virtual std::optional<double> heightAt(double /*s*/, double /*floor*/) const {

@@ -85,7 +85,8 @@ bool TunnelBuilder::begin(const SectionPoint& at) {
   // A short list to find the first node: it is below the place by the band, along the normal.
   const Way around{
       {at.s - least_, at.z}, {at.s + least_, at.z}, slab_ + firstBands * band_ + least_};
-  if (!heights_->gather(around, most)) {
+  // The second time lists may be of another kind.
+  if (!heights_->gather(around, most) && !heights_->gather(around, most)) {
     return false;
   }
   const auto node = heights_->node(at, Among::wide);
@@ -149,11 +150,15 @@ bool TunnelBuilder::gather() {
   const double slope = last_.highest().slope();
   const std::uint32_t highest = heights_->triangle(last_.highest().index);
   wide_.settleBend();
+  const bool atAnyHeight = heights_->isOfAnyHeight();
   for (; wide_.length > least_; wide_.length /= 2.0) {
     wide_.way = ahead(here, slope, wide_.length);
     wide_.way.slab = wide_.bend * wide_.length * wide_.length + 2.0 * slab_;
     if (!heights_->gather(wide_.way, most)) {
       continue;
+    }
+    if (atAnyHeight && !heights_->isOfAnyHeight()) {
+      near_.length = std::min(near_.length, nearReach * shortest_);
     }
     if (!resume(highest)) {
       return false;
@@ -197,7 +202,11 @@ bool TunnelBuilder::focus() {
                                                 wide_.way.heightAt(here.s);
     const double beside =
         std::max(heights_->beside(wide_.way, here), heights_->beside(wide_.way, near_.way.to));
-    wide_.see(beside + near_.way.slab - slab_);
+    if (heights_->isOfAnyHeight()) {
+      wide_.use = wide_.bend / roomy;
+    } else {
+      wide_.see(beside + near_.way.slab - slab_);
+    }
     if (beside + near_.way.slab > wide_.way.slab) {
       wide_.shorten(here.s);
       if (wide_.share() > mostShare) {
@@ -214,6 +223,10 @@ bool TunnelBuilder::focus() {
 
 bool TunnelBuilder::isInSlab(const TouchNode& node) {
   const double beside = heights_->beside(near_.way, node.point());
+  if (heights_->isOfAnyHeight()) {
+    near_.use = near_.bend / roomy;
+    return true;
+  }
   near_.see(beside - 0.5 * slab_);
   return beside + above_ <= near_.way.slab;
 }

@@ -20,12 +20,13 @@ class UprightHeights final : public HeightSource {
       : low_(low), high_(high), list_(task, low), gap_(task.low), rest_(rest) {}
 
   bool gather(const Way& way, std::size_t limit) override { return list_.gather(way, limit); }
+  [[nodiscard]] bool isOfAnyHeight() const override { return list_.isByPlaces(); }
   [[nodiscard]] std::optional<double> heightAt(double s, double floor) const override {
-    return list_.highestAt(s, floor, low_);
+    return list_.goesByPlaces() ? std::nullopt : list_.highestAt(s, floor, low_);
   }
   /// Lists hold what is above the lower side of the slab.
   [[nodiscard]] double beside(const Way& way, const SectionPoint& p) const override {
-    return std::max(0.0, way.heightAt(p.s) - p.z);
+    return list_.isByPlaces() ? 0.0 : std::max(0.0, way.heightAt(p.s) - p.z);
   }
   [[nodiscard]] double aboveBands() const override { return 0.0; }
   void focus(const Way& way) override { list_.focus(way); }

@@ -11,10 +11,15 @@ constexpr double nowhere = -std::numeric_limits<double>::infinity();
 /// After this many normals it is looked whether they are enough.
 constexpr std::size_t fewNormals = 3;
 
+/// More triangles than this are too many to be looked at: those that may be touched by where they
+/// are and how they look, but are far below. Their next lists know how high the way goes.
+constexpr std::size_t crowd = 400;
+constexpr int slabsThen = 16;
+
 }  // namespace
 
 UprightList::UprightList(const FacetTask& task, const tool::UprightProfile& profile)
-    : frame_(task, profile), bounds_(frame_.bounds()) {}
+    : frame_(task, profile), bounds_(frame_.bounds()), places_(frame_) {}
 
 UprightList::Line UprightList::line(std::uint32_t index, const Vec3& normal) const {
   return bounds_.lineOf(all_[index].facet, Normal::of(normal));
@@ -150,9 +155,36 @@ bool UprightList::gather(const Way& way, std::size_t limit) {
   all_.clear();
   near_.clear();
   rounds_ = 0;
+  byPlaces_ = goesByPlaces();
+  if (byPlaces_) {
+    const bool found = gatherByPlaces(way);
+    slabsToCome_ = found ? 0 : slabsThen;
+    return found;
+  }
+  --slabsToCome_;
   Collect search(*this, way, limit);
   frame_.mesh().tree.search(search, search.all());
   return !search.full;
+}
+
+bool UprightList::gatherByPlaces(const Way& way) {
+  if (!places_.find(way.from.s, way.to.s, crowd, found_)) {
+    return false;
+  }
+  for (const UprightPlaces::Found& found : found_) {
+    const auto& c = found.facet.corners;
+    const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0;
+    const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
+    const double middle = 0.5 * (found.range.first + found.range.last);
+    Own own{found.facet, {}, found.range, found.number, false};
+    own.lines[0] = own.lines[1] =
+        bounds_.lineOf(own.facet, bounds_.normalTowards(x - middle, y, own.facet.up));
+    if (own.facet.up.z() >= UprightBounds::usefulRise) {
+      own.lines[1] = bounds_.lineOf(own.facet, Normal::of(own.facet.up));
+    }
+    all_.push_back(own);
+  }
+  return true;
 }
 
 std::optional<double> UprightList::highestAt(double s,
@@ -187,15 +219,15 @@ void UprightList::focus(const Way& way) {
   near_.clear();
   for (std::uint32_t i = 0; i < all_.size(); ++i) {
     Own& own = all_[i];
-    if (own.range.first > way.to.s || own.range.last < way.from.s || own.isBelow(edge) ||
-        !reaches(own, way)) {
+    if (own.range.first > way.to.s || own.range.last < way.from.s ||
+        (!byPlaces_ && own.isBelow(edge)) || !reaches(own, way)) {
       continue;
     }
     const auto& c = own.facet.corners;
     const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0 - edge.middle();
     const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
     own.lines[0] = bounds_.lineOf(own.facet, bounds_.normalTowards(x, y, own.facet.up));
-    if (!edge.isAbove(own.lines[0])) {
+    if (byPlaces_ || !edge.isAbove(own.lines[0])) {
       near_.push_back(i);
     }
   }

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/motion/facets/upright_frame.h"
+#include "runtime/motion/facets/upright_places.h"
 
 namespace arelem::motion {
 
@@ -20,7 +20,13 @@ class UprightList {
   UprightList(const UprightList&) = delete;
   UprightList& operator=(const UprightList&) = delete;
 
+  /// False where there are more than `limit`, or so many in the places in question that the next
+  /// lists must know how high the way goes.
   bool gather(const Way& way, std::size_t limit);
+  /// Whether the next list need not know how high the way goes.
+  [[nodiscard]] bool goesByPlaces() const { return slabsToCome_ == 0; }
+  /// Whether the list is right at any height.
+  [[nodiscard]] bool isByPlaces() const { return byPlaces_; }
   /// The height of touch at s, of all triangles of the mesh, where it is above `floor`.
   [[nodiscard]] std::optional<double> highestAt(double s,
                                                 double floor,
@@ -71,12 +77,17 @@ class UprightList {
   class Collect;
   class Highest;
 
+  [[nodiscard]] bool gatherByPlaces(const Way& way);
   [[nodiscard]] bool reaches(Own& own, const Way& way);
   void sweep(const Vec3& normal);
   void fill();
 
   UprightFrame frame_;
   const UprightBounds& bounds_;
+  UprightPlaces places_;
+  std::vector<UprightPlaces::Found> found_;
+  bool byPlaces_ = false;
+  int slabsToCome_ = 0;
   std::vector<Own> all_;
   std::vector<std::uint32_t> near_;
   /// Coordinates of the near triangles' corners, one after the other for each of nine.

@@ -168,6 +168,58 @@ TEST(PolyconicSurface, FaultsAreFound) {
   EXPECT_NEAR(flat->d, 0.5, 1e-3);
 }
 
+// Half as far on as the first radius is what all radii grow by: the cone has its vertex there.
+TEST(PolyconicSurface, ConicsThatShrinkHaveAnEnd) {
+  std::vector<double> canon = quarter(5.0, 0, 0.0, 20.0);
+  const std::vector<double> growing = quarter(10.0, 1, 0.0, 20.0);
+  for (std::size_t i = 17; i < 64; i += 8) {
+    canon[i] = growing[i];
+  }
+  using geometry::Polyconic;
+  const Polyconic cone = Polyconic::of(canon);
+  EXPECT_NEAR(cone.properEnd(Polyconic::Part::before), -0.5, 1e-7);
+  EXPECT_TRUE(std::isinf(cone.properEnd(Polyconic::Part::behind)));
+  const Polyconic cylinder = Polyconic::of(quarter(5.0, 0, 0.0, 20.0));
+  EXPECT_TRUE(std::isinf(cylinder.properEnd(Polyconic::Part::behind)));
+}
+
+/// No place of a surface, at many s and t, is nearer than this. All are nearly this near.
+double leastFrom(const geometry::Polyconic& form, const Vec3& p) {
+  constexpr int across = 75;
+  constexpr int along = 600;
+  double least = 1e300;
+  for (int i = 0; i <= across; ++i) {
+    for (int k = 0; k <= along; ++k) {
+      const double s = 0.3 + 0.5 * i / across;
+      const double t = -2.0 + 5.0 * k / along;
+      const auto at = form.at<double>(s, t, form.partOf(s), geometry::Polyconic::along(t));
+      least = std::min(least, (Vec3(at[0].value, at[1].value, at[2].value) - p).norm());
+    }
+  }
+  return least;
+}
+
+// A tall arch: from one leg to the other the foot of a point inside changes over.
+TEST(PolyconicSurface, FootIsTheNearestOfAll) {
+  std::vector<double> canon = quarter(5.0, 0, -10.0, 20.0);
+  for (const std::size_t across : {0U, 2U, 4U}) {
+    canon[16 + 8 * across] *= 0.3;
+    canon[17 + 8 * across] = 0.02 * canon[16 + 8 * across];
+  }
+  const geometry::Polyconic form = geometry::Polyconic::of(canon);
+  const surface::Polyconic s(form);
+  for (const double z : {0.0, 2.0, 3.0}) {
+    surface::Polyconic::Hint hint;
+    for (double y = 1.5; y >= -1.5; y -= 0.125) {
+      const Vec3 p(1.0, y, z);
+      const double away = std::abs(s.foot(p, hint).distance);
+      const double least = leastFrom(form, p);
+      EXPECT_LE(away, least + 1e-9) << y << " " << z;
+      EXPECT_GE(away, least - 0.1) << y << " " << z;
+    }
+  }
+}
+
 // The bend of a cylinder of radius 5 at 5.5 from its axis is 0 to 1/5.5.
 TEST(PolyconicSurface, BendsAreNarrow) {
   const surface::Polyconic s = of(quarter(5.0, 0, -10.0, 20.0));

@@ -39,7 +39,8 @@ void walk(const S& s, const Profile& c, double height, double aside) {
 class WarmContact : public ::testing::TestWithParam<int> {
  protected:
   static Profile tool() {
-    const std::array all{cutter({12.0, 6.0}), cutter({12.0, 0.0}), cutter({12.0, 1.5})};
+    const std::array all{cutter({12.0, 6.0}), cutter({12.0, 0.0}), cutter({12.0, 1.5}),
+                         cutter({12.0, 1.0, 4.0, 1.0, 0.0, 10.0, 30.0})};
     return all[static_cast<std::size_t>(GetParam())];
   }
 };
@@ -56,6 +57,32 @@ TEST_P(WarmContact, OnACone) {
        25.0, 2.0);
 }
 
+/// Around a cone, past its tip and over it, with the tool axis upright to leaning by a right angle.
+TEST_P(WarmContact, AroundACone) {
+  const double half = std::numbers::pi / 7.0;
+  const surface::Cone s{
+      {1.0, 2.0, 3.0}, Vec3(0.3, -0.2, -0.9).normalized(), std::cos(half), std::sin(half)};
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 axis = Vec3(0.5 * k, 0.2, 1.5 - 0.5 * k).normalized();
+    for (const double radius : {25.0, 12.0, 4.0, 0.5}) {
+      Search<surface::Cone> warm;
+      for (int i = 0; i <= 150; ++i) {
+        const double angle = 0.05 * i;
+        const Vec3 te =
+            s.vertex + Vec3(radius * std::cos(angle), radius * std::sin(angle), 0.2 * i - 15.0);
+        const Contact foretold = contact(s, 1.0, tool(), te, axis, warm);
+        Search<surface::Cone> cold;
+        const Contact searched = contact(s, 1.0, tool(), te, axis, cold);
+        if (searched.gap > 0.0) {
+          ASSERT_NEAR(foretold.gap, searched.gap, 1e-9) << k << " " << radius << " " << i;
+          ASSERT_NEAR((foretold.normal - searched.normal).norm(), 0.0, 1e-6) << i;
+          ASSERT_NEAR((foretold.point - searched.point).norm(), 0.0, 1e-4) << i;
+        }
+      }
+    }
+  }
+}
+
 TEST_P(WarmContact, OnATorus) {
   walk(surface::Torus{{0.0, 0.0, -100.0}, Vec3::UnitY(), 100.0, 30.0}, tool(), 31.0, 4.0);
 }
@@ -65,7 +92,7 @@ TEST_P(WarmContact, OnAQuadric) {
   walk(surface::Quadric(matrix, Vec3::Zero(), -1.0), tool(), 64.0, 7.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cutters, WarmContact, ::testing::Range(0, 3));
+INSTANTIATE_TEST_SUITE_P(Cutters, WarmContact, ::testing::Range(0, 4));
 
 /// The bottom over the crest of a cylinder touches along a line: the gap is the height over it, as
 /// long as any of the bottom is above the crest.

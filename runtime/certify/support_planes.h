@@ -1,0 +1,108 @@
+#pragma once
+#include <algorithm>
+
+#include "ir/space/tolerance.h"
+#include "runtime/certify/probe.h"
+
+namespace arelem::certify {
+
+/// Planes that support a convex solid outside of which a cutter is. They bound the gap of the
+/// cutter from below, and that with its top face is a convex function of the tool end.
+template <surface::Surface S>
+class SupportPlanes {
+ public:
+  SupportPlanes(const S& surface, const tool::Profile& cutter, const Relation& relation)
+      : surface_(surface), cutter_(cutter), thick_(relation.thick) {}
+
+  /// Lower bound of the gap at `there` by the plane that supports the convex solid at the foot of
+  /// `of`.
+  [[nodiscard]] double below(const Node& of, const Node& there) const {
+    const double plane = of.foot.distance + of.normal.dot(there.toolEnd - of.point);
+    return plane - tool::reach(cutter_, of.normal.dot(there.axis)) - thick_;
+  }
+
+  /// Of a cutter that covers the tip of a cone the nearest point lies on the cone's axis, where the
+  /// planes that support the cone all around meet: none of them alone says how near. Their weighted
+  /// means do: any normal leaning from the axis by up to 90 degrees less the half angle, so long
+  /// that its share of the axis is sin(half). Golden sections find the one that says most.
+  void supportAtTip(Node& n, const Chord& chord) const requires std::is_same_v<S, surface::Cone> {
+    if (n.high - n.low <= tolerance::rounding) {
+      return;
+    }
+    const Vec3 up = -surface_.axis;
+    const Vec3 way = n.toolEnd + cutter_.f * n.axis - surface_.vertex;
+    const Vec3 across = way - way.dot(up) * up;
+    const Vec3 out = across.norm() > 0.0 ? Vec3(across.normalized()) : up.unitOrthogonal();
+    const auto mean = [&](double tangent) -> Vec3 {
+      return surface_.sinHalf * (up + tangent * out);
+    };
+    const auto gapBy = [&](double tangent) {
+      const Vec3 m = mean(tangent);
+      const double length = m.norm();
+      return m.dot(n.toolEnd - surface_.vertex) -
+             length * tool::reach(cutter_, m.dot(n.axis) / length) - thick_;
+    };
+    constexpr double golden = 0.6180339887498949;
+    double low = 0.0;
+    double high = surface_.cosHalf / surface_.sinHalf;
+    for (int i = 0; i < tipSections; ++i) {
+      const double left = high - golden * (high - low);
+      const double right = low + golden * (high - low);
+      (gapBy(left) >= gapBy(right) ? high : low) = gapBy(left) >= gapBy(right) ? right : left;
+    }
+    const double best = 0.5 * (low + high);
+    if (gapBy(best) > n.low) {
+      n.low = gapBy(best);
+      n.support = mean(best);
+      // The place of the cutter that such a plane touches is the one on the cone's axis.
+      const Vec3 normal = n.support.normalized();
+      const double nz = normal.dot(n.axis);
+      const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
+      const Vec3 beside = nz * n.axis - normal;
+      const double aside = beside.norm();
+      const Vec3 place = n.toolEnd + q.z * n.axis +
+                         (aside > 0.0 ? Vec3(q.rho / aside * beside) : Vec3(Vec3::Zero()));
+      measure(n, place, chord);
+    }
+  }
+
+  /// The gap is convex where the top face, which does not cut, counts too. That face is the nearest
+  /// one, by a gap of at least `low`, only where all of the solid is as high as it is with that
+  /// gap: not while one of the feet lies below.
+  [[nodiscard]] bool reachesBelowTop(const Node& a,
+                                     const Node& b,
+                                     double low,
+                                     const Chord& chord) const {
+    const Vec3 axis = chord.axis(0.0);
+    const auto height = [&](const Node& n) {
+      return (n.point - n.foot.distance * n.foot.normal - n.toolEnd).dot(axis);
+    };
+    const double rise = (b.s - a.s) * chord.step().dot(axis);
+    const double lowest = std::min(height(a), height(b) + rise) - std::min(0.0, rise);
+    return lowest < cutter_.h + std::min(0.0, low + thick_) - tolerance::sameSide;
+  }
+
+ private:
+  /// Golden sections for the plane at the tip of a cone.
+  static constexpr int tipSections = 60;
+
+  /// Takes the gap at a place of the cutter, if that is the lowest so far.
+  void measure(Node& n, const Vec3& place, const Chord& chord) const {
+    typename S::Hint hint{};
+    const surface::Foot foot = surface_.foot(place, hint);
+    const double gap = foot.distance - thick_;
+    if (gap < n.high) {
+      n.point = place;
+      n.foot = foot;
+      n.normal = foot.normal;
+      n.high = gap;
+      n.slope = n.normal.dot(chord.velocity(place - n.toolEnd));
+    }
+  }
+
+  const S& surface_;
+  const tool::Profile& cutter_;
+  double thick_;
+};
+
+}  // namespace arelem::certify
