@@ -70,6 +70,8 @@ class ContactSearch {
   /// A bound of the bend is asked for so much more than is needed, to serve the next contacts; less
   /// where that is not known.
   static constexpr std::array reserves{1.5, 1.15, 1.0};
+  static constexpr double bolder = 1.2;
+  static constexpr double idleShare = 0.1;
   static constexpr int angles = 16;
   /// Cosine of one and a half steps between the angles of the grid.
   static constexpr double besideContact = 0.83;
@@ -139,16 +141,26 @@ class ContactSearch {
       return (inside || towards * cutter_.e <= slope) &&
              (high <= 0.0 || bent + widening <= c.normal.dot(axis_));
     };
-    if (radius <= 0.0) {
+    return radius <= 0.0 || isBounded(middle, radius, proves);
+  }
+
+  /// True where some bound of the bend around `middle` proves it. Where the last one reached no
+  /// farther than asked for, that is not tried again for much farther, and if it proved nothing,
+  /// not until the tool has moved.
+  template <class Proves>
+  bool isBounded(const Vec3& middle, double radius, const Proves& proves) {
+    const double moved = (middle - search_.boundAt).norm();
+    const double last = search_.boundRadius / radius;
+    const bool proved = last > 0.0 && proves(search_.bound);
+    if (proved && moved <= search_.boundRadius - radius) {
       return true;
     }
-    const double way = search_.boundRadius - radius;
-    if (way >= 0.0 && (middle - search_.boundAt).squaredNorm() <= way * way &&
-        proves(search_.bound)) {
-      return true;
+    const bool near = last > 0.0 && moved <= radius;
+    if (near && !proved && last <= reserves.back() && moved <= idleShare * radius) {
+      return false;
     }
     return std::any_of(reserves.begin(), reserves.end(), [&](double reserve) {
-      return proves(boundAround(middle, reserve * radius));
+      return !(near && reserve > bolder * last) && proves(boundAround(middle, reserve * radius));
     });
   }
 
