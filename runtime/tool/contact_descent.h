@@ -133,6 +133,8 @@ class ContactDescent {
   /// that. Radians.
   static constexpr double settledTurn = 1e-6;
   static constexpr double smallestTurn = 1e-15;
+  /// Turns by a slope that is rounding become no smaller: what one gains. Part unit.
+  static constexpr double unseenGain = 1e-24;
   /// Sines of the angle to the axis up to which what a direction leaves square to it is rounding,
   /// or leans by it.
   static constexpr double alongAxis = 1e-12, nearAxis = 1e-4;
@@ -223,7 +225,8 @@ class ContactDescent {
       turned = next;
       turnBy(angle);
       last_ = sample(place(q));
-      if (std::abs(angle) <= (newton ? settledTurn : smallestTurn)) {
+      const double gain = newton ? 1.0 : q.rho * std::abs(slope * angle);
+      if (std::abs(angle) <= (newton ? settledTurn : smallestTurn) || gain <= unseenGain) {
         break;
       }
     }
