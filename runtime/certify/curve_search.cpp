@@ -168,7 +168,7 @@ double CurveSearch::setBack(const Part& part, const Vec2& direction) const {
   const Piece& p = pieces[part.piece];
   consider(p, part.x0);
   if (part.corner) {
-    consider(pieces[part.piece + 1], 0.0);
+    consider(pieces[(part.piece + 1) % pieces.size()], 0.0);
   } else {
     consider(p, part.x1);
     const double vertex = p.a != 0.0 ? -p.b / (3.0 * p.a) : part.x0;

@@ -69,8 +69,7 @@ class ContactDescent {
     }
     return nz < cutter_.sinBeta ? onSide(0.0) : corner;
   }
-  /// The contact inside a level bottom whose foot stays where the last one was; only good where it
-  /// proves to be one.
+  /// The place of a level bottom over the foot of the last contact; good where it proves to be one.
   Contact onDiscAgain() {
     turnTo(search_.toward);
     const Vec3 way = search_.discFoot - te_;
@@ -136,11 +135,11 @@ class ContactDescent {
   /// Where the distance bends more than this along the circle, by its radius, a tip is near: the
   /// normal counts there too, which the last step turns by at most that. Radians.
   static constexpr double sharp = 100.0, settledNormal = 1e-4;
-  static constexpr double smallestTurn = 1e-15;
-  /// Sines of the angle to the axis up to which what a direction leaves square to it is rounding,
-  /// or leans by it.
+  static constexpr double smallestTurn = 1e-15, largestTurn = 1.0;
+  /// Turns by a slope that is rounding become no smaller: what one gains. Part unit.
+  static constexpr double unseenGain = 1e-24;
+  /// Sines of the angle to the axis up to which what is square to it is rounding, or leans by it.
   static constexpr double alongAxis = 1e-12, nearAxis = 1e-4;
-  static constexpr double largestTurn = 1.0;
   /// How often Newton may be held on the rim of the disc.
   static constexpr int mostClipped = 3;
   /// Steps across the disc that are not looked at are not longer than this share of its radius.
@@ -150,8 +149,7 @@ class ContactDescent {
   /// A turn that leaves a maximum. Radians.
   static constexpr double kick = 0.1;
   /// Slopes below this are those of an extreme.
-  static constexpr double levelSlope = 1e-12;
-  static constexpr double smallMove = 1e-12;
+  static constexpr double levelSlope = 1e-12, smallMove = 1e-12;
 
   struct Sample {
     Vec3 at;
@@ -229,15 +227,15 @@ class ContactDescent {
       turned = next;
       turnBy(angle);
       last_ = sample(place(q));
-      if (newton ? steps <= settledTurn : std::abs(angle) <= smallestTurn) {
+      const double gain = q.rho * std::abs(slope * angle);
+      if (newton ? steps <= settledTurn : std::abs(angle) <= smallestTurn || gain <= unseenGain) {
         break;
       }
     }
     return result(ball);
   }
 
-  /// The last step of Newton, by what is known of the surface where it begins: the distance to the
-  /// second order, its gradient to the first.
+  /// The last step of Newton, by what is known where it begins: the distance to the second order.
   void finishCircle(
       double rho, double angle, double slope, const Vec3& turning, const Vec3& tangent) {
     const Vec3 turned = unitOf(search_.toward + angle * tangent);
@@ -281,8 +279,8 @@ class ContactDescent {
     return a;
   }
 
-  /// Newton in the plane of the level bottom, from the place at `offset` from its center, which was
-  /// sampled. False where there is no minimum.
+  /// Newton in the plane of the level bottom, from a sampled place. False where there is no
+  /// minimum.
   bool inDisc(Vec3 offset) {
     const Vec3 e1 = search_.toward;
     const Vec3 e2 = axis_.cross(e1);
