@@ -14,8 +14,6 @@ using Piece = surface::TabulatedCylinder::Piece;
 constexpr double square = 1e-9;
 /// Looks for a better direction where it is not.
 constexpr int looks = 4;
-/// Sine of the angle to the axis below which a direction is along it.
-constexpr double level = 1e-9;
 /// Parts of the curve and ways of the tool below this are not halved. Part unit.
 constexpr double shortest = 1e-9;
 
@@ -124,10 +122,7 @@ Vec3 CurveSearch::supportPoint(const Pose& pose, const Vec2& direction) const {
   const auto& curve = surface_.curve();
   const double along = direction.dot(pose.axisInPlane);
   const tool::ProfilePoint q = tool::reachPoint(cutter_, -along);
-  const Vec3 aside = direction.x() * curve.u + direction.y() * curve.v - along * pose.axis;
-  const double length = aside.norm();
-  // Along the axis what is left over is rounding, and not square to it.
-  const Vec3 out = length > level ? Vec3(aside / length) : Vec3(pose.axis.unitOrthogonal());
+  const Vec3 out = squareTo(pose.axis, direction.x() * curve.u + direction.y() * curve.v);
   return q.rho * out + q.z * pose.axis;
 }
 
