@@ -7,8 +7,8 @@ namespace arelem::motion {
 /// way, of the first of them.
 [[nodiscard]] Failure missed(const Course& course);
 
-/// Where the surfaces next to `last`, ahead on the path, leave no axis at the angle of the rule: why.
-/// An axis that does not settle there may do so round a corner.
+/// Where the surfaces next to `last`, ahead on the path, leave no axis at the angle of the rule:
+/// why. An axis that does not settle there may do so round a corner.
 [[nodiscard]] std::optional<Failure> axisEnds(Course& course, const PathPoint& last);
 
 /// Why the path goes no farther than `last`.
