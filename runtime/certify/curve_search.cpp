@@ -122,9 +122,7 @@ Vec3 CurveSearch::supportPoint(const Pose& pose, const Vec2& direction) const {
   const auto& curve = surface_.curve();
   const double along = direction.dot(pose.axisInPlane);
   const tool::ProfilePoint q = tool::reachPoint(cutter_, -along);
-  const Vec3 aside = direction.x() * curve.u + direction.y() * curve.v - along * pose.axis;
-  const double length = aside.norm();
-  const Vec3 out = length > 0.0 ? Vec3(aside / length) : Vec3(pose.axis.unitOrthogonal());
+  const Vec3 out = squareTo(pose.axis, direction.x() * curve.u + direction.y() * curve.v);
   return q.rho * out + q.z * pose.axis;
 }
 
