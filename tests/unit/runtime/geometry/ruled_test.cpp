@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -156,6 +157,86 @@ TEST(Ruled, GoesOnAlongItsTangentsBehindTheReachOfACurve) {
   const Ruled s = saddle();
   Ruled::Hint hint{};
   EXPECT_NEAR(s.foot({6, 0.5, 3}, hint).distance, 0.0, 1e-9);
+}
+
+/// From an arc of radius 5.2 at y = -4 to one of radius 7.6 that leans from y = 4 by a slope.
+struct Twisted {
+  explicit Twisted(double slope)
+      : lean(slope), sheet({arc(-4, 5.2, Vec3::UnitZ()), arc(4, 7.6, Vec3(0, slope, 1))}) {}
+
+  static SectionCurve arc(double y, double radius, const Vec3& towards) {
+    SectionCurve curve;
+    curve.surface.type = EntityType::cylinder;
+    curve.surface.canon = {0, 0, -radius, 0, 1, 0, radius};
+    curve.start = {-4.5, y, -2};
+    curve.finish = {4.5, y, -2};
+    curve.heading = towards.normalized();
+    return curve;
+  }
+  [[nodiscard]] Vec3 at(double f, double g) const {
+    const double x = 9 * f - 4.5;
+    const double first = std::sqrt(5.2 * 5.2 - x * x) - 5.2;
+    const double second = std::sqrt(7.6 * 7.6 - x * x) - 7.6;
+    return {x, (1 - g) * -4 + g * (4 + lean * (second + 2)), (1 - g) * first + g * second};
+  }
+
+  double lean;
+  Ruled sheet;
+};
+
+TEST(Ruled, NoPlaceIsNearerThanTheFoot) {
+  for (const double slope : {0.0, 0.4}) {
+    const Twisted s(slope);
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> inF(0.02, 0.98), inG(-4, 5), off(-5, 5), step(-0.2, 0.2);
+    Ruled::Hint hint{};
+    Vec3 p = Vec3::Zero();
+    for (int i = 0; i < 400; ++i) {
+      p += Vec3(step(random), step(random), step(random));
+      if (i % 8 == 0) {  // else next to the last, with its hint
+        p = s.at(inF(random), inG(random)) + Vec3(0, 0, off(random));
+        hint = {};
+      }
+      const double distance = std::abs(s.sheet.foot(p, hint).distance);
+      double least = distance;
+      for (double f = 0; f <= 1; f += 1.0 / 512) {
+        const Vec3 start = s.at(f, 0);
+        const Vec3 along = s.at(f, 1) - start;
+        const double g = std::clamp((p - start).dot(along) / along.squaredNorm(), -5.0, 6.0);
+        least = std::min(least, (p - start - g * along).norm());
+      }
+      EXPECT_NEAR(least, distance, 1e-9) << slope << ' ' << i;
+    }
+  }
+}
+
+TEST(Ruled, BoundsHoldFarAlongTheRulings) {
+  int bounded = 0;
+  for (const double slope : {0.0, 0.4}) {
+    const Twisted s(slope);
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> inF(0, 1), inG(-5, 6), any(-1, 1);
+    for (int i = 0; i < 400; ++i) {
+      const Vec3 on = s.at(inF(random), inG(random));
+      Ruled::Hint hint{};
+      const Foot foot = s.sheet.foot(on, hint);
+      const double radius = 0.3 * std::abs(any(random));
+      const Bends bends = s.sheet.bends(on, foot, radius, hint);
+      bounded += std::isfinite(bends.low) && std::isfinite(bends.high) ? 1 : 0;
+      for (int k = 0; k < 20; ++k) {
+        const Vec3 away(any(random), any(random), any(random));
+        const Vec3 near = on + radius / 2 * away;
+        const Vec3 t = Vec3(any(random), any(random), any(random)).normalized();
+        Ruled::Hint there = hint;
+        const Foot other = s.sheet.foot(near, there);
+        const double sense = other.normal.dot(foot.normal) < 0.0 ? -1.0 : 1.0;
+        const double bend = sense * s.sheet.bend(near, other, t, there);
+        EXPECT_GE(bend, bends.low - 1e-7) << slope << ' ' << i;
+        EXPECT_LE(bend, bends.high + 1e-7) << slope << ' ' << i;
+      }
+    }
+  }
+  EXPECT_GT(bounded, 500);  // of 800
 }
 
 }  // namespace
