@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ir/space/tolerance.h"
+
 namespace arelem::certify {
 
 namespace {
@@ -124,8 +126,12 @@ Vec3 CurveSearch::supportPoint(const Pose& pose, const Vec2& direction) const {
   const tool::ProfilePoint q = tool::reachPoint(cutter_, -along);
   const Vec3 aside = direction.x() * curve.u + direction.y() * curve.v - along * pose.axis;
   const double length = aside.norm();
-  const Vec3 out = length > 0.0 ? Vec3(aside / length) : Vec3(pose.axis.unitOrthogonal());
-  return q.rho * out + q.z * pose.axis;
+  if (length <= tolerance::symmetric) {
+    // What is left beside the axis may be rounding, and lie along it: no point of the cutter.
+    return q.rho * pose.axis.unitOrthogonal() + q.z * pose.axis;
+  }
+  const Vec3 out = aside / length;
+  return q.rho * (out - out.dot(pose.axis) * pose.axis).normalized() + q.z * pose.axis;
 }
 
 /// A unit direction from the cutter to a place, from the tool end, that parts them well.
