@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "ir/space/tolerance.h"
-
 namespace arelem::certify {
 
 namespace {
@@ -124,14 +122,8 @@ Vec3 CurveSearch::supportPoint(const Pose& pose, const Vec2& direction) const {
   const auto& curve = surface_.curve();
   const double along = direction.dot(pose.axisInPlane);
   const tool::ProfilePoint q = tool::reachPoint(cutter_, -along);
-  const Vec3 aside = direction.x() * curve.u + direction.y() * curve.v - along * pose.axis;
-  const double length = aside.norm();
-  if (length <= tolerance::symmetric) {
-    // What is left beside the axis may be rounding, and lie along it: no point of the cutter.
-    return q.rho * pose.axis.unitOrthogonal() + q.z * pose.axis;
-  }
-  const Vec3 out = aside / length;
-  return q.rho * (out - out.dot(pose.axis) * pose.axis).normalized() + q.z * pose.axis;
+  const Vec3 out = squareTo(pose.axis, direction.x() * curve.u + direction.y() * curve.v);
+  return q.rho * out + q.z * pose.axis;
 }
 
 /// A unit direction from the cutter to a place, from the tool end, that parts them well.

@@ -168,11 +168,10 @@ class CutterProbe final : public Probe {
         tool::contact(surface_, relation_.side, cutter_, n.toolEnd, n.axis, search);
     const Vec3 w = guess.point - n.toolEnd;
     const double z = w.dot(n.axis);
-    const Vec3 across = w - z * n.axis;
-    const double rho = across.norm();
+    const double rho = (w - z * n.axis).norm();
     tool::ProfilePoint nearest;
     const double off = std::abs(tool::distanceTo(cutter_, {rho, z}, nearest));
-    const Vec3 out = rho > 0.0 ? Vec3(across / rho) : Vec3(n.axis.unitOrthogonal());
+    const Vec3 out = squareTo(n.axis, w);
     n.point =
         off <= onCutter ? guess.point : Vec3(n.toolEnd + nearest.rho * out + nearest.z * n.axis);
     n.foot = surface_.foot(n.point, hint_);

@@ -35,12 +35,7 @@ class GuideStream::Proof {
     if (node_.high > allowed.outer + allowed.slack && probe_->widen()) {
       node_ = probe_->at(0.0);  // the ball end is not what touches
     }
-    Verdict verdict = prove(*probe_, allowed, node_);
-    if (!verdict.good() && probe_->widen()) {
-      node_ = probe_->at(0.0);
-      verdict = prove(*probe_, allowed, node_);
-    }
-    take(verdict, count_, chord);
+    take(prove(*probe_, allowed, node_), count_, chord);
     last_ = next;
     ++count_;
   }

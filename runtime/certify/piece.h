@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ir/space/tolerance.h"
 #include "runtime/tool/profile.h"
 
 /// The parts of a cutter that proofs speak of.
@@ -37,6 +38,17 @@ struct Piece {
 
 /// The pieces whose union covers all cutting points of a profile.
 [[nodiscard]] std::vector<Piece> piecesOf(const tool::Profile& cutter);
+
+/// The unit direction square to a unit axis to which a vector of the size of one leans from it; any
+/// where what is left of it may be rounding, which leans along the axis too.
+[[nodiscard]] inline Vec3 squareTo(const Vec3& axis, const Vec3& v) {
+  Vec3 across = v - v.dot(axis) * axis;
+  if (across.norm() <= tolerance::symmetric) {
+    return axis.unitOrthogonal();
+  }
+  across.normalize();
+  return (across - across.dot(axis) * axis).normalized();
+}
 
 /// An angle by what proofs ask of it.
 struct Turn {

@@ -52,11 +52,8 @@ class ClosedProbe final : public Probe {
     if constexpr (std::is_same_v<S, surface::Plane>) {
       // The contact of a plane stands for a whole circle or disc of the cutter: one of its points.
       const double nz = c.normal.dot(n.axis);
-      const Vec3 across = nz * n.axis - c.normal;
-      const double length = across.norm();
       const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
-      c.point = n.toolEnd + q.z * n.axis +
-                q.rho * (length > 0.0 ? Vec3(across / length) : Vec3(n.axis.unitOrthogonal()));
+      c.point = n.toolEnd + q.z * n.axis + q.rho * squareTo(n.axis, -c.normal);
     }
     note(c, relation_.thick, chord_, n);
     n.low = n.high;

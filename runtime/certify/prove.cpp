@@ -47,6 +47,7 @@ class Proof {
       verdict_.least.measured = n.high;
       verdict_.least.at = n.s;
     }
+    blind_ = blind_ || n.high == unbounded;
     if (n.high > verdict_.greatest.measured) {
       verdict_.greatest.measured = n.high;
       verdict_.greatest.at = n.s;
@@ -55,7 +56,7 @@ class Proof {
   }
 
   [[nodiscard]] bool refuted() const {
-    return verdict_.least.measured < floor_ || verdict_.greatest.measured > ceiling_;
+    return !blind_ && (verdict_.least.measured < floor_ || verdict_.greatest.measured > ceiling_);
   }
 
   /// The bound that a part must reach: near what was measured, so that the figures mean something,
@@ -75,6 +76,10 @@ class Proof {
   /// again.
   void decide(const Node& a, const Node& b, const Range& known) {
     if (!figures_ && refuted()) {
+      return;
+    }
+    if (blind_) {
+      take({});
       return;
     }
     Stretch range = probe_.over(a, b, known.low >= lowAim() ? -unbounded : lowAim());
@@ -121,12 +126,18 @@ class Proof {
   Probe& probe_;
   double floor_, ceiling_, figure_;
   bool figures_;
+  bool blind_ = false;  ///< at a place nothing was measured: no parts of the chord help
   Verdict verdict_;
   Node farthest_;
 };
 }  // namespace
 
 Verdict prove(Probe& probe, const Allowed& allowed, Node& first) {
+  const Verdict verdict = Proof(probe, allowed).run(first);
+  if (verdict.good() || !probe.widen()) {
+    return verdict;
+  }
+  first = probe.at(0.0);
   return Proof(probe, allowed).run(first);
 }
 

@@ -38,8 +38,8 @@ struct Verdict {
 };
 
 /// Proves or refutes that the gap keeps its limits over the whole cut vector: halves it until every
-/// part is decided. `first` is the probe's node at s = 0, and becomes that at s = 1. The probe must
-/// have taken the cut vector.
+/// part is decided, by the whole cutter where a part of it does not do. `first` is the probe's node
+/// at s = 0, and becomes that at s = 1. The probe must have taken the cut vector.
 [[nodiscard]] Verdict prove(Probe& probe, const Allowed& allowed, Node& first);
 
 }  // namespace arelem::certify

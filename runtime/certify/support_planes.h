@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ir/space/tolerance.h"
+#include "runtime/certify/piece.h"
 #include "runtime/certify/probe.h"
 
 namespace arelem::certify {
@@ -58,10 +59,7 @@ class SupportPlanes {
       const Vec3 normal = n.support.normalized();
       const double nz = normal.dot(n.axis);
       const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
-      const Vec3 beside = nz * n.axis - normal;
-      const double aside = beside.norm();
-      const Vec3 place = n.toolEnd + q.z * n.axis +
-                         (aside > 0.0 ? Vec3(q.rho / aside * beside) : Vec3(Vec3::Zero()));
+      const Vec3 place = n.toolEnd + q.z * n.axis + q.rho * squareTo(n.axis, -normal);
       measure(n, place, chord);
     }
   }

@@ -149,6 +149,10 @@ class Follower {
       // Close to a corner cut vectors may get ever shorter.
       const bool stuck = !b || (cap > tolerance::coincidence &&
                                 (b->toolEnd - a.toolEnd).norm() <= tolerance::coincidence);
+      // Where the axis ends the path turns back, which looks like a corner.
+      if (auto bad = stuck ? axisEnds(course_, last_) : std::nullopt) {
+        return bad;
+      }
       if (stuck && turnCorner()) {
         continue;
       }
@@ -361,10 +365,6 @@ class NoSink final : public CutVectorSink {
   void put(const Vec3&, const Vec3&) override {}
 };
 
-bool tellsNearest(const Failure& failure) {
-  return failure.row == diag::CheckNotReached.row || failure.row == diag::NoTangency.row ||
-         failure.row == diag::CutVectorLimit.row || failure.row == diag::RunsOffEnd.row;
-}
 }  // namespace
 
 Result<FollowResult> follow(const State& state,

@@ -63,6 +63,16 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
 }
 }  // namespace
 
+std::optional<Failure> axisEnds(Course& course, const PathPoint& last) {
+  for (const double ahead : looksAhead) {
+    auto bad = course.path.axis.fault(last.toolEnd + ahead * last.tangent);
+    if (bad && bad->row == diag::AxisImpossible.row) {
+      return bad;
+    }
+  }
+  return std::nullopt;
+}
+
 Failure lost(Course& course, const PathPoint& last) {
   // Where there is no axis any more steps beyond end nowhere.
   for (const double ahead : looksAhead) {
@@ -84,6 +94,11 @@ Failure missed(const Course& course) {
     all = std::move(all).note(missedOne(course, course.watches[i]).message);
   }
   return all;
+}
+
+bool tellsNearest(const Failure& failure) {
+  return failure.row == diag::CheckNotReached.row || failure.row == diag::NoTangency.row ||
+         failure.row == diag::CutVectorLimit.row || failure.row == diag::RunsOffEnd.row;
 }
 
 Failure withStart(Failure failure, const Course& course) {

@@ -7,8 +7,15 @@ namespace arelem::motion {
 /// way, of the first of them.
 [[nodiscard]] Failure missed(const Course& course);
 
+/// Where the surfaces next to `last`, ahead on the path, leave no axis at the angle of the rule: why.
+/// An axis that does not settle there may do so round a corner.
+[[nodiscard]] std::optional<Failure> axisEnds(Course& course, const PathPoint& last);
+
 /// Why the path goes no farther than `last`.
 [[nodiscard]] Failure lost(Course& course, const PathPoint& last);
+
+/// True of messages that name the nearest approach to a check surface.
+[[nodiscard]] bool tellsNearest(const Failure& failure);
 
 /// A path that went on to its end because the tool stood at the check surface from the start on:
 /// the fault is not with the surface that ended it, and the help says so.

@@ -29,11 +29,12 @@ constexpr double noWay = 1e-24;
 class Circle {
  public:
   struct Place {
-    bool good = false;      ///< beside the cone and before its tip, with the normal
-                            ///< against the cutter
-    double angle = 0.0;     ///< Newton's next turn about the tool axis
-    double bent = 0.0;      ///< the curvature of the distance along the circle, by its radius
-    double distance = 0.0;  ///< from the cone, and its normal, and by that turn
+    bool good = false;       ///< beside the cone and before its tip, with the normal
+                             ///< against the cutter
+    double angle = 0.0;      ///< Newton's next turn about the tool axis
+    double bent = 0.0;       ///< the curvature of the distance along the circle, by its radius
+    double beforeTip = 0.0;  ///< how far from where the tip is nearest
+    double distance = 0.0;   ///< from the cone, and its normal, and by that turn
     Vec3 normal = Vec3::UnitZ(), turning = Vec3::Zero();
     Vec3 turns = Vec3::Zero();  ///< how the nearest place turns by the way of the tool
   };
@@ -62,7 +63,8 @@ class Circle {
     const double on = c * radial.y() - t * radial.x();
     const Vec3 around = a_.cross(radial);
     const double aroundOn = c * around.y() - t * around.x();
-    if (!(rho > 0.0) || along * cone_.cosHalf + rho * cone_.sinHalf < 0.0) {
+    p.beforeTip = along * cone_.cosHalf + rho * cone_.sinHalf;
+    if (!(rho > 0.0) || p.beforeTip < 0.0) {
       return p;
     }
     const double over = cone_.cosHalf * rho * oneOver;
@@ -165,7 +167,8 @@ std::optional<Contact> ConeSearch::contact(const surface::Cone& s,
     }
     angle = p.angle;
     const double steps = std::abs(angle) * (1.0 + p.bent);
-    if (cutter.e * steps * steps * std::abs(angle) > unseenStep) {
+    if (cutter.e * steps * steps * std::abs(angle) > unseenStep ||
+        cutter.e * std::abs(angle) > p.beforeTip) {
       continue;
     }
     // So small a turn is its tangent; lengths of the direction drift by rounding too.

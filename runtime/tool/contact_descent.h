@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/geometry/same_form.h"
 #include "runtime/tool/bracket.h"
 #include "runtime/tool/contact.h"
 #include "runtime/tool/small_turn.h"
@@ -132,6 +133,9 @@ class ContactDescent {
   /// Newton's error after a turn this small is its square, and that of the distance the square of
   /// that. Radians.
   static constexpr double settledTurn = 1e-6;
+  /// Where the distance bends more than this along the circle, by its radius, a tip is near: the
+  /// normal counts there too, which the last step turns by at most that. Radians.
+  static constexpr double sharp = 100.0, settledNormal = 1e-4;
   static constexpr double smallestTurn = 1e-15;
   /// Sines of the angle to the axis up to which what a direction leaves square to it is rounding,
   /// or leans by it.
@@ -206,9 +210,11 @@ class ContactDescent {
       const bool newton = curvature > 0.1 * std::abs(pull) && curvature > 0.0;
       double angle = newton ? -slope / curvature
                             : -slope / std::max(std::abs(pull) + std::abs(curvature), 1e-3);
+      const double steps = std::abs(angle) * (1.0 + std::abs(bent));
       if constexpr (surface::Turning<S>) {
-        const double steps = std::abs(angle) * (1.0 + bent);
-        if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep) {
+        if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep &&
+            q.rho * std::abs(angle) <= surface::sameForm(surface_, last_.at) &&
+            (std::abs(bent) <= sharp || steps <= settledNormal)) {
           finishCircle(q.rho, angle, slope, turning, tangent);
           noteTurns(-1.0 / curvature * turning, turnedBefore);
           break;
@@ -223,7 +229,7 @@ class ContactDescent {
       turned = next;
       turnBy(angle);
       last_ = sample(place(q));
-      if (std::abs(angle) <= (newton ? settledTurn : smallestTurn)) {
+      if (newton ? steps <= settledTurn : std::abs(angle) <= smallestTurn) {
         break;
       }
     }

@@ -126,11 +126,12 @@ class ContactSearch {
     if (cutter_.e == 0.0 ? !onCorner : inside && !isLevel(c, slack)) {
       return false;
     }
-    const Vec3& q = inside ? core : rim;
-    const double radius = 2.0 * cutter_.e + high;
+    const double widening = cutter_.sinBeta / cutter_.cosBeta;
+    // A ball that holds the disc and what is above it.
+    const Vec3 middle = te_ + (cutter_.f + 0.5 * high) * axis_;
+    const double radius = std::hypot(cutter_.e + high * std::max(widening, 0.0), 0.5 * high);
     const auto proves = [&](double towards) {
       const double slope = -c.normal.dot(search_.toward);
-      const double widening = cutter_.sinBeta / cutter_.cosBeta;
       if (inside && towards > 0.0) {
         return false;
       }
@@ -142,11 +143,13 @@ class ContactSearch {
       return true;
     }
     const double way = search_.boundRadius - radius;
-    if (way >= 0.0 && (q - search_.boundAt).squaredNorm() <= way * way && proves(search_.bound)) {
+    if (way >= 0.0 && (middle - search_.boundAt).squaredNorm() <= way * way &&
+        proves(search_.bound)) {
       return true;
     }
-    return std::any_of(reserves.begin(), reserves.end(),
-                       [&](double reserve) { return proves(boundAround(q, c, reserve * radius)); });
+    return std::any_of(reserves.begin(), reserves.end(), [&](double reserve) {
+      return proves(boundAround(middle, reserve * radius));
+    });
   }
 
   /// True where the contact is inside a level bottom: the distance has no slope there. Where it
@@ -156,12 +159,13 @@ class ContactSearch {
     return nz > 0.0 && 2.0 * cutter_.e * (c.normal - nz * axis_).norm() <= slack;
   }
 
-  /// How much the distance bends towards the cutter within `radius` of q; kept in the search.
-  double boundAround(const Vec3& q, const Contact& c, double radius) {
-    const surface::Bends bends = surface::bendsOf(
-        surface_, q, {side_ * (c.gap + cutter_.r), side_ * c.normal}, radius, search_.hint);
+  /// How much the distance bends towards the cutter within `radius` of a place; kept in the search.
+  double boundAround(const Vec3& place, double radius) {
+    auto hint = search_.hint;
+    const surface::Foot foot = surface_.foot(place, hint);
+    const surface::Bends bends = surface::bendsOf(surface_, place, foot, radius, hint);
     search_.bound = std::max(0.0, side_ > 0.0 ? -bends.low : bends.high);
-    search_.boundAt = q;
+    search_.boundAt = place;
     search_.boundRadius = radius;
     return search_.bound;
   }

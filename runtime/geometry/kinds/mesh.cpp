@@ -1,9 +1,9 @@
 #include "runtime/geometry/kinds/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/geometry/mesh_edges.h"
-#include "runtime/geometry/normal_cones.h"
 
 namespace arelem::surface {
 
@@ -12,6 +12,8 @@ using geometry::Feature;
 namespace {
 /// A place this near to the mesh, as a share of its coordinates' size, is on it.
 constexpr double onMesh = 1e-13;
+
+constexpr std::size_t mostKept = 4;
 }  // namespace
 
 MeshShape::MeshShape(geometry::TriangleMesh given) : mesh(std::move(given)), tree(mesh) {
@@ -46,13 +48,21 @@ MeshShape::MeshShape(geometry::TriangleMesh given) : mesh(std::move(given)), tre
   });
 }
 
-MeshShape::~MeshShape() = default;
-
-const geometry::NormalCones& MeshShape::cones() const {
-  std::call_once(once_, [this] {
-    cones_ = std::make_unique<geometry::NormalCones>(mesh, normals, atBorder, tree.order());
-  });
-  return *cones_;
+std::shared_ptr<const KeptWithMesh> MeshShape::kept(
+    const std::function<bool(const KeptWithMesh&)>& fits,
+    const std::function<std::shared_ptr<const KeptWithMesh>()>& make) const {
+  const std::scoped_lock lock(keeping_);
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [&](const auto& one) { return fits(*one); });
+  if (found != kept_.end()) {
+    std::rotate(found, found + 1, kept_.end());
+    return kept_.back();
+  }
+  if (kept_.size() == mostKept) {
+    kept_.erase(kept_.begin());
+  }
+  kept_.push_back(make());
+  return kept_.back();
 }
 
 Vec3 MeshShape::normalAt(std::size_t triangle, Feature feature) const {

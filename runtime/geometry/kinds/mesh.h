@@ -1,20 +1,24 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <mutex>
 
 #include "runtime/geometry/surface.h"
 #include "runtime/geometry/triangle_tree.h"
 
-namespace arelem::geometry {
-class NormalCones;
-}  // namespace arelem::geometry
-
 namespace arelem::surface {
+
+/// What its users have found out about a mesh and keep with it.
+struct KeptWithMesh {
+  KeptWithMesh() = default;
+  KeptWithMesh(const KeptWithMesh&) = delete;
+  KeptWithMesh& operator=(const KeptWithMesh&) = delete;
+  virtual ~KeptWithMesh() = default;
+};
 
 /// A mesh with what queries need; shared between the copies of a surface.
 struct MeshShape {
   explicit MeshShape(geometry::TriangleMesh mesh);
-  ~MeshShape();
 
   geometry::TriangleMesh mesh;
   geometry::TriangleTree tree;
@@ -24,12 +28,14 @@ struct MeshShape {
   std::vector<bool> atBorder;                    ///< vertices that triangles do not surround
 
   [[nodiscard]] Vec3 normalAt(std::size_t triangle, geometry::Feature feature) const;
-  /// Made when first asked for.
-  [[nodiscard]] const geometry::NormalCones& cones() const;
+  /// The one of those kept that `fits`, else what `make` makes; only the last few are kept.
+  [[nodiscard]] std::shared_ptr<const KeptWithMesh> kept(
+      const std::function<bool(const KeptWithMesh&)>& fits,
+      const std::function<std::shared_ptr<const KeptWithMesh>()>& make) const;
 
  private:
-  mutable std::once_flag once_;
-  mutable std::unique_ptr<const geometry::NormalCones> cones_;
+  mutable std::mutex keeping_;
+  mutable std::vector<std::shared_ptr<const KeptWithMesh>> kept_;  ///< the last one used last
 };
 
 /// MESH: positive on the side of its normals. The sign at edges and vertices is that of the normals

@@ -50,6 +50,24 @@ std::optional<Bends> Ruled::Sheet::curvaturesAround(double f, double g, double r
              : std::nullopt;
 }
 
+/// Each is largest or least where both curves and g are at an end of their ranges.
+Ruled::Sheet::Seconds Ruled::Sheet::secondsAt(double g,
+                                              const CurveRange& a,
+                                              const CurveRange& b) const {
+  Seconds all{nothing.low, nothing.high, 0.0, std::abs(g) * b.second()};
+  double squared = 0.0;
+  for (const double x : {(1.0 - g) * a.low, (1.0 - g) * a.high}) {
+    for (const double y : {g * b.low, g * b.high}) {
+      const double along = x + parallel_ * y;
+      all.low = std::min(all.low, along);
+      all.high = std::max(all.high, along);
+      squared = std::max(squared, along * along + y * y * aside_.squaredNorm());
+    }
+  }
+  all.longest = std::sqrt(squared);
+  return all;
+}
+
 /// With S_gg = 0 the second form has the entries n . S_ff and n . S_fg; second derivatives of the
 /// curves go along their headings. All is bounded over the box of f and g about a place, by its
 /// values there and the largest change of each; `a` and `b` are the ranges of the curves.
@@ -63,11 +81,11 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
   const double area = across.norm();
   const double longF = s.byF.norm();
   const double longG = s.byG.norm();
-  const double weightA = std::abs(1.0 - g) + halfG;
-  const double weightB = std::abs(g) + halfG;
+  const Seconds atLow = secondsAt(g - halfG, a, b);
+  const Seconds atHigh = secondsAt(g + halfG, a, b);
   const double twistChange = secondsApart(a, b) * halfF;
   const double twist = s.byFG.norm() + twistChange;
-  const double changeF = (weightA * a.second() + weightB * b.second()) * halfF + twist * halfG;
+  const double changeF = std::max(atLow.longest, atHigh.longest) * halfF + twist * halfG;
   const double changeG = twist * halfF;
   const double changeArea = changeF * (longG + changeG) + longF * changeG;
   if (!(changeArea <= mostTurn * area)) {
@@ -75,21 +93,17 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
   }
   const Vec3 normal = across / area;
   const double turned = 2.0 * changeArea / (2.0 * area - changeArea);
-  const auto along = [&](const RuledCurve& curve, const CurveRange& range, double weight) {
-    const double middle = normal.dot(curve.heading());
-    Bends part = nothing;
-    for (const double n : {weight * (middle - turned), weight * (middle + turned)}) {
-      part.low = std::min({part.low, n * range.low, n * range.high});
-      part.high = std::max({part.high, n * range.low, n * range.high});
-    }
-    return part;
-  };
-  // At each g the two curves count by their weights, which are linear.
+  // The second derivative is linear in g.
+  const double rise = normal.dot(first_.heading());
+  const double besides = std::abs(normal.dot(aside_)) + turned * aside_.norm();
   Bends bent = nothing;
-  for (const double at : {g - halfG, g + halfG}) {
-    const Bends ofA = along(first_, a, 1.0 - at);
-    const Bends ofB = along(second_, b, at);
-    bent = {std::min(bent.low, ofA.low + ofB.low), std::max(bent.high, ofA.high + ofB.high)};
+  for (const Seconds& at : {atLow, atHigh}) {
+    for (const double n : {rise - turned, rise + turned}) {
+      bent.low =
+          std::min({bent.low, n * at.low - at.second * besides, n * at.high - at.second * besides});
+      bent.high = std::max(
+          {bent.high, n * at.low + at.second * besides, n * at.high + at.second * besides});
+    }
   }
   const double twisted = std::abs(normal.dot(s.byFG)) + twistChange + turned * s.byFG.norm();
   const double byUnitF = (longG + changeG) / (area - changeArea);

@@ -28,7 +28,11 @@ inline constexpr int mostBlocks = 160;
 
 class Ruled::Sheet {
  public:
-  explicit Sheet(const geometry::RuledSurface& s) : first_(s.first), second_(s.second) {
+  explicit Sheet(const geometry::RuledSurface& s)
+      : first_(s.first),
+        second_(s.second),
+        parallel_(s.second.heading.dot(s.first.heading)),
+        aside_(s.second.heading - parallel_ * s.first.heading) {
     low_ = std::max(first_.low(), second_.low());
     high_ = std::min(first_.high(), second_.high());
     atLow_ = {first_.at(low_), second_.at(low_)};
@@ -140,6 +144,14 @@ class Ruled::Sheet {
     double stretch = 1.0;  ///< ways along the sheet over straight ones
   };
 
+  /// Second derivatives of the sheet by f at one g.
+  struct Seconds {
+    double low = 0.0, high = 0.0;  ///< along the heading of the first curve
+    double longest = 0.0;
+    double second = 0.0;  ///< share of the second curve, at most
+  };
+  [[nodiscard]] Seconds secondsAt(double g, const CurveRange& a, const CurveRange& b) const;
+
   void makeRows();
   void addRows(double from, double to, int number);
   [[nodiscard]] Strip rulingsBetween(double low, double high) const;
@@ -213,6 +225,8 @@ class Ruled::Sheet {
   }
 
   RuledCurve first_, second_;
+  double parallel_;  ///< heading of the second curve: so many times that of the first one,
+  Vec3 aside_;       ///< and the rest, square to it
   double low_, high_;
   Vec3 middle_ = Vec3::Zero();
   double amidst_ = 0.0;  ///< no end is nearer to it than the root of this

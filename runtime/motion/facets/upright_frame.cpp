@@ -45,18 +45,6 @@ UprightFrame::Box UprightFrame::boxOf(const Vec3& center,
   return box;
 }
 
-UprightFrame::Extent UprightFrame::extentOf(const Vec3& center, const Vec3& half) const {
-  const Vec3 place = center - task_.section.origin;
-  const Vec3& along = task_.section.along;
-  if (upright_) {
-    return {along.x() * place.x() + along.y() * place.y(),
-            across_.x() * place.x() + across_.y() * place.y(),
-            share_.x() * half.x() + share_.y() * half.y(),
-            share_.y() * half.x() + share_.x() * half.y()};
-  }
-  return {along.dot(place), across_.dot(place), share_.dot(half), across_.cwiseAbs().dot(half)};
-}
-
 /// Leaves of the way where the cutter comes to a box; false where it does not.
 bool UprightFrame::meets(const Box& box, UprightBounds::Doubt& doubt) const {
   const double radius = bounds_.radius();

@@ -17,11 +17,6 @@ class UprightFrame {
     double out = 0.0;  ///< from the axis to where the cutter touches the plane, by how it leans
   };
 
-  /// A box seen from above.
-  struct Extent {
-    double x = 0.0, y = 0.0, halfX = 0.0, halfY = 0.0;
-  };
-
   UprightFrame(const FacetTask& task, const tool::UprightProfile& profile);
 
   [[nodiscard]] const UprightBounds& bounds() const { return bounds_; }
@@ -30,11 +25,11 @@ class UprightFrame {
   [[nodiscard]] bool meets(const Box& box, UprightBounds::Doubt& doubt) const;
   [[nodiscard]] UprightBounds::Line lineOf(const Box& box, double s) const;
   [[nodiscard]] tool::UprightFacet facetOf(std::size_t i) const;
-  [[nodiscard]] Extent extentOf(const Vec3& center, const Vec3& half) const;
-  [[nodiscard]] Vec3 turned(const Vec3& direction) const;
+  [[nodiscard]] const Section& section() const { return task_.section; }
 
  private:
   [[nodiscard]] Vec3 local(const Vec3& place) const;
+  [[nodiscard]] Vec3 turned(const Vec3& direction) const;
   [[nodiscard]] UprightBounds::Normal normalFor(const Box& box, double s) const;
 
   const FacetTask task_;

@@ -19,7 +19,9 @@ constexpr int slabsThen = 16;
 }  // namespace
 
 UprightList::UprightList(const FacetTask& task, const tool::UprightProfile& profile)
-    : frame_(task, profile), bounds_(frame_.bounds()), places_(frame_) {}
+    : frame_(task, profile),
+      bounds_(frame_.bounds()),
+      places_(UprightPlaces::of(frame_.mesh(), profile, bounds_.radius(), frame_.section().up)) {}
 
 UprightList::Line UprightList::line(std::uint32_t index, const Vec3& normal) const {
   return bounds_.lineOf(all_[index].facet, Normal::of(normal));
@@ -168,15 +170,16 @@ bool UprightList::gather(const Way& way, std::size_t limit) {
 }
 
 bool UprightList::gatherByPlaces(const Way& way) {
-  if (!places_.find(way.from.s, way.to.s, crowd, found_)) {
+  if (!places_->find(frame_.section(), {way.from.s, way.to.s}, crowd, found_)) {
     return false;
   }
   for (const UprightPlaces::Found& found : found_) {
-    const auto& c = found.facet.corners;
+    const tool::UprightFacet facet = frame_.facetOf(found.triangle);
+    const auto& c = facet.corners;
     const double x = (c[0].x() + c[1].x() + c[2].x()) / 3.0;
     const double y = (c[0].y() + c[1].y() + c[2].y()) / 3.0;
     const double middle = 0.5 * (found.range.first + found.range.last);
-    Own own{found.facet, {}, found.range, found.number, false};
+    Own own{facet, {}, found.range, found.triangle, false};
     own.lines[0] = own.lines[1] =
         bounds_.lineOf(own.facet, bounds_.normalTowards(x - middle, y, own.facet.up));
     if (own.facet.up.z() >= UprightBounds::usefulRise) {

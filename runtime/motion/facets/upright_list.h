@@ -84,7 +84,7 @@ class UprightList {
 
   UprightFrame frame_;
   const UprightBounds& bounds_;
-  UprightPlaces places_;
+  std::shared_ptr<const UprightPlaces> places_;
   std::vector<UprightPlaces::Found> found_;
   bool byPlaces_ = false;
   int slabsToCome_ = 0;

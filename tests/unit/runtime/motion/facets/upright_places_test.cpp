@@ -8,8 +8,13 @@
 namespace arelem::motion {
 namespace {
 
-const std::vector<std::vector<double>> cutters = {
-    {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, 0.266342, 0.125, 0, 8, 3}};
+/// Flat, ball, bull-nose, and tapered with a corner arc that is a tangent of the side.
+const std::vector<std::vector<double>> cutters = [] {
+  const double beta = 8.0 * std::acos(-1.0) / 180.0;
+  const double e = 0.375 - 0.125 * (1.0 - std::sin(beta)) / std::cos(beta);
+  return std::vector<std::vector<double>>{
+      {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, e, 0.125, 0, 8, 3}};
+}();
 
 class Random {
  public:
@@ -52,13 +57,19 @@ surface::Mesh waved(Random& random, int side, double roughness, int hole, bool t
 
 /// How many triangles are found at a place, in the middle.
 double expectFirst(const FacetTask& task, const std::string& what) {
-  const tool::UprightProfile profile = *tool::UprightProfile::of(*task.cutter, task.low);
+  const auto shape = tool::UprightProfile::of(*task.cutter, task.low);
+  if (!shape) {
+    ADD_FAILURE() << what << " does not stand upright";
+    return 0.0;
+  }
+  const tool::UprightProfile& profile = *shape;
   const tool::UprightTouch touch(profile);
   const UprightFrame frame(task, profile);
-  const UprightPlaces places(frame);
+  const auto places =
+      UprightPlaces::of(task.mesh->shape(), profile, frame.bounds().radius(), task.section.up);
   std::vector<UprightPlaces::Found> found;
   const std::size_t count = task.mesh->shape().mesh.triangles.size();
-  EXPECT_TRUE(places.find(-0.5, 0.5, count, found));
+  EXPECT_TRUE(places->find(task.section, {-0.5, 0.5}, count, found));
   std::size_t met = 0;
   constexpr int steps = 100;
   for (int i = 0; i < steps; ++i) {
@@ -71,7 +82,7 @@ double expectFirst(const FacetTask& task, const std::string& what) {
     double first = -10.0;
     for (const UprightPlaces::Found& f : found) {
       if (f.range.first <= s && s <= f.range.last) {
-        const auto one = touch.of(f.facet, s);
+        const auto one = touch.of(frame.facetOf(f.triangle), s);
         first = one ? std::max(first, one->z) : first;
         ++met;
       }
