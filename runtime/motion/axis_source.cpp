@@ -75,9 +75,10 @@ class AngleAxis final : public AxisSource {
       }
     }
     state_ = before <= tolerance::symmetric ? State::found : State::restless;
-    if (state_ == State::restless) {
+    if (state_ == State::restless && inVain_ < mostInVain) {
       auto settled = byNewton(toolEnd, axis);
       settled = settled ? settled : atBoth(toolEnd, axis);
+      inVain_ = settled ? 0 : inVain_ + 1;
       if (settled) {
         state_ = State::found;
         axis = *settled;
@@ -105,6 +106,9 @@ class AngleAxis final : public AxisSource {
   /// Repeats without a smaller move after which there will be none.
   static constexpr int patience = 12;
   static constexpr double slowShare = 0.9;
+  /// Of Newton, and of searches between two contacts, in one go; after so many in a row that found
+  /// nothing there are no more.
+  static constexpr int newtonLimit = 12, bothLimit = 6, mostInVain = 50;
   /// Newton ends at what is left of an axis, turns by at most so much at once, and tries steps down
   /// to this share.
   static constexpr double newtonMiss = 1e-14, largestTurn = 0.3, leastShare = 1e-3;
@@ -143,7 +147,7 @@ class AngleAxis final : public AxisSource {
   std::optional<Vec3> byNewton(const Vec3& toolEnd, Vec3 axis) {
     constexpr double h = 1e-6;
     auto next = step(toolEnd, axis);
-    for (int i = 0; i < repeatLimit && next; ++i) {
+    for (int i = 0; i < newtonLimit && next; ++i) {
       const Vec3 miss = *next - axis;
       if (miss.norm() <= newtonMiss) {
         return axis;
@@ -190,7 +194,7 @@ class AngleAxis final : public AxisSource {
       return std::nullopt;
     }
     Normals there = normalsAt(toolEnd, *turned);
-    for (int i = 0; i < repeatLimit; ++i) {
+    for (int i = 0; i < bothLimit; ++i) {
       double low = 0.0, high = 1.0;  // of the way from `here`: the axis there touches `there`
       Normals atLow = there, atHigh = here;
       while (high - low > tolerance::rounding) {
@@ -250,6 +254,7 @@ class AngleAxis final : public AxisSource {
   Vec3 last_, forward_;
   State state_ = State::found;
   int repeats_ = 0;
+  int inVain_ = 0;      ///< searches in a row that found no axis
   std::string reason_;  ///< why there is no axis
 };
 }  // namespace
