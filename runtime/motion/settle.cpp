@@ -304,7 +304,8 @@ Settled settleNear(const Vec3& start,
   if (found.ok && (found.toolEnd - start).norm() > distance) {
     found.ok = false;
   }
-  return found.ok ? found : settleEvenly(start, axis, wanted, constraints);
+  // An axis that follows takes long to find, and from so many places it is not found there either.
+  return found.ok || !axis.isFixed() ? found : settleEvenly(start, axis, wanted, constraints);
 }
 }  // namespace
 
