@@ -238,7 +238,7 @@ Settled settleEvenly(const Vec3& start,
     if (there.ok && isNeighbor(here, there, wanted.size(), (left - next) * first.worst)) {
       here = there;
       left = next;
-      share = std::min(longestShare, 2.0 * share);
+      share *= 2.0;
     } else {
       share *= 0.5;
     }
