@@ -14,6 +14,8 @@ constexpr std::size_t fewNormals = 3;
 /// More triangles than this are too many to be looked at: those that may be touched by where they
 /// are and how they look, but are far below. Their next lists know how high the way goes.
 constexpr std::size_t crowd = 400;
+/// A ball has no level bottom with many triangles below it: with it so many are on rough meshes.
+constexpr std::size_t crowdBelowBall = 200;
 constexpr int slabsThen = 16;
 
 }  // namespace
@@ -170,7 +172,8 @@ bool UprightList::gather(const Way& way, std::size_t limit) {
 }
 
 bool UprightList::gatherByPlaces(const Way& way) {
-  if (!places_->find(frame_.section(), {way.from.s, way.to.s}, crowd, found_)) {
+  const std::size_t most = bounds_.profile().e > 0.0 ? crowd : crowdBelowBall;
+  if (!places_->find(frame_.section(), {way.from.s, way.to.s}, most, found_)) {
     return false;
   }
   for (const UprightPlaces::Found& found : found_) {
