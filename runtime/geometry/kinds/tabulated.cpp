@@ -109,9 +109,8 @@ Nearest nearestOf(const Piece& p, const Local& q, double bound) {
   return best;
 }
 
-/// Left normal at local x of a piece, of any length, in the plane of the curve.
-PlaneVector leftNormal(const Piece& p, double x) {
-  const double s = slope(p, x);
+/// Left normal of a piece where it has the slope, in the plane of the curve.
+PlaneVector leftNormal(const Piece& p, double s) {
   const double inverse = 1.0 / std::sqrt(1.0 + s * s);
   return {(-s * p.dirU - p.dirV) * inverse, (p.dirU - s * p.dirV) * inverse};
 }
@@ -121,11 +120,11 @@ PlaneVector leftNormal(const Piece& p, double x) {
 double leftOfEnd(const TabulatedCylinder::Curve& curve, int piece, bool atStart, PlaneVector seen) {
   const int count = static_cast<int>(curve.pieces.size());
   const Piece& p = curve.pieces[static_cast<std::size_t>(piece)];
-  PlaneVector normal = leftNormal(p, atStart ? 0.0 : p.length);
+  PlaneVector normal = leftNormal(p, slope(p, atStart ? 0.0 : p.length));
   const int other = atStart ? piece - 1 : piece + 1;
   if (curve.isClosed() || (other >= 0 && other < count)) {
     const Piece& q = curve.pieces[static_cast<std::size_t>((other + count) % count)];
-    const PlaneVector beside = leftNormal(q, atStart ? q.length : 0.0);
+    const PlaneVector beside = leftNormal(q, slope(q, atStart ? q.length : 0.0));
     normal = {normal.u + beside.u, normal.v + beside.v};
   }
   return seen.u * normal.u + seen.v * normal.v;
@@ -198,10 +197,9 @@ TabulatedCylinder::PlaneFoot TabulatedCylinder::footInPlane(double u, double v, 
     const double distance = std::copysign(length, leftOfEnd(curve, bestPiece, atStart, seen));
     return {distance, seen.u / distance, seen.v / distance};
   }
-  const PlaneVector normal = leftNormal(p, best.x);
   const double s = slope(p, best.x);
-  const double across = (dy - s * dx) / std::sqrt(1.0 + s * s);
-  return {across, normal.u, normal.v};
+  const PlaneVector normal = leftNormal(p, s);
+  return {(dy - s * dx) / std::sqrt(1.0 + s * s), normal.u, normal.v};
 }
 
 double TabulatedCylinder::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {
