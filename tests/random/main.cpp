@@ -13,6 +13,9 @@ void addOptions(CLI::App& app, scenes::Request& request) {
   app.add_option("--seed", request.seed, "scenes follow from it, their pair and their number (1)");
   app.add_option("--each", request.each, "scenes of every pair of kinds (1)");
   app.add_option("--pair", request.pair, "PART,DRIVE: only scenes of this pair of kinds");
+  app.add_option("--kinds", request.kinds, "KIND,...: only scenes of pairs of these kinds")
+      ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--first", request.first, "number of the first scene of every pair (0)");
   app.add_option("--only", request.only,
                  "SEED:PART,DRIVE,NUMBER: this one scene, with its program");

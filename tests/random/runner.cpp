@@ -23,6 +23,14 @@ constexpr std::uint64_t ahead = 10;
 /// Scenes between two writings of the table, for each thread.
 constexpr std::size_t together = 50;
 
+std::size_t kindOf(const std::string& text) {
+  const auto* found = std::find(kinds.begin(), kinds.end(), text);
+  if (found == kinds.end()) {
+    throw std::runtime_error(fmt::format("no kind `{}`; kinds: {}", text, fmt::join(kinds, " ")));
+  }
+  return static_cast<std::size_t>(found - kinds.begin());
+}
+
 std::size_t pairOf(const std::string& text) {
   const std::size_t comma = text.find(',');
   for (std::size_t pair = 0; pair < pairCount; ++pair) {
@@ -93,21 +101,39 @@ class Runner {
   /// A single scene is not counted.
   [[nodiscard]] bool counts() const { return !request_.table.empty() && request_.only.empty(); }
 
+  /// The pairs that are asked for.
+  [[nodiscard]] std::vector<std::size_t> pairs() const {
+    if (!request_.pair.empty()) {
+      return {pairOf(request_.pair)};
+    }
+    std::vector<bool> wanted(kinds.size(), request_.kinds.empty());
+    for (const std::string& kind : request_.kinds) {
+      wanted[kindOf(kind)] = true;
+    }
+    std::vector<std::size_t> all;
+    for (std::size_t pair = 0; pair < pairCount; ++pair) {
+      const SceneId id{0, pair, 0};
+      if (wanted[id.part()] && wanted[id.drive()]) {
+        all.push_back(pair);
+      }
+    }
+    return all;
+  }
+
   /// All pairs go on alike: those with the fewest scenes first.
   void rounds() {
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t low = request_.pair.empty() ? 0 : pairOf(request_.pair);
-    const std::size_t high = request_.pair.empty() ? pairCount : low + 1;
     std::vector<std::uint64_t> next(pairCount, request_.first);
-    for (std::size_t pair = low; pair < high && counts(); ++pair) {
-      next[pair] = table_.scenes(pair);
-    }
     const std::uint64_t end = request_.first + request_.each;
-    std::uint64_t goal = *std::min_element(&next[low], &next[high - 1] + 1);
+    std::uint64_t goal = end;
+    for (const std::size_t pair : pairs()) {
+      next[pair] = counts() ? table_.scenes(pair) : request_.first;
+      goal = std::min(goal, next[pair]);
+    }
     while (goal < end) {
       goal = std::min(goal + ahead, end);
       std::vector<SceneId> ids;
-      for (std::size_t pair = low; pair < high; ++pair) {
+      for (const std::size_t pair : pairs()) {
         for (std::uint64_t number = next[pair]; number < goal; ++number) {
           ids.push_back({request_.seed, pair, number});
         }

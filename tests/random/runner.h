@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace arelem::scenes {
 
@@ -9,6 +10,7 @@ namespace arelem::scenes {
 struct Request {
   std::uint64_t seed = 1, each = 1, first = 0;
   std::string pair, only;
+  std::vector<std::string> kinds;  ///< only pairs of these; empty: of all
   unsigned jobs = 0;  ///< 0: one for each core
   std::string found, table, failures, commit;
   bool again = false, anew = false, times = false;
