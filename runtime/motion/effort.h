@@ -8,8 +8,8 @@ namespace arelem::motion {
 /// same.
 [[nodiscard]] std::uint64_t gapsMeasured();
 
-/// What a motion may cost: so many gaps for each cut vector on the average, and as many as for
-/// twenty of them to find the first.
+/// What a motion may cost: so many gaps for each cut vector on the average, and as many as for a
+/// hundred of them to find the first.
 class Effort {
  public:
   explicit Effort(std::uint64_t each)
@@ -19,7 +19,7 @@ class Effort {
   [[nodiscard]] bool isSpent() const { return (gapsMeasured() - began_) / each_ >= allowed_; }
 
  private:
-  static constexpr std::uint64_t beforeFirst = 20;
+  static constexpr std::uint64_t beforeFirst = 100;
   std::uint64_t each_, began_, allowed_ = beforeFirst;
 };
 

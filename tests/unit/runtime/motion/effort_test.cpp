@@ -20,7 +20,7 @@ void measure(Field& field, int times) {
 TEST(Effort, IsSpentByGaps) {
   const auto field = makeField(surface::Plane{Vec3::UnitZ(), 0.0}, 1.0, {});
   Effort effort(3);
-  measure(*field, 59);
+  measure(*field, 299);
   EXPECT_FALSE(effort.isSpent());
   measure(*field, 1);
   EXPECT_TRUE(effort.isSpent());
