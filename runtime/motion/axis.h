@@ -24,6 +24,11 @@ class AxisRule {
     (void)source_->at(toolEnd);
     return source_->fault();
   }
+  /// Why a motion may not get on from there.
+  [[nodiscard]] std::optional<Failure> jump(const Vec3& toolEnd) {
+    (void)at(toolEnd);
+    return isFixed() ? std::nullopt : source_->jump();
+  }
   /// Change of the axis with the tool end, d axis / d tool end, by central differences.
   [[nodiscard]] Eigen::Matrix3d change(const Vec3& toolEnd);
 

@@ -77,31 +77,32 @@ class AngleAxis final : public AxisSource {
     state_ = before <= tolerance::symmetric ? State::found : State::restless;
     if (state_ == State::restless && inVain_ < mostInVain) {
       auto settled = byNewton(toolEnd, axis);
+      state_ = settled ? State::found : State::between;
       settled = settled ? settled : atBoth(toolEnd, axis);
+      state_ = settled ? state_ : State::restless;
       inVain_ = settled ? 0 : inVain_ + 1;
-      if (settled) {
-        state_ = State::found;
-        axis = *settled;
-      }
+      axis = settled.value_or(axis);
     }
     last_ = axis;
     return axis;
   }
 
   [[nodiscard]] std::optional<Failure> fault() const override {
-    constexpr double degrees = 180.0 / std::numbers::pi;
-    switch (state_) {
-      case State::impossible:
-        return fail(diag::AxisImpossible, tilt_.alpha * degrees, control_.name, reason_);
-      case State::restless:
-        return fail(diag::AxisDiverges, tilt_.alpha * degrees, control_.name, repeats_);
-      default:
-        return std::nullopt;
+    if (state_ == State::impossible) {
+      return fail(diag::AxisImpossible, tilt_.alpha * degrees, control_.name, reason_);
     }
+    return state_ == State::restless ? std::optional(restless()) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<Failure> jump() const override {
+    return state_ == State::between ? std::optional(restless()) : std::nullopt;
   }
 
  private:
-  enum class State { found, impossible, restless };
+  enum class State { found, between, impossible, restless };
+  static constexpr double degrees = 180.0 / std::numbers::pi;
+  [[nodiscard]] Failure restless() const {
+    return fail(diag::AxisDiverges, tilt_.alpha * degrees, control_.name, repeats_);
+  }
   static constexpr int repeatLimit = 100;
   /// Repeats without a smaller move after which there will be none.
   static constexpr int patience = 12;

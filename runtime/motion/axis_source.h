@@ -19,6 +19,8 @@ class AxisSource {
   /// Why there was no axis with the tool end there when it was last asked for; it then was the one
   /// of the place before.
   [[nodiscard]] virtual std::optional<Failure> fault() const { return std::nullopt; }
+  /// Why a motion may not get on there: the axis is one between two contacts.
+  [[nodiscard]] virtual std::optional<Failure> jump() const { return std::nullopt; }
 };
 
 /// NORMPS and NORMDS: the surface's normal under the tool end, on the given side.

@@ -105,8 +105,7 @@ class Follower {
   }
 
   [[nodiscard]] Failure tooMuch() const {
-    const Vec3 p = told(last_.toolEnd);
-    return fail(diag::MotionEffort, limits_.gaps, result_.cutVectors, p.x(), p.y(), p.z());
+    return motion::tooMuch(course_, last_, limits_.gaps, result_.cutVectors);
   }
 
   [[nodiscard]] std::optional<Failure> beyondLimits() const {

@@ -73,6 +73,17 @@ std::optional<Failure> axisEnds(Course& course, const PathPoint& last) {
   return std::nullopt;
 }
 
+Failure tooMuch(Course& course,
+                const PathPoint& last,
+                std::uint64_t gaps,
+                std::uint64_t cutVectors) {
+  if (auto jump = course.path.axis.jump(last.toolEnd)) {
+    return *std::move(jump);
+  }
+  const Vec3 p = told(last.toolEnd);
+  return fail(diag::MotionEffort, gaps, cutVectors, p.x(), p.y(), p.z());
+}
+
 Failure lost(Course& course, const PathPoint& last) {
   // Where there is no axis any more steps beyond end nowhere.
   for (const double ahead : looksAhead) {

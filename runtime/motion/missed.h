@@ -14,6 +14,13 @@ namespace arelem::motion {
 /// Why the path goes no farther than `last`.
 [[nodiscard]] Failure lost(Course& course, const PathPoint& last);
 
+/// The same where the path took more than `gaps` gaps for each of its cut vectors: that it does not
+/// get on, or that there is an axis between two contacts only.
+[[nodiscard]] Failure tooMuch(Course& course,
+                              const PathPoint& last,
+                              std::uint64_t gaps,
+                              std::uint64_t cutVectors);
+
 /// True of messages that name the nearest approach to a check surface.
 [[nodiscard]] bool tellsNearest(const Failure& failure);
 
