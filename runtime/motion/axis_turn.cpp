@@ -1,5 +1,7 @@
 #include "runtime/motion/axis_turn.h"
 
+#include <algorithm>
+
 #include "ir/space/tolerance.h"
 
 namespace arelem::motion {
@@ -54,7 +56,11 @@ class Turn {
     for (const bool planesToo : {false, true}) {
       for (const bool part : {false, true}) {
         for (const bool drive : {part, !part}) {
-          choices.push_back({gap(0, part, planesToo), gap(1, drive, planesToo)});
+          const std::array gaps{gap(0, part, planesToo), gap(1, drive, planesToo)};
+          // Planes that keep their gap leave fewer choices.
+          if (std::find(choices.begin(), choices.end(), gaps) == choices.end()) {
+            choices.push_back(gaps);
+          }
         }
       }
     }
