@@ -10,6 +10,7 @@
 #include "runtime/geometry/ends.h"
 #include "runtime/motion/arc_route.h"
 #include "runtime/motion/axis_turn.h"
+#include "runtime/motion/corners.h"
 #include "runtime/motion/missed.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/stop.h"
@@ -22,9 +23,6 @@ namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
 constexpr double halfTurn = std::numbers::pi;
-/// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
-/// unit.
-constexpr double cornersApart = 1e-4;
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
 /// Motions of more cut vectors are not computed again for the sake of a message.
@@ -46,7 +44,8 @@ class Follower {
         interrupted_(interrupted),
         effort_(limits.gaps),
         stride_(course.path, state.longestVector),
-        stops_(state, course) {
+        stops_(state, course),
+        corners_(course.path) {
     for (CheckWatch& w : course_.watches) {
       w.spend(effort_);
     }
@@ -152,7 +151,7 @@ class Follower {
       if (auto bad = stuck ? axisEnds(course_, last_) : std::nullopt) {
         return bad;
       }
-      if (stuck && turnCorner()) {
+      if (stuck && turnCorner(b)) {
         continue;
       }
       if (!b) {
@@ -197,17 +196,17 @@ class Follower {
   }
 
   /// Goes on in the direction behind a corner; false where there is none.
-  bool turnCorner() {
-    const bool chatters = corner_ && (*corner_ - last_.toolEnd).norm() <= cornersApart;
-    const auto turned = chatters ? std::nullopt : course_.path.roundCorner(last_);
-    if (turned) {
-      corner_ = last_.toolEnd;
-      last_ = *turned;
-      for (Guide& g : course_.path.guides) {
-        g.startAnew(0.0);
-      }
+  bool turnCorner(const std::optional<PathPoint>& tip) {
+    const auto way = corners_.from(last_, tip);
+    if (!way) {
+      return false;
     }
-    return turned.has_value();
+    for (const PathPoint& p : way->through) {
+      putTurn(p);
+      put(p);
+    }
+    last_ = way->on;
+    return true;
   }
 
   /// True where the last cut vector ends at the stop but for rounding, or beyond it within the
@@ -354,7 +353,7 @@ class Follower {
   bool hasMoved_ = false;  ///< a cut vector along the path was put out
   double turned_ = 0.0;    ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;
-  std::optional<Vec3> corner_;           ///< where the path turned last
+  Corners corners_;
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
   FollowResult result_;
 };
