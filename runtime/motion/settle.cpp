@@ -140,8 +140,6 @@ Settled settle(const Vec3& start,
   return out;
 }
 
-namespace {
-/// The conditions at a place, measured.
 Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted) {
   Settled out;
   out.toolEnd = place;
@@ -149,6 +147,7 @@ Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> want
   return out;
 }
 
+namespace {
 double squares(const Settled& at, std::span<const Wanted> wanted) {
   double sum = 0.0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -279,9 +278,6 @@ Settled settleInTurn(const Vec3& start,
   return settle(out.toolEnd, axis, wanted, constraints);
 }
 
-namespace {
-/// Directions that go with the surfaces wherever these lie: along the first contact normal, square
-/// to it towards the second, and square to both.
 Eigen::Matrix3d frameOf(const Settled& at, std::size_t count) {
   const Vec3 first = at.contacts[0].normal;
   Vec3 second = count > 1 ? at.contacts[1].normal : Vec3(first.unitOrthogonal());
@@ -293,6 +289,7 @@ Eigen::Matrix3d frameOf(const Settled& at, std::size_t count) {
   return frame;
 }
 
+namespace {
 /// Whole steps that go far lead anywhere, and rounding chooses where: only those that end within a
 /// distance count.
 Settled settleNear(const Vec3& start,
