@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/effort.h"
 
 namespace arelem::motion {
 
@@ -33,6 +34,9 @@ constexpr double farForGain = 8.0;
 /// Looking around: places found by whole steps are at most this many times as far from where they
 /// began as that is from the middle.
 constexpr double nearStart = 2.0;
+/// Gaps measured on whole and on even ways until these end: where nothing is found so far, there is
+/// hardly anything.
+constexpr std::uint64_t mostGaps = 10000;
 /// Residuals below this share of the coordinates' size are rounding.
 constexpr double relativeRest = 4e-16;
 constexpr double absoluteRest = 2e-15;
@@ -301,8 +305,7 @@ Settled settleNear(const Vec3& start,
   if (found.ok && (found.toolEnd - start).norm() > distance) {
     found.ok = false;
   }
-  // An axis that follows takes long to find, and from so many places it is not found there either.
-  return found.ok || !axis.isFixed() ? found : settleEvenly(start, axis, wanted, constraints);
+  return found;
 }
 }  // namespace
 
@@ -324,19 +327,29 @@ Settled nearestAround(const Settled& near,
   const Eigen::Matrix3d frame = frameOf(near, wanted.size());
   Settled best = near;
   double least = tolerance::farAway;
-  for (double distance = shortest; distance > 0.0 && distance <= farthest; distance *= growth) {
-    if (distance > usual && least < tolerance::farAway) {
-      break;
-    }
-    for (int cell = 0; cell < 27; ++cell) {
-      const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
-      const Vec3 start = near.toolEnd + distance * (frame * way);
-      const Settled found = settleNear(start, nearStart * distance, axis, wanted, constraints);
-      const double away = (found.toolEnd - from).norm();
-      // Mirror images are equally far: the first one stays.
-      if (found.ok && away < least - tolerance::coincidence) {
-        best = found;
-        least = away;
+  const auto begun = gapsMeasured();
+  // An axis that follows takes long to find, and from so many places no even way finds it either.
+  for (const bool evenly : {false, true}) {
+    for (double distance = shortest; distance > 0.0 && distance <= farthest; distance *= growth) {
+      const bool isFound = least < tolerance::farAway;
+      if (isFound ? evenly || distance > usual : evenly && !axis.isFixed()) {
+        break;
+      }
+      for (int cell = 0; cell < 27; ++cell) {
+        if (evenly && gapsMeasured() - begun > mostGaps) {
+          return best;
+        }
+        const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
+        const Vec3 start = near.toolEnd + distance * (frame * way);
+        const Settled found =
+            evenly ? settleEvenly(start, axis, wanted, constraints)
+                   : settleNear(start, nearStart * distance, axis, wanted, constraints);
+        const double away = (found.toolEnd - from).norm();
+        // Mirror images are equally far: the first one stays.
+        if (found.ok && away < least - tolerance::coincidence) {
+          best = found;
+          least = away;
+        }
       }
     }
   }

@@ -225,10 +225,31 @@ class Starter {
   }
 
   Result<Standing> runGo() {
-    const Vec3 from = approach();
+    const Vec3 led = approach();
+    Vec3 reached = led;
+    Settled found = search(led, reached);
+    if (!found.ok && goals_.size() > 2 && led != state_.toolEnd) {
+      // Directions of three surfaces only guide: where they lead astray, the nearest position is
+      // looked for without them.
+      Vec3 undirected = reached;
+      const Settled other = search(state_.toolEnd, undirected);
+      found = other.ok ? other : found;
+    }
+    // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
+    if (auto bad = rule_.fault(found.ok ? found.toolEnd : reached)) {
+      return *std::move(bad);
+    }
+    if (!found.ok) {
+      return noPosition(*state_.cutter, goals_, found, led);
+    }
+    return along(found);
+  }
+
+  /// The position to which the conditions lead from a place; `reached` is where the first way ends.
+  Settled search(const Vec3& from, Vec3& reached) {
     const auto extra = constraints(from);
     Settled found = firstTry(from, extra);
-    const Vec3 reached = found.toolEnd;
+    reached = found.toolEnd;
     // From far away or across a kink a way may miss what there is; and where surfaces nearly touch
     // each other, only places within the tolerances may be any.
     for (const bool atRest : {false, true}) {
@@ -246,14 +267,7 @@ class Starter {
       const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
       found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
-    // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
-    if (auto bad = rule_.fault(found.ok ? found.toolEnd : reached)) {
-      return *std::move(bad);
-    }
-    if (!found.ok) {
-      return explain(found, from);
-    }
-    return along(found);
+    return found;
   }
 
   /// A position, unless it lies behind the tool on a way that its direction gives exactly.
@@ -274,10 +288,6 @@ class Starter {
       }
     }
     return end;
-  }
-
-  [[nodiscard]] Failure explain(const Settled& found, const Vec3& from) const {
-    return noPosition(*state_.cutter, goals_, found, from);
   }
 
   /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to
