@@ -10,6 +10,8 @@ namespace arelem::motion {
 namespace {
 /// Nothing worth a search is nearer than what is missed at first, which tells the least way.
 constexpr double leastWay = 1.05;
+/// A way that was not found may be so many times as long.
+constexpr double farWay = 3.0;
 /// Places from which it begins, as shares of the way that was found.
 constexpr std::array shares{0.4, 0.8};
 /// Where the conditions leave a choice, found ways are the least but for this share; ways to other
@@ -89,15 +91,16 @@ Settled nearer(const Settled& found,
                std::span<const Wanted> wanted,
                std::span<const Constraint> constraints) {
   const bool isFree = wanted.size() + constraints.size() < 3;
-  const double way = (found.toolEnd - from).norm();
   const Settled start = measured(from, axis, wanted);
-  if (way <= leastWay * leastFrom(from, start, wanted, constraints)) {
+  const double atLeast = leastFrom(from, start, wanted, constraints);
+  const double way = found.ok ? (found.toolEnd - from).norm() : farWay * atLeast;
+  if (way <= leastWay * atLeast) {
     return found;
   }
   const Eigen::Matrix3d frame = frameOf(start, wanted.size());
   Settled best = found;
-  double least = way - tolerance::coincidence;
-  if (isFree) {
+  double least = found.ok ? way - tolerance::coincidence : tolerance::farAway;
+  if (isFree && found.ok) {
     const Settled nearest = slid(found, from, axis, wanted, constraints);
     const double away = (nearest.toolEnd - from).norm();
     best = away < sameChoice * way ? nearest : found;
@@ -111,7 +114,7 @@ Settled nearer(const Settled& found,
       }
       const Vec3 place = from + share * way * (frame * towards.normalized());
       Settled next = settle(place, axis, wanted, constraints);
-      if (next.ok && isFree && (next.toolEnd - from).norm() < way) {
+      if (next.ok && isFree && (!found.ok || (next.toolEnd - from).norm() < way)) {
         next = slid(next, from, axis, wanted, constraints);
       }
       const double away = (next.toolEnd - from).norm();

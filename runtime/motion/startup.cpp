@@ -260,7 +260,7 @@ class Starter {
         found = tried.ok || !atRest ? tried : found;
       }
     }
-    if (found.ok && !exact_ && rule_.isFixed() && !allPlanes()) {
+    if (!exact_ && rule_.isFixed() && !allPlanes()) {
       found = nearer(found, from, rule_, wanted(false, from), extra);
     }
     if (found.ok && !exact_) {
