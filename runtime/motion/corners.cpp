@@ -10,6 +10,9 @@ namespace {
 /// unit.
 constexpr double cornersApart = 1e-4;
 
+/// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
+constexpr double cornerMissed = 1e-7;
+
 bool isAt(const std::optional<Vec3>& corner, const PathPoint& place) {
   return corner && (*corner - place.toolEnd).norm() <= cornersApart;
 }
@@ -25,26 +28,18 @@ std::optional<Corners::Way> Corners::from(const PathPoint& last,
   return way;
 }
 
-/// The corner is cut off where the bands allow; where they do not, by a tool that did not get on
-/// from there, the tip is gone to.
+/// The last cut vector may have ended before the corner, and from there the next one would leave
+/// the band: the tip is gone to.
 std::optional<Corners::Way> Corners::turned(const PathPoint& last,
                                             const std::optional<PathPoint>& tip) {
-  if (!isAt(turn_, last)) {
-    const auto round = path_.roundCorner(last);
-    if (!round) {
-      return std::nullopt;
-    }
-    turn_ = last.toolEnd;
-    tip_ = tip;
-    return Way{{}, *round};
-  }
-  if (!tip_) {
+  const PathPoint& at = tip ? *tip : last;
+  const auto round = isAt(turn_, at) ? std::nullopt : path_.roundCorner(at);
+  if (!round) {
     return std::nullopt;
   }
-  const PathPoint up = *tip_;
-  tip_.reset();
-  const auto round = path_.roundCorner(up);
-  return round ? std::optional(Way{{up}, *round}) : std::nullopt;
+  turn_ = at.toolEnd;
+  const bool apart = (at.toolEnd - last.toolEnd).norm() > cornerMissed;
+  return Way{apart ? std::vector<PathPoint>{at} : std::vector<PathPoint>{}, *round};
 }
 
 /// One place of the cutter gives an axis with which another touches, and that one an axis with

@@ -27,9 +27,8 @@ class Corners {
   void startAnew();
 
   Path& path_;
-  std::optional<Vec3> turn_;      ///< where the path turned last
-  std::optional<PathPoint> tip_;  ///< of that corner
-  std::optional<Vec3> leap_;      ///< where the axis leapt last
+  std::optional<Vec3> turn_;  ///< where the path turned last
+  std::optional<Vec3> leap_;  ///< where the axis leapt last
 };
 
 }  // namespace arelem::motion
