@@ -283,6 +283,9 @@ class Follower {
     if (!ends.empty()) {
       beforeTurn_ = last_;
       last_ = ends.back();
+      for (CheckWatch& w : course_.watches) {
+        w.begin(last_.toolEnd, last_.axis);  // the turn may have led past it
+      }
     }
     return !ends.empty();
   }
