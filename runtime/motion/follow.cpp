@@ -22,7 +22,6 @@ namespace arelem::motion {
 namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
-constexpr double halfTurn = std::numbers::pi;
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
 /// Motions of more cut vectors are not computed again for the sake of a message.
@@ -254,7 +253,7 @@ class Follower {
     for (const Guide& g : course_.path.guides) {
       near += roundBands * (g.inner + g.outer);
     }
-    if (turned_ > halfTurn && (back - share * chord).norm() <= near &&
+    if (turned_ > std::numbers::pi && (back - share * chord).norm() <= near &&
         chord.dot(course_.start.tangent) > 0.0) {
       turned_ = 0.0;
       ++rounds_;
