@@ -50,9 +50,11 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
     }
   }
   auto end = atRest(a, segment, met, near);
-  // A chord may cross what the path proper only touches.
-  if (end && (met.hit.touch || !isContact(met, *end)) && !segment.isArc() &&
-      !course_.watches[met.check].isTangent()) {
+  // A chord may cross what the path proper only touches; and where it is parallel to what it shall
+  // touch, it may be nearer than that.
+  const bool contact = end && isContact(met, *end);
+  const bool tangent = course_.watches[met.check].isTangent();
+  if (end && (!contact || (met.hit.touch && !tangent)) && !segment.isArc()) {
     end = closer(a, segment, met, *end);
   }
   return end;
