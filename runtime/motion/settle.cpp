@@ -203,7 +203,8 @@ Settled closest(const Vec3& start,
       right += (wanted[i].target - here.contacts[i].gap) * row;
     }
     const Vec3 step = free * normal.ldlt().solve(right);
-    if (!step.allFinite() || step.norm() <= noStep) {
+    const bool far = (here.toolEnd + step - start).norm() > tolerance::farAway;
+    if (!step.allFinite() || step.norm() <= noStep || far) {
       break;
     }
     Settled next = measured(here.toolEnd + step, axis, wanted);

@@ -40,7 +40,11 @@ class Starter {
     exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() &&
              state_.thick[partRole] == 0.0 && !state_.direction[1] &&
              isPlaneRoute(state_, goals_[0].surface, goals_[*partIndex_].surface, nullptr);
-    return startup_.offset ? runOffset() : runGo();
+    auto end = startup_.offset ? runOffset() : runGo();
+    if (auto bad = end ? behindEnd(goals_, end->toolEnd, end->axis) : std::nullopt) {
+      return *std::move(bad);
+    }
+    return end;
   }
 
  private:
@@ -267,6 +271,8 @@ class Starter {
       const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
       found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
+    // Along lines that a surface shares with another, what is missed shrinks without end.
+    found.ok = found.ok && (found.toolEnd - from).norm() <= tolerance::farAway;
     return found;
   }
 

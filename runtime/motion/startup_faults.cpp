@@ -5,6 +5,7 @@
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
+#include "runtime/geometry/ends.h"
 #include "runtime/motion/told.h"
 
 namespace arelem::motion {
@@ -47,6 +48,20 @@ Failure noPosition(const tool::Profile& cutter,
     }
   }
   return diverged(goals, found);
+}
+
+std::optional<Failure> behindEnd(std::span<const StartupGoal> goals,
+                                 const Vec3& toolEnd,
+                                 const Vec3& axis) {
+  for (const StartupGoal& goal : goals) {
+    const double length =
+        surface::endBefore(goal.surface.surface, goal.field->at(toolEnd, axis).point);
+    if (length > 0.0) {
+      const Vec3 p = told(toolEnd);
+      return fail(diag::StartupBehindEnd, p.x(), p.y(), p.z(), goal.surface.name, length);
+    }
+  }
+  return std::nullopt;
 }
 
 Failure diverged(std::span<const StartupGoal> goals, const Settled& found) {

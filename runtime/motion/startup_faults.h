@@ -22,6 +22,10 @@ struct StartupGoal {
                                  std::span<const StartupGoal> goals,
                                  const Settled& found,
                                  const Vec3& from);
+/// Why a position is none: the tool touches a surface behind an end of it there.
+[[nodiscard]] std::optional<Failure> behindEnd(std::span<const StartupGoal> goals,
+                                               const Vec3& toolEnd,
+                                               const Vec3& axis);
 /// Where a search ended, and what is missed there.
 [[nodiscard]] Failure diverged(std::span<const StartupGoal> goals, const Settled& found);
 
