@@ -87,6 +87,13 @@ class AngleAxis final : public AxisSource {
     return axis;
   }
 
+  void hold(const Vec3& toolEnd) override {
+    const Vec3 axis = at(toolEnd);
+    if (tilt_.across && !fault()) {
+      tilt_.turn = turnAbout(*tilt_.across, normalsAt(toolEnd, axis).control, axis);
+    }
+  }
+
   [[nodiscard]] std::optional<Failure> fault() const override {
     if (state_ == State::impossible) {
       return fail(diag::AxisImpossible, tilt_.alpha * degrees, control_.name, reason_);
