@@ -20,9 +20,7 @@ class AngleAxis final : public AxisSource {
 
   Vec3 at(const Vec3& toolEnd) override {
     if (const auto upright = rule_.onToolEnd(toolEnd, last_)) {
-      state_ = State::found;
-      last_ = *upright;
-      return last_;
+      return found(*upright);
     }
     if (state_ == State::between) {
       if (const auto followed = between_.follow(toolEnd)) {
@@ -30,15 +28,15 @@ class AngleAxis final : public AxisSource {
         return last_;
       }
     }
-    if (const auto near = nearLast(toolEnd)) {
-      state_ = State::found;
-      last_ = *near;
-      return last_;
+    if (const auto near = steadily(toolEnd, last_)) {
+      return found(*near);
     }
     Vec3 axis = last_;
     double before = 2.0, least = before;
     int idle = 0;
-    for (repeats_ = 1; repeats_ <= repeatLimit && idle < patience; ++repeats_) {
+    bool hurried = false;
+    const int most = inVain_ < mostInVain ? patience : littlePatience;
+    for (repeats_ = 1; repeats_ <= repeatLimit && idle < most; ++repeats_) {
       const auto next = rule_.step(toolEnd, axis);
       if (!next) {
         state_ = State::impossible;
@@ -52,6 +50,12 @@ class AngleAxis final : public AxisSource {
       least = std::min(least, moved);
       if (moved <= tolerance::rounding) {
         break;
+      }
+      if (!hurried && moved <= learning) {
+        hurried = true;
+        if (const auto near = steadily(toolEnd, axis)) {
+          return found(*near);
+        }
       }
     }
     state_ = before <= tolerance::symmetric ? State::found : State::restless;
@@ -92,27 +96,35 @@ class AngleAxis final : public AxisSource {
     return fail(diag::AxisDiverges, rule_.tilt().alpha * degrees, rule_.controlName(), repeats_);
   }
   static constexpr int repeatLimit = 100;
-  /// Repeats without a smaller move after which there will be none.
-  static constexpr int patience = 12;
+  /// Repeats without a smaller move after which there will be none; and where many searches found
+  /// nothing.
+  static constexpr int patience = 12, littlePatience = 5;
   static constexpr double slowShare = 0.9;
   /// Of Newton; after so many searches in a row that found nothing there are no more.
   static constexpr int newtonLimit = 12, mostInVain = 50;
-  /// Near the last axis: most steps, the longest one, what is left after each of what was before,
-  /// and what may be left at last; a step is at most so many times as long as what is missed.
-  static constexpr int quickLimit = 10;
-  static constexpr double nearEnough = 0.1, quickShare = 0.5, stillRounding = 1e-12;
-  static constexpr double mostOfMiss = 20.0;
+  /// Steady steps: most of them, the longest one, what is left after each of what was before unless
+  /// it is little and not much more than at first, and what may be left at last; a step is at most
+  /// so many times as long as what is missed.
+  static constexpr int quickLimit = 12;
+  static constexpr double nearEnough = 0.1, quickShare = 0.5, learning = 1e-3, astray = 4.0;
+  static constexpr double stillRounding = 1e-12, mostOfMiss = 20.0;
   /// Newton ends at what is left of an axis, turns by at most so much at once, and tries steps down
   /// to this share.
   static constexpr double newtonMiss = 1e-14, largestTurn = 0.3, leastShare = 1e-3;
 
-  /// The axis that its own normals give back, near the last one: steps as long as the change of the
-  /// axis that follows with the one before tells, which is learned from steps (Broyden). None where
-  /// they do not come nearer fast.
-  std::optional<Vec3> nearLast(const Vec3& toolEnd) {
-    Vec3 axis = last_;
+  Vec3 found(const Vec3& axis) {
+    state_ = State::found;
+    last_ = axis;
+    return axis;
+  }
+
+  /// The axis that its own normals give back, near one: steps as long as the change of the axis
+  /// that follows with the one before tells, which is learned from steps (Broyden). None where they
+  /// do not come nearer fast.
+  std::optional<Vec3> steadily(const Vec3& toolEnd, Vec3 axis) {
     Vec3 step = Vec3::Zero(), miss = Vec3::Zero();
-    for (repeats_ = 1; repeats_ <= quickLimit; ++repeats_) {
+    double first = 0.0;
+    for (int i = 0; i < quickLimit; ++i) {
       const auto next = rule_.step(toolEnd, axis);
       if (!next) {
         break;
@@ -123,14 +135,17 @@ class AngleAxis final : public AxisSource {
       if (left <= tolerance::rounding) {
         return next;
       }
-      if (repeats_ > 1) {
+      if (i == 0) {
+        first = left;
+      } else {
         // What was foretold: the axis that follows moves by slope_ times the step.
         slope_ +=
             (miss + step - missBefore - slope_ * step) * step.transpose() / step.squaredNorm();
-        if (left > quickShare * missBefore.norm()) {
-          if (left <= stillRounding) {
-            return next;
-          }
+        const bool isFast = left <= quickShare * missBefore.norm();
+        if (!isFast && left <= stillRounding) {
+          return next;
+        }
+        if (!isFast && left > std::min(learning, astray * first)) {
           break;
         }
       }
