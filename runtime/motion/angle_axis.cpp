@@ -183,8 +183,11 @@ class AngleAxis final : public AxisSource {
       if (!along1 || !along2) {
         return std::nullopt;
       }
-      const Vec3 d1 = (*along1 - *next) / h - e1;
-      const Vec3 d2 = (*along2 - *next) / h - e2;
+      const Vec3 moved1 = (*along1 - *next) / h;
+      const Vec3 moved2 = (*along2 - *next) / h;
+      slope_ = moved1 * e1.transpose() + moved2 * e2.transpose();
+      const Vec3 d1 = moved1 - e1;
+      const Vec3 d2 = moved2 - e2;
       Eigen::Matrix2d change;
       change << d1.dot(e1), d2.dot(e1), d1.dot(e2), d2.dot(e2);
       const Eigen::Vector2d turn =

@@ -17,6 +17,8 @@ constexpr double sameAxis = 1e-13;
 constexpr double leastMargin = 1e-12, largestMargin = 0.03, growth = 16.0;
 /// Where the tangents cross is known to this share of what is between them.
 constexpr double leastBeyond = 1e-4;
+/// From here on the contacts may be the same up to the end of the way: one look, so near to it.
+constexpr double nearEnd = 0.05, endShare = 1e-6;
 /// How near to each other the shares with the one and the other contact are.
 constexpr double closeEnough = 1e-13;
 }  // namespace
@@ -143,6 +145,13 @@ bool BetweenContacts::narrow(const Vec3& toolEnd, Bracket& bracket) {
   while (bracket.width() > closeEnough) {
     const double width = bracket.width();
     const bool bothKnown = bracket.low && bracket.high;
+    if (!bothKnown && width < nearEnd) {
+      const double end = bracket.low ? 1.0 - endShare : endShare;
+      if (!look(end) || !bracket.low || !bracket.high) {
+        return false;
+      }
+      continue;
+    }
     const double at = likely(toolEnd, bracket);
     if (!look(at)) {
       return false;
