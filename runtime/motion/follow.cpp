@@ -288,15 +288,16 @@ class Follower {
     return !ends.empty();
   }
 
-  /// The turn that was put off, where the cut vector to `next` cannot take it in.
+  /// The turn that was put off, where the cut vector to `next` cannot take it in, or would lead so
+  /// far off the path that a stop there does not tell from which side the tool came.
   void putTurn(const PathPoint& next) {
     if (!beforeTurn_) {
       return;
     }
-    const PathPoint turned = last_;
-    last_ = *beforeTurn_;
-    beforeTurn_.reset();
-    if (course_.path.fit(last_, next) < 1.0 - fitShare) {
+    const PathPoint turned = std::exchange(last_, *std::exchange(beforeTurn_, std::nullopt));
+    const Vec3 way = next.toolEnd - last_.toolEnd;
+    const bool strays = way.dot(turned.tangent) < 0.5 * way.norm();
+    if (strays || course_.path.fit(last_, next) < 1.0 - fitShare) {
       put(turned);
     }
   }
