@@ -119,11 +119,7 @@ class Follower {
                             ? static_cast<double>(limits_.points)
                             : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
     if (static_cast<double>(result_.cutVectors) >= most) {
-      const Vec3 p = told(last_.toolEnd);
-      const CheckWatch& w = course_.watches.front();
-      const Vec3 q = told(w.nearestPlace());
-      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name,
-                  told(w.nearest()), q.x(), q.y(), q.z());
+      return tooMany(course_, last_, most);
     }
     return std::nullopt;
   }

@@ -1,5 +1,6 @@
 #include "runtime/motion/missed.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -82,6 +83,30 @@ Failure tooMuch(Course& course,
   }
   const Vec3 p = told(last.toolEnd);
   return fail(diag::MotionEffort, gaps, cutVectors, p.x(), p.y(), p.z());
+}
+
+/// Of a plane that is parallel to a plane that guides the tool: that stays as far from it as it is.
+static bool keepsAway(const Course& course, const CheckWatch& w) {
+  const auto* check = std::get_if<surface::Plane>(&w.surface().surface);
+  const auto isParallel = [&](const NamedSurface& guide) {
+    const auto* plane = std::get_if<surface::Plane>(&guide.surface);
+    return plane != nullptr &&
+           plane->normal.cross(check->normal).norm() <= tolerance::nullDirection;
+  };
+  return check != nullptr && course.path.axis.isFixed() &&
+         (isParallel(course.drive) || isParallel(course.part));
+}
+
+Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) {
+  if (std::all_of(course.watches.begin(), course.watches.end(),
+                  [&](const CheckWatch& w) { return keepsAway(course, w); })) {
+    return missed(course);
+  }
+  const Vec3 p = told(last.toolEnd);
+  const CheckWatch& w = course.watches.front();
+  const Vec3 q = told(w.nearestPlace());
+  return fail(diag::CutVectorLimit, cutVectors, p.x(), p.y(), p.z(), w.surface().name,
+              told(w.nearest()), q.x(), q.y(), q.z());
 }
 
 Failure lost(Course& course, const PathPoint& last) {
