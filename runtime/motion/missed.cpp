@@ -15,6 +15,15 @@ namespace {
 /// Where a path ends the axis is asked for this far ahead. Part unit.
 constexpr std::array looksAhead{0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
+/// A path that is nearest to a surface so far on comes nearer to it for ever. Part unit.
+constexpr double endless = 0.5 * tolerance::farAway;
+
+std::string atTheStart(const CheckWatch& w) {
+  return fmt::format(
+      "the tool is within the tolerance {} of it where the motion begins, which does not count",
+      w.band());
+}
+
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -27,11 +36,16 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
     const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
     const bool cross = !w.parallel() && gap <= w.band();
-    return fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                cross       ? "cross without being parallel, off"
-                : gap < 0.0 ? "overlap"
-                            : "miss each other",
-                std::abs(told(gap)), where.x(), where.y(), where.z());
+    Failure none = fail(diag::NoTangency, partner, w.surface().name, w.band(),
+                        cross       ? "cross without being parallel, off"
+                        : gap < 0.0 ? "overlap"
+                                    : "miss each other",
+                        std::abs(told(gap)), where.x(), where.y(), where.z());
+    const double away = (where - course.start.toolEnd).norm();
+    if (cross && away > endless) {
+      return std::move(none).withHelp("they come nearer to each other without end");
+    }
+    return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
   }
   if (w.touchedAny()) {
     const Vec3 last = told(w.lastContact());
@@ -52,10 +66,7 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
         "never clear of it then");
   }
   if (w.startedAt()) {
-    return std::move(never).withHelp(
-        fmt::format("the tool is within the tolerance {} of it where the motion begins, which does "
-                    "not count",
-                    w.band()));
+    return std::move(never).withHelp(atTheStart(w));
   }
   if ((w.nearestPlace() - course.start.toolEnd).norm() <= tolerance::coincidence) {
     return std::move(never).withHelp("the tool moves away from it from the start on");
