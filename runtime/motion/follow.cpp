@@ -112,11 +112,7 @@ class Follower {
                             ? static_cast<double>(limits_.points)
                             : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
     if (static_cast<double>(result_.cutVectors) >= most) {
-      const Vec3 p = told(last_.toolEnd);
-      const CheckWatch& w = course_.watches.front();
-      const Vec3 q = told(w.nearestPlace());
-      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name,
-                  told(w.nearest()), q.x(), q.y(), q.z());
+      return tooMany(course_, last_, most);
     }
     return std::nullopt;
   }
@@ -249,15 +245,16 @@ class Follower {
     return !ends.empty();
   }
 
-  /// The turn that was put off, where the cut vector to `next` cannot take it in.
+  /// The turn that was put off, where the cut vector to `next` cannot take it in, or would lead so
+  /// far off the path that a stop there does not tell from which side the tool came.
   void putTurn(const PathPoint& next) {
     if (!beforeTurn_) {
       return;
     }
-    const PathPoint turned = last_;
-    last_ = *beforeTurn_;
-    beforeTurn_.reset();
-    if (course_.path.fit(last_, next) < 1.0 - fitShare) {
+    const PathPoint turned = std::exchange(last_, *std::exchange(beforeTurn_, std::nullopt));
+    const Vec3 way = next.toolEnd - last_.toolEnd;
+    const bool strays = way.dot(turned.tangent) < 0.5 * way.norm();
+    if (strays || course_.path.fit(last_, next) < 1.0 - fitShare) {
       put(turned);
     }
   }

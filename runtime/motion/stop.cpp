@@ -50,8 +50,8 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
   }
   auto end = atRest(a, segment, met, near);
   // A chord may cross what the path proper only touches.
-  if (end && (met.hit.touch || !isContact(met, *end)) && !segment.isArc() &&
-      !course_.watches[met.check].isTangent()) {
+  const bool tangent = course_.watches[met.check].isTangent();
+  if (end && !segment.isArc() && ((met.hit.touch && !tangent) || !isContact(met, *end))) {
     end = closer(a, segment, met, *end);
   }
   return end;
