@@ -22,10 +22,11 @@ namespace arelem::motion {
 namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
-constexpr double halfTurn = std::numbers::pi;
 /// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
 /// unit.
 constexpr double cornersApart = 1e-4;
+/// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
+constexpr double cornerMissed = 1e-7;
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
 /// Motions of more cut vectors are not computed again for the sake of a message.
@@ -141,7 +142,7 @@ class Follower {
       if (auto bad = stuck ? axisEnds(course_, last_) : std::nullopt) {
         return bad;
       }
-      if (stuck && turnCorner()) {
+      if (stuck && turnCorner(b ? *b : a)) {
         continue;
       }
       if (!b) {
@@ -184,12 +185,16 @@ class Follower {
     }
   }
 
-  /// Goes on in the direction behind a corner; false where there is none.
-  bool turnCorner() {
-    const bool chatters = corner_ && (*corner_ - last_.toolEnd).norm() <= cornersApart;
-    const auto turned = chatters ? std::nullopt : course_.path.roundCorner(last_);
+  /// Goes on in the direction behind a corner; false where there is none. The last cut vector may
+  /// have ended before it, and from there the next one would leave the band.
+  bool turnCorner(const PathPoint& at) {
+    const bool chatters = corner_ && (*corner_ - at.toolEnd).norm() <= cornersApart;
+    const auto turned = chatters ? std::nullopt : course_.path.roundCorner(at);
     if (turned) {
-      corner_ = last_.toolEnd;
+      if ((at.toolEnd - last_.toolEnd).norm() > cornerMissed) {
+        put(at);
+      }
+      corner_ = at.toolEnd;
       last_ = *turned;
       for (Guide& g : course_.path.guides) {
         g.startAnew(0.0);
@@ -212,7 +217,7 @@ class Follower {
     for (const Guide& g : course_.path.guides) {
       near += roundBands * (g.inner + g.outer);
     }
-    if (turned_ > halfTurn && (back - share * chord).norm() <= near &&
+    if (turned_ > std::numbers::pi && (back - share * chord).norm() <= near &&
         chord.dot(course_.start.tangent) > 0.0) {
       turned_ = 0.0;
       ++rounds_;
@@ -316,11 +321,6 @@ class Follower {
   double rounds_ = 0.0;
   std::optional<Vec3> corner_;           ///< where the path turned last
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
-};
-
-class NoSink final : public CutVectorSink {
- public:
-  void put(const Vec3&, const Vec3&) override {}
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/kept_share.h"
 #include "runtime/motion/tried.h"
 
 namespace arelem::motion {
@@ -44,6 +45,8 @@ constexpr double firstBands = 200.0;
 constexpr int mostTurns = 2;
 /// A curvature that only tells the side.
 constexpr double leastBend = 1e-12;
+/// A cut vector that could grow by more than this factor does not bend as its surfaces do.
+constexpr double idle = 2.0;
 /// Largest turn of the path over one cut vector, as a cosine.
 constexpr double turnCosine = 0.2;
 }  // namespace
@@ -278,6 +281,12 @@ std::optional<PathPoint> Stride::longestAlongCurves(const PathPoint& a, double c
     const double reached = (b->toolEnd - a.toolEnd).norm();
     if (reached > longest_ * (1.0 + tolerance::coincidence) && !path_.flat()) {
       t.length *= longest_ / reached;  // the surfaces led aside
+      continue;
+    }
+    // What ends by MAXDP and not by the band.
+    const double kept = factor > idle && t.length >= longest_ ? keptShare(path_, a, *b) : 1.0;
+    if (kept < 1.0) {
+      t.length = t.tried.shorter(t.length, kept, t.count);
       continue;
     }
     const bool better = !best || reached > bestLength;
