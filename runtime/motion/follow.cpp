@@ -11,6 +11,7 @@
 #include "runtime/motion/arc_route.h"
 #include "runtime/motion/arrival.h"
 #include "runtime/motion/axis_turn.h"
+#include "runtime/motion/corners.h"
 #include "runtime/motion/missed.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/stop.h"
@@ -22,11 +23,6 @@ namespace arelem::motion {
 namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
-/// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
-/// unit.
-constexpr double cornersApart = 1e-4;
-/// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
-constexpr double cornerMissed = 1e-7;
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
 /// Motions of more cut vectors are not computed again for the sake of a message.
@@ -48,7 +44,8 @@ class Follower {
         interrupted_(interrupted),
         effort_(limits.gaps),
         stride_(course.path, state.longestVector),
-        stops_(state, course) {
+        stops_(state, course),
+        corners_(course.path) {
     for (CheckWatch& w : course_.watches) {
       w.spend(effort_);
     }
@@ -142,7 +139,7 @@ class Follower {
       if (auto bad = stuck ? axisEnds(course_, last_) : std::nullopt) {
         return bad;
       }
-      if (stuck && turnCorner(b ? *b : a)) {
+      if (stuck && turnCorner(b)) {
         continue;
       }
       if (!b) {
@@ -185,22 +182,18 @@ class Follower {
     }
   }
 
-  /// Goes on in the direction behind a corner; false where there is none. The last cut vector may
-  /// have ended before it, and from there the next one would leave the band.
-  bool turnCorner(const PathPoint& at) {
-    const bool chatters = corner_ && (*corner_ - at.toolEnd).norm() <= cornersApart;
-    const auto turned = chatters ? std::nullopt : course_.path.roundCorner(at);
-    if (turned) {
-      if ((at.toolEnd - last_.toolEnd).norm() > cornerMissed) {
-        put(at);
-      }
-      corner_ = at.toolEnd;
-      last_ = *turned;
-      for (Guide& g : course_.path.guides) {
-        g.startAnew(0.0);
-      }
+  /// Goes on in the direction behind a corner; false where there is none.
+  bool turnCorner(const std::optional<PathPoint>& tip) {
+    const auto way = corners_.from(last_, tip);
+    if (!way) {
+      return false;
     }
-    return turned.has_value();
+    for (const PathPoint& p : way->through) {
+      putTurn(p);
+      put(p);
+    }
+    last_ = way->on;
+    return true;
   }
 
   /// True where the path has come back to its start as often as positions are counted, and a cut
@@ -246,6 +239,9 @@ class Follower {
     if (!ends.empty()) {
       beforeTurn_ = last_;
       last_ = ends.back();
+      for (CheckWatch& w : course_.watches) {
+        w.begin(last_.toolEnd, last_.axis);  // the turn may have led past it
+      }
     }
     return !ends.empty();
   }
@@ -319,7 +315,7 @@ class Follower {
   PathPoint last_;
   double turned_ = 0.0;  ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;
-  std::optional<Vec3> corner_;           ///< where the path turned last
+  Corners corners_;
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
 };
 

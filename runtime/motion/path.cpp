@@ -245,7 +245,10 @@ class ChordFit {
     return node(along, field_.at(place, turning_ ? turning_->axis(share) : a_.axis), place);
   }
   void consider(const Node& a, const Node& b, int depth) {
-    const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
+    const double length = b.along - a.along;
+    // Where the contact jumps right at an end, both slopes may agree though the gap goes otherwise.
+    const double astray = (b.gap - a.gap) / length - 0.5 * (a.slope + b.slope);
+    const double kink = length * (0.125 * std::abs(a.slope - b.slope) + 0.5 * std::abs(astray));
     const double share = squared_ < hopeless ? hopelessShare : kinkShare;
     if (depth == 0 || kink <= share * (inner_ + outer_)) {
       const double squared = squaredFit(ends_, a, b, inner_, outer_);

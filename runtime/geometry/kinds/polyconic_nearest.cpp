@@ -50,6 +50,7 @@ Polyconic::Sheet::Sheet(const geometry::Polyconic& form)
       properLow_(form.properEnd(geometry::Polyconic::Part::before)),
       properHigh_(form.properEnd(geometry::Polyconic::Part::behind)) {
   const double high = geometry::Polyconic::high;
+  findEnds();
   edgesS_ = bordersOf(form.low(), high, form.hasRoots() ? 2 * patchesOfS : patchesOfS, properLow_,
                       properHigh_);
   edgesT_ = bordersOf(0.0, 1.0, patchesOfT, -unbounded, unbounded);

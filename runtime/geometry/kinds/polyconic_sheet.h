@@ -22,6 +22,7 @@ class Polyconic::Sheet {
   [[nodiscard]] double thickness() const { return form_.thickness; }
 
   [[nodiscard]] SheetPlace at(double s, double t) const;
+  [[nodiscard]] static double endBefore(const Polyconic& surface, const Vec3& p);
 
   /// Unit normal. On the other half of a nose t runs the other way round; at its tip all t meet.
   [[nodiscard]] Vec3 normalAt(double s, const SheetPlace& p) const;
@@ -136,6 +137,11 @@ class Polyconic::Sheet {
   [[nodiscard]] std::optional<Range> over(const Interval& s, const Interval& t) const;
   /// The same for a box about a place, its first derivatives also by the mean value theorem.
   [[nodiscard]] std::optional<Range> around(const Hint& middle, double halfS, double halfT) const;
+
+  void findEnds();
+  double endLow_ = 0.0, endHigh_ = 0.0;  ///< of s: behind these there is no surface
+  Vec3 amid_ = Vec3::Zero();             ///< a place, and the square of a distance up to which
+  double amidst_ = 0.0;                  ///< none of the ends is near it
 
   geometry::Polyconic form_;
   double mirrored_;                ///< 1, or -1 where the system of the conics is left-handed
