@@ -189,8 +189,11 @@ class ChordFit {
     smooth_ = std::min(smoothShare * (inner + outer), certify::slackOf(inner + outer));
     const Node middle = measure(0.5 * length_);
     middleSlope_ = middle.slope;
-    const int depth = foretold(first_, last_, middle, smooth_) ? 0 : deepest;
-    isSmooth_ = depth == 0 || foretold(first_, last_, middle, roughShare * (inner + outer));
+    // Where the axis turns the middle alone tells little: as a normal turns next to the tip of a
+    // cone or at a knot of a curve, the gap may be foretold there and off beside it.
+    const bool smooth = foretold(first_, last_, middle, smooth_);
+    const int depth = smooth && !turning_ ? 0 : deepest;
+    isSmooth_ = smooth || foretold(first_, last_, middle, roughShare * (inner + outer));
     consider(first_, middle, depth);
     consider(middle, last_, depth);
     return std::sqrt(squared_);

@@ -179,7 +179,9 @@ std::optional<PathPoint> StopFinder::stopAtEdge(const PathPoint& a,
   }
   const auto rests = course_.path.rests();
   for (Guide& g : course_.path.guides) {
-    g.rest = g.vertexGap();
+    // The edge next to the stop: whether it saves a cut vector depends on where the last one ended.
+    const bool outwards = 2.0 * g.rest > g.outer - g.inner;
+    g.rest = g.field->flat() ? g.vertexGap() : g.edge(outwards);
   }
   auto end = atRest(a, segment, met, a.toolEnd);
   for (std::size_t i = 0; i < rests.size(); ++i) {
