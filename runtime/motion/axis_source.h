@@ -22,6 +22,8 @@ class AxisSource {
   /// Why there was no axis with the tool end there when it was last asked for; it then was the one
   /// of the place before.
   [[nodiscard]] virtual std::optional<Failure> fault() const { return std::nullopt; }
+  /// False where the axis that it was asked for last is one of many that turn into each other.
+  [[nodiscard]] virtual bool settles() const { return true; }
   /// Why a motion may not get on there: the axis is one between two contacts.
   [[nodiscard]] virtual std::optional<Failure> jump() const { return std::nullopt; }
 };

@@ -242,11 +242,13 @@ class Starter {
       found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
     // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
-    if (auto bad = rule_.fault(found.ok ? found.toolEnd : reached)) {
+    auto bad = rule_.fault(found.ok ? found.toolEnd : reached);
+    if (bad && (found.ok || bad->row == diag::AxisImpossible.row)) {
       return *std::move(bad);
     }
     if (!found.ok) {
-      return explain(found, from);
+      Failure none = explain(found, from);
+      return bad ? std::move(none).withHelp(bad->message) : none;
     }
     return along(found);
   }
