@@ -85,6 +85,7 @@ class AngleAxis final : public AxisSource {
     }
     return state_ == State::restless ? std::optional(restless()) : std::nullopt;
   }
+  [[nodiscard]] bool settles() const override { return state_ != State::restless; }
   [[nodiscard]] std::optional<Failure> jump() const override {
     return state_ == State::between ? std::optional(restless()) : std::nullopt;
   }

@@ -35,6 +35,8 @@ class AxisRule {
     (void)at(toolEnd);
     return isFixed() ? std::nullopt : source_->jump();
   }
+  /// False where the axis that it was asked for last is one of many that turn into each other.
+  [[nodiscard]] bool settles() const { return isFixed() || source_->settles(); }
   /// Change of the axis with the tool end, d axis / d tool end, by central differences.
   [[nodiscard]] Eigen::Matrix3d change(const Vec3& toolEnd);
 

@@ -18,6 +18,8 @@ constexpr int iterationLimit = 60;
 /// a row a search ends.
 constexpr double leastGain = 0.1;
 constexpr int patience = 12;
+/// So many places in a row without an axis that settles lead nowhere.
+constexpr int mostUnsettled = 5;
 /// Steps that leave at most this share of what is missed need no new slopes of the axis.
 constexpr double stillGood = 0.1;
 /// Positions and axes in turn: how often, and the turn from which on both are sought at once.
@@ -95,7 +97,7 @@ Settled settle(const Vec3& start,
   std::array<double, 3> rhs{};
   Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
   double previous = 1e300, least = previous;
-  int idle = 0;
+  int idle = 0, unsettled = 0;
   for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
     look(out, axis, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -121,12 +123,13 @@ Settled settle(const Vec3& start,
     }
     idle = most < (1.0 - leastGain) * least ? 0 : idle + 1;
     least = std::min(least, most);
-    if (idle >= patience) {
+    unsettled = axis.settles() ? 0 : unsettled + 1;
+    if (idle >= patience || unsettled >= mostUnsettled) {
       break;
     }
     if (!axis.isFixed()) {
       // How the axis changes takes long to find, and hardly differs as long as steps gain.
-      if (most > stillGood * previous || out.iterations == 1) {
+      if (unsettled == 0 && (most > stillGood * previous || out.iterations == 1)) {
         turning = axis.change(out.toolEnd).transpose();
       }
       for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -240,11 +240,13 @@ class Starter {
       found = other.ok ? other : found;
     }
     // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
-    if (auto bad = rule_.fault(found.ok ? found.toolEnd : reached)) {
+    auto bad = rule_.fault(found.ok ? found.toolEnd : reached);
+    if (bad && (found.ok || bad->row == diag::AxisImpossible.row)) {
       return *std::move(bad);
     }
     if (!found.ok) {
-      return noPosition(*state_.cutter, goals_, found, led);
+      Failure none = noPosition(*state_.cutter, goals_, found, led);
+      return bad ? std::move(none).withHelp(bad->message) : none;
     }
     return along(found);
   }
