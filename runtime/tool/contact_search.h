@@ -133,7 +133,8 @@ class ContactSearch {
     const double widening = cutter_.sinBeta / cutter_.cosBeta;
     // A ball that holds the disc and what is above it.
     const Vec3 middle = te_ + (cutter_.f + 0.5 * high) * axis_;
-    const double radius = std::hypot(cutter_.e + high * std::max(widening, 0.0), 0.5 * high);
+    const double across = cutter_.e + high * std::max(widening, 0.0);
+    const double radius = std::sqrt(across * across + 0.25 * high * high);
     const auto proves = [&](double towards) {
       const double slope = -c.normal.dot(search_.toward);
       if (inside && towards > 0.0) {

@@ -102,6 +102,9 @@ class NearTriangles::List {
   std::vector<Candidate> near_;
   bool seen_ = false, valid_ = false;
   Vec3 from_ = Vec3::Zero(), to_ = Vec3::Zero(), axis_ = Vec3::UnitZ();
+  /// Where the tool end was when the list was left, or none: who goes far goes on so, and needs
+  /// none.
+  Vec3 looked_ = Vec3::Zero();
   double ceiling_ = 0.0;
   double ahead_;  ///< length of the piece of way that is looked at next
 };
@@ -244,6 +247,11 @@ TriangleGap NearTriangles::List::least(const Vec3& te, const Vec3& axis, std::si
     }
   } else {
     least = begin(body, triangle);
+    const bool jumps = (te - looked_).norm() > ahead_;
+    looked_ = te;
+    if (jumps) {
+      return leastGap(TriangleCutter(body_, te, axis), shape_.mesh, shape_.tree, triangle);
+    }
   }
   if (collectAround(te, axis, least.gap)) {
     return scan(body, triangle);

@@ -22,6 +22,8 @@ constexpr double sameDirection = 1e-14;
 constexpr double rounding = 1e-10;
 /// Share of the sharpest radius of curvature up to which a gouge has one contact.
 constexpr double shallow = 0.25;
+/// Feet nearer to the center of curvature than this share are not foretold.
+constexpr double leastSqueezed = 0.1;
 
 double slope(const Piece& p, double x) {
   return (3.0 * p.a * x + 2.0 * p.b) * x + p.c;
@@ -35,6 +37,15 @@ Vec2 normalOf(const Piece& p, double x) {
   const double s = slope(p, x);
   const double length = std::sqrt(1.0 + s * s);
   return Vec2(-s * p.dirU - p.dirV, p.dirU - s * p.dirV) / length;
+}
+/// How far the foot of a place goes along a piece, to the first order, as the place goes along
+/// `way`: the place is at `distance` and the foot at x, where the left normal is `normal`.
+double turned(const Piece& p, double x, double distance, const Vec2& normal, const Vec2& way) {
+  const double upright = normal.y() * p.dirU - normal.x() * p.dirV;
+  const double along = (normal.y() * way.x() - normal.x() * way.y()) * upright;
+  const double bend = 6.0 * p.a * x + 2.0 * p.b;
+  const double squeezed = 1.0 - distance * bend * upright * upright * upright;
+  return squeezed > leastSqueezed ? along / squeezed : 0.0;
 }
 double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -169,6 +180,11 @@ void SectionSearch::prepare(const TabulatedCylinder& s,
 /// The gap of a ball, exactly, in the place where the tool is.
 double SectionSearch::measure(const TabulatedCylinder& s, Ball& ball, const Vec2& at) {
   const Vec2 center = at + ball.inPlane;
+  if (ball.known && ball.hint.piece >= 0) {
+    const Piece& p = s.curve().pieces[static_cast<std::size_t>(ball.hint.piece)];
+    ball.hint.x +=
+        turned(p, ball.hint.x, side_ * (ball.gap + ball.radius), ball.normal, at - ball.at);
+  }
   const auto foot = s.footInPlane(center.x(), center.y(), ball.hint);
   ball.gap = side_ * foot.distance - ball.radius;
   ball.normal = {foot.normalU, foot.normalV};

@@ -9,9 +9,9 @@ namespace arelem::surface {
 
 namespace {
 /// Unit normals of one piece are not farther from the middle one, as places: then no way along it
-/// need be longer than one and a half times the straight one, as 1 - 0.816^2 / 2 = 1 / 1.5.
-constexpr double mostSpread = 0.816;
-constexpr double slack = 1.5;
+/// need be longer than twice the straight one, as 1 - 1.0^2 / 2 = 1 / 2.
+constexpr double mostSpread = 1.0;
+constexpr double slack = 2.0;
 /// Boxes of s and t in which a small part is bounded by itself, and any other where that fails.
 constexpr int fewBoxes = 4, mostBoxes = 1000;
 /// Of the parts about a patch that are looked at, how much smaller each is than the one before, and
@@ -78,8 +78,10 @@ Polyconic::Sheet::Part Polyconic::Sheet::partAbout(const Hull& hull,
   return part;
 }
 
-/// Two feet of one place are at most `reach` from each other, ways between them one and a half
-/// times as far, and no place of these is farther from the next foot than half of that.
+/// Two feet of one place are at most `reach` from each other, a way between them in a plane along
+/// the middle normal twice as far, and no place of it is farther from the next foot than half of
+/// that. The sheet bends in such a plane at most twice as much as along normals: a ball that
+/// touches it in two places bends less.
 Polyconic::Sheet::Part Polyconic::Sheet::about(const Hint& middle, double reach) const {
   const auto byItself = [&](int most) {
     Part part{curvatures(middle, reach, most)};
@@ -96,22 +98,25 @@ Polyconic::Sheet::Part Polyconic::Sheet::about(const Hint& middle, double reach)
   const auto jets = form_.at<double>(middle.s, middle.t, form_.partOf(middle.s),
                                      geometry::Polyconic::along(middle.t));
   place.middle = Vec3(jets[0].value, jets[1].value, jets[2].value);
-  const Part part = partAbout(place, numberAt(middle), reach, (1.0 + 0.5 * slack) * reach);
+  Part part = partAbout(place, numberAt(middle), reach, (1.0 + 0.5 * slack) * reach);
+  part.alone = part.alone && 0.5 * reach * slack * part.sharpest < 1.0;
   return part.curvatures && part.alone ? part : byItself(mostBoxes);
 }
 
-/// A ball that touches the sheet and is not sharper than the sheet bends towards it holds no place
-/// of the piece about the place where it touches, and none at all if it is no larger than that.
+/// A ball that touches the sheet and is not sharper than the sheet bends towards it, in planes
+/// along the middle normal too, holds no place of the piece about the place where it touches, and
+/// none at all if it is no larger than that.
 void Polyconic::Sheet::lookAround(const Number& number, Surroundings& known) const {
   const Patch& patch = patches_[indexOf(number)];
   double reach = width_;
   for (int i = 0; i < mostLooks && 0.5 * reach > std::min(known.above, known.below); ++i) {
     const Part part = partAbout(patch, number, slack * reach, slack * reach);
     if (part.curvatures && part.alone) {
-      known.above =
-          std::max(known.above, std::min(0.5 * reach, 1.0 / std::max(0.0, -part.curvatures->low)));
-      known.below =
-          std::max(known.below, std::min(0.5 * reach, 1.0 / std::max(0.0, part.curvatures->high)));
+      const auto largest = [&](double towards) {
+        return std::min(0.5 * reach, 1.0 / (slack * std::max(0.0, towards)));
+      };
+      known.above = std::max(known.above, largest(-part.curvatures->low));
+      known.below = std::max(known.below, largest(part.curvatures->high));
     }
     reach *= smallerPart;
   }

@@ -165,6 +165,8 @@ class RuledCurve {
       return;
     }
     even_ = static_cast<std::size_t>(std::max(1.0, (high_ - low_) * spansOfACurve));
+    lastEven_ = static_cast<double>(even_ - 1);
+    perFraction_ = static_cast<double>(even_) / (high_ - low_);
     struct Bad {
       std::size_t span;
       double from, to;
@@ -258,11 +260,9 @@ class RuledCurve {
     double t, byF;
   };
   [[nodiscard]] Part partAt(double f) const {
-    const auto count = static_cast<double>(even_);
-    const double x = (f - low_) / (high_ - low_) * count;
-    const double number = std::clamp(std::floor(x), 0.0, count - 1.0);
-    Part part{&spans_[static_cast<std::size_t>(number)], 2.0 * (x - number) - 1.0,
-              2.0 * count / (high_ - low_)};
+    const double x = (f - low_) * perFraction_;
+    const auto number = static_cast<std::size_t>(std::clamp(x, 0.0, lastEven_));
+    Part part{&spans_[number], 2.0 * (x - static_cast<double>(number)) - 1.0, 2.0 * perFraction_};
     while (!part.span->good && part.span->halves != 0) {
       const bool upper = part.t > 0.0;
       part = {&spans_[part.span->halves + (upper ? 1 : 0)], 2.0 * part.t + (upper ? -1.0 : 1.0),
@@ -380,6 +380,8 @@ class RuledCurve {
   double low_ = 0.0, high_ = 1.0;
   std::vector<Span> spans_;
   std::size_t even_ = 0;  ///< number of those that were not made by halving
+  double lastEven_ = 0.0,
+         perFraction_ = 0.0;  ///< the number of the last, and of them for each fraction
 };
 
 }  // namespace arelem::surface
