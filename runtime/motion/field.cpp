@@ -21,6 +21,16 @@ constexpr bool isFlat = std::is_same_v<S, surface::Plane>;
 template <surface::Surface S>
 constexpr bool hasFaces = std::is_same_v<S, surface::Mesh>;
 
+/// True for the surfaces of convex solids.
+template <surface::Surface S>
+bool bendsOneWay(const S& s) {
+  if constexpr (requires { s.isConvex(); }) {
+    return s.isConvex();
+  }
+  return isFlat<S> || std::is_same_v<S, surface::Sphere> || std::is_same_v<S, surface::Cylinder> ||
+         std::is_same_v<S, surface::Cone>;
+}
+
 thread_local std::uint64_t measured = 0;
 
 /// Cut vectors along a mesh are proven to keep their band within this: half of what the certificate
@@ -52,7 +62,10 @@ class OnField final : public Field {
  public:
   /// `thick`: of a tool without size.
   OnField(S s, double side, double thick)
-      : Field(isFlat<S>, hasFaces<S>), surface_(std::move(s)), side_(side), thick_(thick) {}
+      : Field(isFlat<S>, hasFaces<S>, bendsOneWay(s)),
+        surface_(std::move(s)),
+        side_(side),
+        thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3&) override {
     ++measured;
     tool::Contact c = tool::pointContact(surface_, side_, toolEnd, hint_);
@@ -80,7 +93,7 @@ template <surface::Surface S>
 class CutterField final : public Field {
  public:
   CutterField(S s, double side, const tool::Profile& cutter, double thick)
-      : Field(isFlat<S>, hasFaces<S>),
+      : Field(isFlat<S>, hasFaces<S>, bendsOneWay(s)),
         surface_(std::move(s)),
         side_(side),
         cutter_(cutter),

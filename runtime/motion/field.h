@@ -41,12 +41,15 @@ class Field {
   [[nodiscard]] bool flat() const { return flat_; }
   /// True for meshes: no few places tell about those between them; `judge` does.
   [[nodiscard]] bool isFaceted() const { return faceted_; }
+  /// True where the gap is a convex or a concave function of the tool end: without a dip or a rise
+  /// between places that lie on a line.
+  [[nodiscard]] bool isEven() const { return even_; }
 
  protected:
-  Field(bool flat, bool faceted) : flat_(flat), faceted_(faceted) {}
+  Field(bool flat, bool faceted, bool even) : flat_(flat), faceted_(faceted), even_(even) {}
 
  private:
-  bool flat_, faceted_;
+  bool flat_, faceted_, even_;
 };
 
 /// Which part of the tool meets the surface.

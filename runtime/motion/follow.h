@@ -39,6 +39,12 @@ class CutVectorSink {
   virtual void put(const Vec3& toolEnd, const Vec3& axis) = 0;
 };
 
+/// For motions that are computed for the sake of what is told of them.
+class NoSink final : public CutVectorSink {
+ public:
+  void put(const Vec3& /*toolEnd*/, const Vec3& /*axis*/) override {}
+};
+
 /// Runs the motion from the state's tool position; does not change the state.
 [[nodiscard]] Result<FollowResult> follow(const State& state,
                                           const FollowRequest& request,

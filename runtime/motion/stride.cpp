@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/kept_share.h"
 #include "runtime/motion/tried.h"
 
 namespace arelem::motion {
@@ -44,6 +45,8 @@ constexpr double firstBands = 200.0;
 constexpr int mostTurns = 2;
 /// A curvature that only tells the side.
 constexpr double leastBend = 1e-12;
+/// A cut vector that could grow by more than this factor does not bend as its surfaces do.
+constexpr double idle = 2.0;
 /// Largest turn of the path over one cut vector, as a cosine.
 constexpr double turnCosine = 0.2;
 }  // namespace
@@ -215,7 +218,7 @@ struct Stride::Trials {
 /// The length to try after one that leaves its band at `b`. Past an inflection the surface bends
 /// the other way than it did: aims at the other edge of the band before shortening the chord.
 void Stride::shorten(Trials& t, double factor, double cap, const PathPoint& a, const PathPoint& b) {
-  const bool turns = !t.looked && learnTurn(a, b);
+  const bool turns = !t.looked && (learnTurn(a, b) | learnSwerve());
   const double behind = behindRidge(a);
   const double shorter = t.tried.shorter(t.length, factor, t.count);
   t.toRidge = behind > t.tried.fits() && behind < mostOfCorner * t.length;
@@ -278,6 +281,12 @@ std::optional<PathPoint> Stride::longestAlongCurves(const PathPoint& a, double c
     const double reached = (b->toolEnd - a.toolEnd).norm();
     if (reached > longest_ * (1.0 + tolerance::coincidence) && !path_.flat()) {
       t.length *= longest_ / reached;  // the surfaces led aside
+      continue;
+    }
+    // What ends by MAXDP and not by the band.
+    const double kept = factor > idle && t.length >= longest_ ? keptShare(path_, a, *b) : 1.0;
+    if (kept < 1.0) {
+      t.length = t.tried.shorter(t.length, kept, t.count);
       continue;
     }
     const bool better = !best || reached > bestLength;
@@ -360,6 +369,21 @@ bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
       g.error = 0.0;
       const double behind = g.bend + g.spread * g.trend;
       turns = turns || (g.bend >= 0.0) != (before >= 0.0) || (behind >= 0.0) != (before >= 0.0);
+    }
+  }
+  return turns;
+}
+
+/// Aims at the edge of the band from which the trial chord swerves least; true where that is not
+/// the one it did.
+bool Stride::learnSwerve() {
+  bool turns = false;
+  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
+    Guide& g = path_.guides[i];
+    const auto& swerve = path_.swerves[i];
+    if (swerve && *swerve != 0.0 && g.aim == 0 && (g.bend >= 0.0) != (*swerve >= 0.0)) {
+      g.startAnew(*swerve);
+      turns = true;
     }
   }
   return turns;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,8 +10,18 @@ namespace arelem::tool {
 struct Bracket {
   /// Iterations after which it is halved whatever Newton says.
   static constexpr int patience = 12;
+  /// Steps before they grow, and how often they double.
+  static constexpr int free = 3, mostDoublings = 20;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
+
+  /// Steps by less than the curvature tells go on for ever where that is small: those to the same
+  /// side grow.
+  int onwards = 0;  ///< positive: steps that went on to that side, else to the other
+  [[nodiscard]] double paced(double step) {
+    onwards = step > 0.0 ? std::max(onwards, 0) + 1 : std::min(onwards, 0) - 1;
+    return std::ldexp(step, std::clamp(std::abs(onwards) - free, 0, mostDoublings));
+  }
 
   void note(double at, double slope) { (slope < 0.0 ? low : high) = at; }
   [[nodiscard]] bool closed() const { return std::isfinite(high - low); }

@@ -1,5 +1,6 @@
 #include "runtime/tool/contact.h"
 
+#include <optional>
 #include <tuple>
 
 #include "ir/space/motion_tolerance.h"
@@ -54,9 +55,31 @@ Contact contactOf(const S& s,
   return ContactSearch<S>(s, side, cutter, te, axis, search).run();
 }
 
-/// A level bottom that covers the tip of a cone is nearest to it on the cone's axis, where normals
-/// of all sides meet. The gap changes with the height of the bottom only, by sin(half): so does
-/// their mean, which is shorter than 1.
+/// The unit normal of the cutter towards its inside in one of its places; none in the tip of a
+/// drill.
+std::optional<Vec3> inwards(const Profile& p, const Vec3& fromTip, const Vec3& axis) {
+  const double z = fromTip.dot(axis);
+  const Vec3 across = fromTip - z * axis;
+  const double rho = across.norm();
+  if (p.alpha == 0.0 && z <= tolerance::sameSide) {
+    return axis;
+  }
+  if (p.ring || rho <= tolerance::sameSide) {
+    return std::nullopt;
+  }
+  const Vec3 out = across / rho;
+  if (rho <= p.bottomEnd.rho && z * p.cosAlpha - rho * p.sinAlpha <= tolerance::sameSide) {
+    return p.cosAlpha * axis - p.sinAlpha * out;
+  }
+  if (p.r > 0.0 && z <= p.sideStart.z) {
+    return ((p.f - z) * axis - (rho - p.e) * out) / p.r;
+  }
+  return p.sinBeta * axis - p.cosBeta * out;
+}
+
+/// A cutter that covers the tip of a cone is nearest to it on the cone's axis, where normals of all
+/// sides meet. With m the cutter's own normal there, the gap changes with the height of that place,
+/// by sin(half): so does their mean, which goes with m and is shorter than 1.
 Contact contactOf(const surface::Cone& s,
                   double side,
                   const Profile& cutter,
@@ -75,12 +98,12 @@ Contact contactOf(const surface::Cone& s,
   }
   Contact c = contactOf<surface::Cone>(s, side, cutter, te, axis, search);
   search.corner.goOn(s, cutter, te, axis, c);
-  const Vec3 fromTip = c.point - s.vertex;
-  const double share = -s.axis.dot(axis);
-  if (c.gap < 0.0 && cutter.alpha == 0.0 && share > s.sinHalf &&
-      (c.point - te).dot(axis) <= tolerance::sameSide &&
-      fromTip.cross(s.axis).norm() <= tolerance::sameSide) {
-    c.normal = (s.sinHalf / share) * axis;
+  if (c.gap < 0.0 && (c.point - s.vertex).cross(s.axis).norm() <= tolerance::sameSide) {
+    const auto m = inwards(cutter, c.point - te, axis);
+    const double share = m ? -s.axis.dot(*m) : 0.0;
+    if (share > s.sinHalf) {
+      c.normal = (s.sinHalf / share) * *m;
+    }
   }
   return c;
 }
@@ -171,6 +194,12 @@ Contact contactOf(const surface::Cylinder& s,
   const Vec3 out = aside < 0.0 ? Vec3(-beside) : beside;
   ProfilePoint q;
   if (side > 0.0) {
+    const ProfilePoint top = cutter.sideEnd;
+    if (z > top.z && rho < top.rho) {
+      // The upper rim is an edge there, of which the profile has the end only.
+      const Vec3 onRim = rho * out + std::sqrt(top.rho * top.rho - rho * rho) * s.axis;
+      return {z - top.z - s.radius, -axis, te + onRim + top.z * axis};
+    }
     const double distance = distanceTo(cutter, {rho, z}, q);
     const ProfilePoint& top = cutter.sideEnd;
     if (z > top.z && z - top.z < distance && rho < top.rho) {

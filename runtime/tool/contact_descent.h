@@ -140,8 +140,7 @@ class ContactDescent {
   static constexpr double unseenGain = 1e-24;
   /// Sines of the angle to the axis up to which what is square to it is rounding, or leans by it.
   static constexpr double alongAxis = 1e-12, nearAxis = 1e-4;
-  /// How often Newton may be held on the rim of the disc.
-  static constexpr int mostClipped = 3;
+  static constexpr int mostClipped = 3;  ///< times that Newton may be held on the rim of the disc
   /// Steps across the disc that are not looked at are not longer than this share of its radius.
   static constexpr double unseenShare = 1e-3;
   /// A normal at the center of a ball with a larger cosine to the axis points nowhere about it.
@@ -206,8 +205,9 @@ class ContactDescent {
       const double bent = q.rho * turning.dot(tangent);
       const double curvature = bent + pull;
       const bool newton = curvature > 0.1 * std::abs(pull) && curvature > 0.0;
-      double angle = newton ? -slope / curvature
-                            : -slope / std::max(std::abs(pull) + std::abs(curvature), 1e-3);
+      double angle =
+          newton ? -slope / curvature
+                 : bracket.paced(-slope / std::max(std::abs(pull) + std::abs(curvature), 1e-3));
       const double steps = std::abs(angle) * (1.0 + std::abs(bent));
       if constexpr (surface::Turning<S>) {
         if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep &&

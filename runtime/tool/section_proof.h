@@ -6,7 +6,8 @@
 #include "runtime/tool/rounded.h"
 
 /// A surface that does not change along a direction square to the tool axis sees the cutter by its
-/// section across that direction: a rounded bottom and two sides. Private to runtime/tool.
+/// section across that direction: a rounded bottom, two sides and the upper rim, seen edge-on.
+/// Private to runtime/tool.
 namespace arelem::tool {
 
 template <surface::Surface S>
@@ -35,9 +36,11 @@ class SectionProof {
     const Place right = at(cutter_.e, cutter_.f);
     const double touching = (c.point + cutter_.r * c.normal - te_).dot(across_);
     const Place middle = at(std::clamp(touching, -cutter_.e, cutter_.e), cutter_.f);
+    const Place leftTop = at(-to.rho, to.z);
+    const Place rightTop = at(to.rho, to.z);
     return clears(left, middle, cutter_.r) && clears(middle, right, cutter_.r) &&
-           clears(at(-from.rho, from.z), at(-to.rho, to.z), 0.0) &&
-           clears(at(from.rho, from.z), at(to.rho, to.z), 0.0);
+           clears(at(-from.rho, from.z), leftTop, 0.0) &&
+           clears(at(from.rho, from.z), rightTop, 0.0) && clears(leftTop, rightTop, 0.0);
   }
 
  private:
