@@ -28,7 +28,7 @@ FollowProof::FollowProof(MotionCheck& check,
 
 GuideTask FollowProof::driveTask(const Named& drive) const {
   GuideTask task = check_.taskOf(modal_, driveRole, drive, modal_.toolOnDrive());
-  if (!modal_.driveRelation) {
+  if (!modal_.driveRelation && modal_.startedOffDrive != drive.name) {
     // No tool position was ever given: ON if the tool end is on the drive surface.
     const Touch end = touch(drive.surface, {nullptr, 1.0, 0.0}, first_, task.allowed);
     if (std::abs(end.high) <= bandOf(task) + tolerance::startLength) {

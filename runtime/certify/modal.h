@@ -38,6 +38,8 @@ class Modal {
   /// The last startup asked for the cutter at the part surface, not the tool end, and nothing has
   /// moved the tool off it since.
   bool startedOffPart = false;
+  /// The drive surface at which it asked for the cutter, for the motion behind it.
+  std::string startedOffDrive;
   bool output = true;
   runtime::ToolAxis axisRule;
   std::array<std::optional<Vec3>, 3> surfaceVector;

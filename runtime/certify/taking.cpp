@@ -270,6 +270,7 @@ void Association::endFollow() {
   }
   const std::optional<Location> last = t.proof ? t.proof->end().place() : t.last;
   modal_.consumeOneShots();
+  modal_.startedOffDrive.clear();
   if (last) {
     moveTo(*last);
   }

@@ -220,6 +220,18 @@ class Certify(ArelemCase):
         self.assertIn("3 inside `PS` at (-10, 0, -7.5) on cut vector 1", self.err)
         self.assertNotIn("E0905", self.err)
 
+    def test_a_startup_that_is_too_far_does_not_put_the_tool_end_on_the_drive(self):
+        records = self.records("OUTTOL/.01\nCUTTER/10\nPS=PLANE/0,0,1,0\nDS=PLANE/0,1,0,0\nFROM/-20,20,20\n"
+                               "GO/TO,DS,TO,PS,ON,(PLANE/1,0,0,-10)\nINDIRV/1,0,0\n"
+                               "GOFWD/DS,ON,(PLANE/1,0,0,10)\nFINI\n")
+        startup = next(r for r in records if r["kind"] == "GOTO")
+        startup["points"][0][1] -= 5.0
+        self.store(records)
+        self.assertExit(5, "verify", "s.apt", "s.jsonl")
+        self.assertIn("E0914", self.err)
+        self.assertIn("5 inside `DS` at (-10, 0, 0) on cut vector 1", self.err)
+        self.assertNotIn("E0905", self.err)
+
     def test_a_chord_that_gouges_between_good_ends_is_refuted(self):
         records = self.records()
         motion = next(r for r in records if r["isn"] == 12 and r["kind"] == "GOTO")

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -206,6 +207,24 @@ TEST(Ruled, NoPlaceIsNearerThanTheFoot) {
         least = std::min(least, (p - start - g * along).norm());
       }
       EXPECT_NEAR(least, distance, 1e-9) << slope << ' ' << i;
+    }
+  }
+}
+
+TEST(Ruled, TheFootChangesSidesWhereAnotherPlaceBecomesTheNearest) {
+  // Below the axis of the cylinder the flanks are nearest, the left one of places on the left. One
+  // that goes across must not stay with the foot that it knows: left and right are the same.
+  const Ruled s({cylinderArc(-3), cylinderArc(3)});
+  Ruled::Hint hint{};
+  std::vector<double> left;
+  constexpr int steps = 20;
+  for (int i = -steps; i <= steps; ++i) {
+    const double x = 0.05 * i;
+    const double away = std::abs(s.foot({x, 0.3, -14}, hint).distance);
+    if (i < 0) {
+      left.push_back(away);
+    } else if (i > 0) {
+      EXPECT_NEAR(away, left[static_cast<std::size_t>(steps - i)], 1e-9) << x;
     }
   }
 }
