@@ -120,6 +120,7 @@ void Association::moveTo(const Location& l) {
 }
 
 void Association::unseen(const Action& action) {
+  modal_.startedOffPart = false;
   if (const auto* locate = std::get_if<Locate>(&action.body)) {
     if (locate->axis && locate->axis->norm() > tolerance::nullDirection) {
       modal_.axis = locate->axis->normalized();
@@ -208,6 +209,7 @@ Vec3 Association::wantedBy(const Locate& locate, const Location& from) {
 
 void Association::judgeLocate(const Action& action, const Locate& locate, const Run& run) {
   const bool known = modal_.positioned;
+  modal_.startedOffPart = false;
   if (locate.axis && locate.axis->norm() > tolerance::nullDirection) {
     modal_.axis = locate.axis->normalized();
   }
@@ -249,6 +251,7 @@ void Association::judgeStartup(const Action& action, const Startup& startup, con
   if (part) {
     modal_.part = *std::move(part);
   }
+  modal_.startedOffPart = part && startup.surfaces[1].condition != ir::Condition::on;
   modal_.consumeOneShots();
   moveTo(after);
   add(std::move(result));

@@ -27,10 +27,19 @@ struct Box {
 
 struct BodyResult {
   bool proven = false;
-  double low = -unbounded;    ///< no gap is below, if it is not proven
-  int measured = 0;           ///< places
-  double sample = unbounded;  ///< least gap measured
-  double sampleAt = 0.0;      ///< its s
+  double low = -unbounded;       ///< no gap is below, if it is not proven
+  int measured = 0;              ///< places
+  double sample = unbounded;     ///< least gap measured
+  double sampleAt = 0.0;         ///< its s
+  Vec3 sampleOn = Vec3::Zero();  ///< and its point of the cutter
+
+  void note(double gap, double s, const Vec3& point) {
+    if (gap < sample) {
+      sample = gap;
+      sampleAt = s;
+      sampleOn = point;
+    }
+  }
 };
 
 template <surface::Surface S>
@@ -58,10 +67,7 @@ class BodySearch {
       boxes_.pop_back();
       box.lost = {};
       const double gap = measure(box);
-      if (gap < result.sample) {
-        result.sample = gap;
-        result.sampleAt = box.s;
-      }
+      result.note(gap, box.s, onCutter());
       const double below = std::max(box.low, bound(box, gap, aim));
       // A box of no size whose bound is too low lies where the gap passes the aim.
       const bool vain = below < aim && sizeOf(box) < smallest;
@@ -151,10 +157,7 @@ class BodySearch {
       }
       step *= better ? 1.0 : 0.5;
     }
-    if (low < result.sample) {
-      result.sample = low;
-      result.sampleAt = box.s;
-    }
+    result.note(measure(box), box.s, onCutter());
   }
   double measure(const Box& box) {
     frame_ = frameAt(box.s, box.angle);
@@ -166,6 +169,9 @@ class BodySearch {
     normal_ = side_ * foot_.normal;
     return side_ * foot_.distance - piece_->ball - thick_;
   }
+
+  /// The point of the cutter that was measured last.
+  [[nodiscard]] Vec3 onCutter() const { return point_ - piece_->ball * normal_; }
 
   /// Lower bound of the gap over the box, from the measured one at its center: the cheapest that
   /// reaches `aim`, or the best.

@@ -249,10 +249,7 @@ BodyResult CurveSearch::run(const Chord& chord, double from, double to, double a
   const auto measure = [&](const Pose& pose, const Vec2& direction, double s) {
     const Vec3 point = chord.toolEnd(s) + supportPoint(pose, direction);
     const double gap = side_ * surface_.foot(point, hint_).distance - thick_;
-    if (gap < result.sample) {
-      result.sample = gap;
-      result.sampleAt = s;
-    }
+    result.note(gap, s, point);
     return gap >= aim;
   };
   const Pose middle = poseAt(0.5 * (from + to));

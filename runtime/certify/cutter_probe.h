@@ -128,6 +128,9 @@ class CutterProbe final : public Probe {
         touch(again, search);
         node = again.high < node.high ? again : node;
       }
+      if (result.sample < node.high) {
+        measureAt(node, result.sampleOn);
+      }
     }
   }
 
@@ -172,8 +175,12 @@ class CutterProbe final : public Probe {
     tool::ProfilePoint nearest;
     const double off = std::abs(tool::distanceTo(cutter_, {rho, z}, nearest));
     const Vec3 out = squareTo(n.axis, w);
-    n.point =
-        off <= onCutter ? guess.point : Vec3(n.toolEnd + nearest.rho * out + nearest.z * n.axis);
+    measureAt(n, off <= onCutter ? guess.point
+                                 : Vec3(n.toolEnd + nearest.rho * out + nearest.z * n.axis));
+  }
+
+  void measureAt(Node& n, const Vec3& point) {
+    n.point = point;
     n.foot = surface_.foot(n.point, hint_);
     n.normal = relation_.side * n.foot.normal;
     n.high = relation_.side * n.foot.distance - relation_.thick;
@@ -253,6 +260,14 @@ class CutterProbe final : public Probe {
     return true;
   }
 
+  static void note(const BodyResult& r, Stretch& result) {
+    if (r.sample < result.sample) {
+      result.sample = r.sample;
+      result.sampleAt = r.sampleAt;
+      result.sampleOn = r.sampleOn;
+    }
+  }
+
   /// `aim` if the gap of the pieces is proven to be at least that, else what is known of it; notes
   /// a lower gap that was measured.
   double searched(
@@ -272,10 +287,7 @@ class CutterProbe final : public Probe {
     double low = aim;
     for (const Piece& p : pieces) {
       const BodyResult r = search_.run(chord_, p, from, to, aim, budget);
-      if (r.sample < result.sample) {
-        result.sample = r.sample;
-        result.sampleAt = r.sampleAt;
-      }
+      note(r, result);
       if (r.sample < aim) {
         return outermost(from, to);
       }
@@ -296,10 +308,7 @@ class CutterProbe final : public Probe {
   double inHollow(
       double from, double to, double aim, std::span<const Piece> pieces, Stretch& result) {
     const BodyResult r = hollow_.run(chord_, pieces, reach_, from, to, aim, budget);
-    if (r.sample < result.sample) {
-      result.sample = r.sample;
-      result.sampleAt = r.sampleAt;
-    }
+    note(r, result);
     inVain_ += r.proven ? 0 : r.measured;
     return std::isfinite(r.low) ? r.low : outermost(from, to);
   }
@@ -314,10 +323,7 @@ class CutterProbe final : public Probe {
         : search(surface, cutter, relation) {}
     bool run(const CutterProbe& probe, double from, double to, double aim, Stretch& result) {
       const BodyResult r = search.run(probe.chord_, from, to, aim, budget);
-      if (r.sample < result.sample) {
-        result.sample = r.sample;
-        result.sampleAt = r.sampleAt;
-      }
+      note(r, result);
       return r.proven;
     }
     CurveSearch search;

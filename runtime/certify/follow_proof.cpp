@@ -41,7 +41,7 @@ GuideTask FollowProof::driveTask(const Named& drive) const {
 
 GuideTask FollowProof::partTask() const {
   GuideTask task = check_.taskOf(modal_, partRole, modal_.partSurface(), modal_.toolOnPart());
-  if (!modal_.partRelation) {
+  if (!modal_.partRelation && !modal_.startedOffPart) {
     // No such word was ever given: ON if the tool end is on the part surface and the cutter is not.
     const double slack = tolerance::startLength + bandOf(task);
     const surface::AnySurface& part = task.surface.surface;

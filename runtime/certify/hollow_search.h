@@ -49,10 +49,7 @@ class HollowSearch {
       result.proven = result.proven && last.proven;
       result.low = std::min(result.low, last.low);
       result.measured += last.measured;
-      if (last.sample < result.sample) {
-        result.sample = last.sample;
-        result.sampleAt = last.sampleAt;
-      }
+      result.note(last.sample, last.sampleAt, last.sampleOn);
     } else if (to > from) {
       result.proven = false;
       result.low = -unbounded;
@@ -100,7 +97,7 @@ class HollowSearch {
       all.proven = all.proven && r.proven;
       // The search of arcs does not tell by how much it was proven.
       all.low = std::min(all.low, r.proven ? std::max(aim, r.low) : r.low);
-      all.sample = std::min(all.sample, r.sample);
+      all.note(r.sample, s, r.sampleOn);
       all.measured += r.measured;
     };
     const auto rim = [&](const tool::ProfilePoint& p, double ball) {

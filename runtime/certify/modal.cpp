@@ -55,6 +55,7 @@ bool Modal::apply(const runtime::Action& action) {
     if (auto surface = named(ps->surface)) {
       part = *std::move(surface);
     }
+    startedOffPart = false;
   } else if (const auto* rule = std::get_if<runtime::ToolAxis>(&action.body)) {
     axisRule = *rule;
     if (rule->kind == runtime::ToolAxis::Kind::vector &&

@@ -35,6 +35,9 @@ class Modal {
   std::optional<Named> part;         ///< none: the XY plane
   std::optional<Word> partRelation;  ///< TLONPS, TLOFPS
   std::optional<Word> driveRelation;
+  /// The last startup asked for the cutter at the part surface, not the tool end, and nothing has
+  /// moved the tool off it since.
+  bool startedOffPart = false;
   bool output = true;
   runtime::ToolAxis axisRule;
   std::array<std::optional<Vec3>, 3> surfaceVector;

@@ -315,10 +315,10 @@ StatementResult MotionCheck::startup(const Modal& modal,
         t.high <= allowed.outer + allowed.slack) {
       report(result, action,
              fail(diag::StopUndecided, spell(condition), surface.name, t.low, t.high,
-                  -allowed.inner, allowed.outer));
+                  0.0 - allowed.inner, allowed.outer));
     } else if (!good) {
       report(result, action,
-             fail(diag::StartupMissed, t.high, spell(condition), surface.name, -allowed.inner,
+             fail(diag::StartupMissed, t.high, spell(condition), surface.name, 0.0 - allowed.inner,
                   allowed.outer));
     }
   };

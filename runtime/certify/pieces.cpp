@@ -41,8 +41,9 @@ std::vector<Piece> piecesOf(const tool::Profile& cutter) {
       pieces.push_back({a, b});
     }
   };
-  // The whole ball of the corner lies within the cutter, unless it looks out at the top.
-  if (cutter.r > 0.0 && cutter.h < cutter.f + cutter.r) {
+  // The whole ball of the corner lies within the cutter, unless it reaches the top: the face there
+  // does not cut.
+  if (cutter.r > 0.0 && cutter.h <= cutter.f + cutter.r) {
     Piece arc{corner, corner};
     arc.radius = cutter.r;
     arc.low = cutter.alpha;

@@ -24,6 +24,7 @@ struct Node : Known {
 struct Stretch : Range {
   double sample = unbounded;  ///< a gap that was measured there, with its place
   double sampleAt = 0.0;
+  Vec3 sampleOn = Vec3::Zero();  ///< the point of the cutter
 };
 
 /// How the tool is to stand to a surface. The gap of a cutter is the least distance, positive on

@@ -69,7 +69,7 @@ class RimSearch {
     const surface::Foot foot = surface_.foot(place, hint_);
     const double gap = side_ * foot.distance - ball - thick_;
     ++result.measured;
-    result.sample = std::min(result.sample, gap);
+    result.note(gap, 0.0, place - ball * side_ * foot.normal);
     const double away = 2.0 * rho * arc.half.half().sine;
     double best = gap - away;
     if (best >= aim || away == 0.0) {

@@ -1,5 +1,6 @@
 #include "runtime/geometry/ends.h"
 
+#include "runtime/geometry/kinds/polyconic_ends.h"
 #include "runtime/geometry/kinds/ruled_ends.h"
 
 namespace arelem::surface {
@@ -7,6 +8,9 @@ namespace arelem::surface {
 double endBefore(const AnySurface& surface, const Vec3& p) {
   if (const auto* ruled = std::get_if<Ruled>(&surface)) {
     return endBefore(*ruled, p);
+  }
+  if (const auto* conics = std::get_if<Polyconic>(&surface)) {
+    return endBefore(*conics, p);
   }
   const auto* tabulated = std::get_if<TabulatedCylinder>(&surface);
   if (tabulated == nullptr) {

@@ -24,6 +24,12 @@ class AxisRule {
     (void)source_->at(toolEnd);
     return source_->fault();
   }
+  /// Of axes that have a choice, from there on that which they make there.
+  void hold(const Vec3& toolEnd) {
+    if (!isFixed()) {
+      source_->hold(toolEnd);
+    }
+  }
   /// Why a motion may not get on from there.
   [[nodiscard]] std::optional<Failure> jump(const Vec3& toolEnd) {
     (void)at(toolEnd);

@@ -16,6 +16,9 @@ class AxisSource {
   virtual ~AxisSource() = default;
   /// The unit tool axis with the tool end there.
   virtual Vec3 at(const Vec3& toolEnd) = 0;
+  /// Of axes that have a choice, from there on that which they make there: a motion cannot jump from
+  /// one to another.
+  virtual void hold(const Vec3& /*toolEnd*/) {}
   /// Why there was no axis with the tool end there when it was last asked for; it then was the one
   /// of the place before.
   [[nodiscard]] virtual std::optional<Failure> fault() const { return std::nullopt; }

@@ -11,6 +11,8 @@ namespace {
 /// Slopes of a gap at most this may be rounding: of a stretch that is touched all along.
 /// Dimensionless.
 constexpr double levelSlope = tolerance::symmetric;
+/// Where a slope falls below that by a step at once it is at most this share of it.
+constexpr double dyingShare = 0.5;
 /// Finest step, as a share of the tolerance band: what is narrower is contact within the tolerance.
 constexpr double fineShare = 0.25;
 /// A tangency passes through its band in a length of the order of sqrt(band); this share of it is
@@ -328,9 +330,10 @@ std::optional<CheckWatch::Hit> CheckWatch::tangency(
   }
   if (now_.bandField == look.inside) {
     // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
-    // sign: the stop is where the stretch begins.
+    // sign: the stop is where the stretch begins. A slope that dies away begins none.
     const double level = std::copysign(levelSlope, now_.lastTurn);
-    return (look.turn > level) != (now_.lastTurn > level)
+    const bool dies = look.turn * level > dyingShare * levelSlope * levelSlope;
+    return (look.turn > level) != (now_.lastTurn > level) && !dies
                ? std::optional(
                      Hit{std::min(before, u - tangentStep()), u, look.inside, true, level})
                : std::nullopt;

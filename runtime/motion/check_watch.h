@@ -68,6 +68,11 @@ class CheckWatch {
     const double change = steepest(segment) * segment.length;
     return now_.free > change && (!close_ || now_.farther > change);
   }
+  /// The same, with an end that is not within the tolerance for sure.
+  [[nodiscard]] bool isFarFrom(const Segment& segment) const {
+    return isFree(segment) && now_.free - steepest(segment) * segment.length > band_;
+  }
+  [[nodiscard]] bool mayBeWithin() const { return now_.free <= band_; }
   void pass(const Segment& segment) {
     const double change = steepest(segment) * segment.length;
     now_.free -= change;

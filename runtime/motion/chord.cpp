@@ -146,4 +146,11 @@ double squaredFit(
   return factor;
 }
 
+double swerve(const GapLine& ends, const GapNode& a, const GapNode& b, double inner, double outer) {
+  const Extremes e = extremes(Cubic(a, b));
+  const auto line = [&](double x) { return ends.at(a.along + x * (b.along - a.along)); };
+  return -inner - e.least >= e.greatest - outer ? line(e.leastAt) - e.least
+                                                : line(e.greatestAt) - e.greatest;
+}
+
 }  // namespace arelem::motion

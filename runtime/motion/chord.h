@@ -51,4 +51,9 @@ struct GapLine {
 [[nodiscard]] double squaredFit(
     const GapLine& ends, const GapNode& a, const GapNode& b, double inner, double outer);
 
+/// How far that part of a chord leaves the line between its ends where it is most outside the band:
+/// positive where the gap is below the line.
+[[nodiscard]] double swerve(
+    const GapLine& ends, const GapNode& a, const GapNode& b, double inner, double outer);
+
 }  // namespace arelem::motion

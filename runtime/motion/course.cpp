@@ -76,6 +76,7 @@ class Planner {
     for (Guide& g : course_.path.guides) {
       g.turning = !course_.path.axis.isFixed();
     }
+    course_.path.axis.hold(state_.toolEnd);
     return course_.path.axis.fault(state_.toolEnd);
   }
 

@@ -9,7 +9,9 @@
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/ends.h"
 #include "runtime/motion/arc_route.h"
+#include "runtime/motion/arrival.h"
 #include "runtime/motion/axis_turn.h"
+#include "runtime/motion/corners.h"
 #include "runtime/motion/missed.h"
 #include "runtime/motion/settle.h"
 #include "runtime/motion/stop.h"
@@ -21,11 +23,6 @@ namespace arelem::motion {
 namespace {
 /// A stop whose chord leaves the band by this share of the length's square is taken.
 constexpr double fitShare = 1e-6;
-/// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
-/// unit.
-constexpr double cornersApart = 1e-4;
-/// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
-constexpr double cornerMissed = 1e-7;
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
 /// Motions of more cut vectors are not computed again for the sake of a message.
@@ -47,7 +44,8 @@ class Follower {
         interrupted_(interrupted),
         effort_(limits.gaps),
         stride_(course.path, state.longestVector),
-        stops_(state, course) {
+        stops_(state, course),
+        corners_(course.path) {
     for (CheckWatch& w : course_.watches) {
       w.spend(effort_);
     }
@@ -57,6 +55,7 @@ class Follower {
     result_.warnings = std::move(course_.warnings);
     last_ = course_.start;
     auto bad = course_.isArc() ? runArc() : runChords();
+    trail_.release();
     if (bad) {
       return withStart(*std::move(bad), course_);
     }
@@ -67,18 +66,9 @@ class Follower {
   [[nodiscard]] std::uint64_t cutVectors() const { return result_.cutVectors; }
 
  private:
-  /// The next cut vector: to the output and the statistics.
+  /// The next cut vector.
   void put(const PathPoint& p) {
-    const Vec3 step = p.toolEnd - last_.toolEnd;
-    const double length = step.norm();
-    result_.length += length;
-    effort_.allow(++result_.cutVectors);
-    sink_.put(p.toolEnd, p.axis);
-    result_.partInner = std::min(result_.partInner, p.contacts[0].gap);
-    result_.partOuter = std::max(result_.partOuter, p.contacts[0].gap);
-    result_.driveInner = std::min(result_.driveInner, p.contacts[1].gap);
-    result_.driveOuter = std::max(result_.driveOuter, p.contacts[1].gap);
-    result_.forward = length > 0.0 ? step : p.tangent;
+    trail_.put(last_, p);
     last_ = p;
   }
 
@@ -120,11 +110,7 @@ class Follower {
                             ? static_cast<double>(limits_.points)
                             : std::min(state_.vectorLimit, static_cast<double>(limits_.points));
     if (static_cast<double>(result_.cutVectors) >= most) {
-      const Vec3 p = told(last_.toolEnd);
-      const CheckWatch& w = course_.watches.front();
-      const Vec3 q = told(w.nearestPlace());
-      return fail(diag::CutVectorLimit, most, p.x(), p.y(), p.z(), w.surface().name,
-                  told(w.nearest()), q.x(), q.y(), q.z());
+      return tooMany(course_, last_, most);
     }
     return std::nullopt;
   }
@@ -153,7 +139,7 @@ class Follower {
       if (auto bad = stuck ? axisEnds(course_, last_) : std::nullopt) {
         return bad;
       }
-      if (stuck && turnCorner(b ? *b : a)) {
+      if (stuck && turnCorner(b)) {
         continue;
       }
       if (!b) {
@@ -171,10 +157,10 @@ class Follower {
         if (!found->end) {
           return lost();
         }
-        if (const auto last = fittingStop(a, segment, found->met, *found->end, cap)) {
-          putTurn(*last);
-          if (!hasMoved_ || !hasArrived(*last, found->met)) {
-            put(*last);
+        if (const auto stop = arrival_.fittingStop(a, segment, *found, cap)) {
+          putTurn(*stop);
+          if (!arrival_.arrive(last_, *stop, segment, found->met, cap)) {
+            continue;
           }
           result_.check = found->met.check;
           return std::nullopt;
@@ -189,61 +175,25 @@ class Follower {
         stride_.learn(a, *b);  // what is shorter tells more rounding than curvature
       }
       putTurn(*b);
-      put(*b);
-      hasMoved_ = true;
+      arrival_.put(last_, *b);
       if (auto bad = ranOffEnd()) {
         return bad;
       }
     }
   }
 
-  /// Goes on in the direction behind a corner; false where there is none. The last cut vector may
-  /// have ended before it, and from there the next one would leave the band.
-  bool turnCorner(const PathPoint& at) {
-    const bool chatters = corner_ && (*corner_ - at.toolEnd).norm() <= cornersApart;
-    const auto turned = chatters ? std::nullopt : course_.path.roundCorner(at);
-    if (turned) {
-      if ((at.toolEnd - last_.toolEnd).norm() > cornerMissed) {
-        put(at);
-      }
-      corner_ = at.toolEnd;
-      last_ = *turned;
-      for (Guide& g : course_.path.guides) {
-        g.startAnew(0.0);
-      }
+  /// Goes on in the direction behind a corner; false where there is none.
+  bool turnCorner(const std::optional<PathPoint>& tip) {
+    const auto way = corners_.from(last_, tip);
+    if (!way) {
+      return false;
     }
-    return turned.has_value();
-  }
-
-  /// True where the last cut vector ends at the stop but for rounding, or beyond it within the
-  /// tolerance: the way back would be for nothing.
-  bool hasArrived(const PathPoint& stop, const Met& met) {
-    const Vec3 way = stop.toolEnd - last_.toolEnd;
-    double near = tolerance::sameSide;
-    for (const Guide& g : course_.path.guides) {
-      // Along planes on which the axis turns cut vectors end this far beside the stops.
-      near += g.field->flat() ? 2.0 * Guide::aimShare * (g.inner + g.outer) : 0.0;
+    for (const PathPoint& p : way->through) {
+      putTurn(p);
+      put(p);
     }
-    return way.norm() <= near || (way.dot(last_.tangent) < 0.0 && stops_.isWithin(last_, met));
-  }
-
-  /// The stop, if one cut vector reaches it within the bands; otherwise shortens `cap` so that the
-  /// rest is shared evenly and no tiny vector remains.
-  std::optional<PathPoint> fittingStop(const PathPoint& a,
-                                       const Segment& segment,
-                                       const Met& met,
-                                       const PathPoint& end,
-                                       double& cap) {
-    const double factor = course_.path.fitWithTurn(a, end);
-    if (factor >= 1.0 - fitShare || result_.cutVectors + 1 >= limits_.points) {
-      return end;
-    }
-    const auto edge = stops_.stopAtEdge(a, segment, met);
-    if (edge && course_.path.fitWithTurn(a, *edge) >= 1.0 - fitShare) {
-      return edge;
-    }
-    cap = (end.toolEnd - a.toolEnd).norm() / std::max(2.0, std::ceil(1.0 / factor));
-    return cap <= tolerance::sameSide ? std::optional(end) : std::nullopt;
+    last_ = way->on;
+    return true;
   }
 
   /// True where the path has come back to its start as often as positions are counted, and a cut
@@ -289,19 +239,23 @@ class Follower {
     if (!ends.empty()) {
       beforeTurn_ = last_;
       last_ = ends.back();
+      for (CheckWatch& w : course_.watches) {
+        w.begin(last_.toolEnd, last_.axis);  // the turn may have led past it
+      }
     }
     return !ends.empty();
   }
 
-  /// The turn that was put off, where the cut vector to `next` cannot take it in.
+  /// The turn that was put off, where the cut vector to `next` cannot take it in, or would lead so
+  /// far off the path that a stop there does not tell from which side the tool came.
   void putTurn(const PathPoint& next) {
     if (!beforeTurn_) {
       return;
     }
-    const PathPoint turned = last_;
-    last_ = *beforeTurn_;
-    beforeTurn_.reset();
-    if (course_.path.fit(last_, next) < 1.0 - fitShare) {
+    const PathPoint turned = std::exchange(last_, *std::exchange(beforeTurn_, std::nullopt));
+    const Vec3 way = next.toolEnd - last_.toolEnd;
+    const bool strays = way.dot(turned.tangent) < 0.5 * way.norm();
+    if (strays || course_.path.fit(last_, next) < 1.0 - fitShare) {
       put(turned);
     }
   }
@@ -353,15 +307,16 @@ class Follower {
   const Limits& limits_;
   const InterruptFlag* interrupted_;
   Effort effort_;
+  FollowResult result_;
+  Trail trail_{result_, sink_, effort_};
   Stride stride_;
   StopFinder stops_;
+  Arrival arrival_{course_, stops_, trail_, limits_};
   PathPoint last_;
-  bool hasMoved_ = false;  ///< a cut vector along the path was put out
-  double turned_ = 0.0;    ///< by the path since it last passed its start. Radians
+  double turned_ = 0.0;  ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;
-  std::optional<Vec3> corner_;           ///< where the path turned last
+  Corners corners_;
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
-  FollowResult result_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "runtime/motion/missed.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,6 +15,15 @@ namespace {
 /// Where a path ends the axis is asked for this far ahead. Part unit.
 constexpr std::array looksAhead{0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
+/// A path that is nearest to a surface so far on comes nearer to it for ever. Part unit.
+constexpr double endless = 0.5 * tolerance::farAway;
+
+std::string atTheStart(const CheckWatch& w) {
+  return fmt::format(
+      "the tool is within the tolerance {} of it where the motion begins, which does not count",
+      w.band());
+}
+
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -26,11 +36,16 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
     const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
     const bool cross = !w.parallel() && gap <= w.band();
-    return fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                cross       ? "cross without being parallel, off"
-                : gap < 0.0 ? "overlap"
-                            : "miss each other",
-                std::abs(told(gap)), where.x(), where.y(), where.z());
+    Failure none = fail(diag::NoTangency, partner, w.surface().name, w.band(),
+                        cross       ? "cross without being parallel, off"
+                        : gap < 0.0 ? "overlap"
+                                    : "miss each other",
+                        std::abs(told(gap)), where.x(), where.y(), where.z());
+    const double away = (where - course.start.toolEnd).norm();
+    if (cross && away > endless) {
+      return std::move(none).withHelp("they come nearer to each other without end");
+    }
+    return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
   }
   if (w.touchedAny()) {
     const Vec3 last = told(w.lastContact());
@@ -51,10 +66,7 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
         "never clear of it then");
   }
   if (w.startedAt()) {
-    return std::move(never).withHelp(
-        fmt::format("the tool is within the tolerance {} of it where the motion begins, which does "
-                    "not count",
-                    w.band()));
+    return std::move(never).withHelp(atTheStart(w));
   }
   if ((w.nearestPlace() - course.start.toolEnd).norm() <= tolerance::coincidence) {
     return std::move(never).withHelp("the tool moves away from it from the start on");
@@ -82,6 +94,30 @@ Failure tooMuch(Course& course,
   }
   const Vec3 p = told(last.toolEnd);
   return fail(diag::MotionEffort, gaps, cutVectors, p.x(), p.y(), p.z());
+}
+
+/// Of a plane that is parallel to a plane that guides the tool: that stays as far from it as it is.
+static bool keepsAway(const Course& course, const CheckWatch& w) {
+  const auto* check = std::get_if<surface::Plane>(&w.surface().surface);
+  const auto isParallel = [&](const NamedSurface& guide) {
+    const auto* plane = std::get_if<surface::Plane>(&guide.surface);
+    return plane != nullptr &&
+           plane->normal.cross(check->normal).norm() <= tolerance::nullDirection;
+  };
+  return check != nullptr && course.path.axis.isFixed() &&
+         (isParallel(course.drive) || isParallel(course.part));
+}
+
+Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) {
+  if (std::all_of(course.watches.begin(), course.watches.end(),
+                  [&](const CheckWatch& w) { return keepsAway(course, w); })) {
+    return missed(course);
+  }
+  const Vec3 p = told(last.toolEnd);
+  const CheckWatch& w = course.watches.front();
+  const Vec3 q = told(w.nearestPlace());
+  return fail(diag::CutVectorLimit, cutVectors, p.x(), p.y(), p.z(), w.surface().name,
+              told(w.nearest()), q.x(), q.y(), q.z());
 }
 
 Failure lost(Course& course, const PathPoint& last) {

@@ -6,6 +6,9 @@ namespace arelem::motion {
 /// Why a motion that has been followed to its end met no check surface: what was measured on the
 /// way, of the first of them.
 [[nodiscard]] Failure missed(const Course& course);
+/// The motion has so many cut vectors, which is the limit; or its check surfaces are such that it
+/// never meets them, however many it may have.
+[[nodiscard]] Failure tooMany(const Course& course, const PathPoint& last, double cutVectors);
 
 /// Where the surfaces next to `last`, ahead on the path, leave no axis at the angle of the rule:
 /// why. An axis that does not settle there may do so round a corner.

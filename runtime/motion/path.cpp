@@ -196,6 +196,10 @@ class ChordFit {
     return std::sqrt(squared_);
   }
 
+  /// Where the chord is far too long: how far the gap leaves the line between its ends.
+  [[nodiscard]] std::optional<double> farOff() const {
+    return squared_ < farTooLong ? std::optional(swerve_) : std::nullopt;
+  }
   [[nodiscard]] double middleSlope() const { return middleSlope_; }
   [[nodiscard]] std::array<double, 2> endSlopes() const { return {first_.slope, last_.slope}; }
   /// In the part that sets the factor.
@@ -221,6 +225,8 @@ class ChordFit {
   /// be known well, and kinks may leave this share of the band.
   static constexpr double hopeless = 0.5;
   static constexpr double hopelessShare = 0.02;
+  /// Squares of factors below this are those of chords that aim at the wrong edge of the band.
+  static constexpr double farTooLong = 0.1;
 
   [[nodiscard]] Node node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
     const double slope =
@@ -239,12 +245,16 @@ class ChordFit {
     return node(along, field_.at(place, turning_ ? turning_->axis(share) : a_.axis), place);
   }
   void consider(const Node& a, const Node& b, int depth) {
-    const double kink = 0.125 * (b.along - a.along) * std::abs(a.slope - b.slope);
+    const double length = b.along - a.along;
+    // Where the contact jumps right at an end, both slopes may agree though the gap goes otherwise.
+    const double astray = (b.gap - a.gap) / length - 0.5 * (a.slope + b.slope);
+    const double kink = length * (0.125 * std::abs(a.slope - b.slope) + 0.5 * std::abs(astray));
     const double share = squared_ < hopeless ? hopelessShare : kinkShare;
     if (depth == 0 || kink <= share * (inner_ + outer_)) {
       const double squared = squaredFit(ends_, a, b, inner_, outer_);
       if (squared < squared_) {
         squared_ = squared;
+        swerve_ = swerve(ends_, a, b, inner_, outer_);
         ridge_.reset();
         if (depth > 0 && a.slope > b.slope) {
           ridge_ = ridgeBetween(a, b);
@@ -258,8 +268,9 @@ class ChordFit {
     const Node between = measure(crossing(a, b));
     const double over = between.gap - ends_.at(between.along);
     const double room = outer_ - ends_.at(between.along);
-    if (room < hopeless * over) {
-      squared_ = std::min(squared_, std::max(0.0, room) / over);
+    if (room < hopeless * over && std::max(0.0, room) / over < squared_) {
+      squared_ = std::max(0.0, room) / over;
+      swerve_ = -over;
     }
     const int deeper = foretold(a, b, between, smooth_) ? 0 : depth - 1;
     consider(a, between, deeper);
@@ -275,6 +286,7 @@ class ChordFit {
   GapLine ends_;
   double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
   double squared_ = tolerance::farAway;  ///< square of the factor
+  double swerve_ = 0.0;                  ///< where that is
   std::optional<Path::Ridge> ridge_;
   std::optional<double> behind_;
   bool isSmooth_ = true;
@@ -326,6 +338,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
   middle.end = b.toolEnd;
   middle.straight = !turning;
   misses = {0, 0};
+  swerves = {};
   ridge.reset();
   for (std::size_t i = 0; i < guides.size(); ++i) {
     if (guides[i].field->flat() && !turning) {
@@ -346,6 +359,9 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
       if (ridge) {
         ridge->guide = i;
       }
+    }
+    if (const auto off = chordFit.farOff()) {
+      swerves[i] = 8.0 * *off / (scale * scale);
     }
     middle.smooth[i] = chordFit.isSmooth();
     middle.behind[i] = chordFit.behind();

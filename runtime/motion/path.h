@@ -108,6 +108,11 @@ class Path {
   /// is too far off, else 0.
   std::array<int, 2> misses{0, 0};
 
+  /// Of a chord that leaves its band far: the curvature of one that leaves it as much. That at its
+  /// ends may be of the other sign where two places of the cutter touch there, and the one that
+  /// comes nearer on the way is not the one that is seen.
+  std::array<std::optional<double>, 2> swerves;
+
   /// Contacts and tangent at a tool position; the tangent goes with `towards`.
   [[nodiscard]] PathPoint look(const Vec3& toolEnd, const Vec3& towards);
   /// The same with an axis of one's own.

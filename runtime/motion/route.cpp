@@ -1,5 +1,6 @@
 #include "runtime/motion/route.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ir/space/tolerance.h"
@@ -73,10 +74,15 @@ double probe(double band) {
   return 0.01 * std::sqrt(band);
 }
 
+/// Contact normals that turn towards the tool by this over the probe are those of a hollow; what
+/// turns less, but does, is met between both edges of the band, so that where a surface goes over
+/// from the one to the other the stop does too.
+constexpr double hollowTurn = 1e-7;
+
 double restOf(double curvature, double inner, double outer) {
   const double band = inner + outer;
-  return curvature >= -levelTurn / probe(band) ? outer - edgeShare * band
-                                               : edgeShare * band - inner;
+  const double inwards = std::clamp(-curvature * probe(band) / hollowTurn, 0.0, 1.0);
+  return outer - band * (edgeShare + inwards * (1.0 - 2.0 * edgeShare));
 }
 }  // namespace
 
@@ -94,25 +100,6 @@ double restGap(
   return restOf(curvatureAlong(field, toolEnd, axis, t, step) +
                     curvatureAlong(field, toolEnd, axis, normal.cross(t), step),
                 inner, outer);
-}
-
-double restGapAfter(Field& field,
-                    const Vec3& toolEnd,
-                    AxisRule& axis,
-                    const Vec3& along,
-                    double bend,
-                    double inner,
-                    double outer,
-                    bool exact) {
-  if (exact || field.flat()) {
-    return 0.0;
-  }
-  if (field.isFaceted()) {
-    return restOf(0.0, inner, outer);
-  }
-  const Vec3 across = field.at(toolEnd, axis.at(toolEnd)).normal.cross(along).normalized();
-  return restOf(bend + curvatureAlong(field, toolEnd, axis, across, probe(inner + outer)), inner,
-                outer);
 }
 
 std::unique_ptr<Field> onField(const surface::AnySurface& surface,

@@ -14,21 +14,10 @@ namespace arelem::motion {
 
 /// The gap at which a stop is placed in the band [-inner, outer]: 0 where exact or flat, a tenth of
 /// the band inside its outer edge on convex surfaces and meshes, inside its inner edge on concave
-/// ones.
+/// ones, between them where a surface is next to level. It depends on the place alone, not on the
+/// way to it.
 [[nodiscard]] double restGap(
     Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact);
-
-/// The same at the end of a motion with unit tangent `along`, where the curvature along the last
-/// cut vector is known: near an inflection the side that was followed decides, not the one that
-/// would come.
-[[nodiscard]] double restGapAfter(Field& field,
-                                  const Vec3& toolEnd,
-                                  AxisRule& axis,
-                                  const Vec3& along,
-                                  double bend,
-                                  double inner,
-                                  double outer,
-                                  bool exact);
 
 /// Curvature of the field's zero surface along the unit tangent t, by a difference of contact
 /// normals; positive where it bends away from the tool, 0 where it is no more than rounding.

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/effort.h"
 
 namespace arelem::motion {
 
@@ -33,6 +34,9 @@ constexpr double farForGain = 8.0;
 /// Looking around: places found by whole steps are at most this many times as far from where they
 /// began as that is from the middle.
 constexpr double nearStart = 2.0;
+/// Gaps measured on whole and on even ways until these end: where nothing is found so far, there is
+/// hardly anything.
+constexpr std::uint64_t mostGaps = 10000;
 /// Residuals below this share of the coordinates' size are rounding.
 constexpr double relativeRest = 4e-16;
 constexpr double absoluteRest = 2e-15;
@@ -140,8 +144,6 @@ Settled settle(const Vec3& start,
   return out;
 }
 
-namespace {
-/// The conditions at a place, measured.
 Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted) {
   Settled out;
   out.toolEnd = place;
@@ -149,6 +151,7 @@ Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> want
   return out;
 }
 
+namespace {
 double squares(const Settled& at, std::span<const Wanted> wanted) {
   double sum = 0.0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -279,9 +282,6 @@ Settled settleInTurn(const Vec3& start,
   return settle(out.toolEnd, axis, wanted, constraints);
 }
 
-namespace {
-/// Directions that go with the surfaces wherever these lie: along the first contact normal, square
-/// to it towards the second, and square to both.
 Eigen::Matrix3d frameOf(const Settled& at, std::size_t count) {
   const Vec3 first = at.contacts[0].normal;
   Vec3 second = count > 1 ? at.contacts[1].normal : Vec3(first.unitOrthogonal());
@@ -293,6 +293,7 @@ Eigen::Matrix3d frameOf(const Settled& at, std::size_t count) {
   return frame;
 }
 
+namespace {
 /// Whole steps that go far lead anywhere, and rounding chooses where: only those that end within a
 /// distance count.
 Settled settleNear(const Vec3& start,
@@ -304,8 +305,7 @@ Settled settleNear(const Vec3& start,
   if (found.ok && (found.toolEnd - start).norm() > distance) {
     found.ok = false;
   }
-  // An axis that follows takes long to find, and from so many places it is not found there either.
-  return found.ok || !axis.isFixed() ? found : settleEvenly(start, axis, wanted, constraints);
+  return found;
 }
 }  // namespace
 
@@ -327,19 +327,29 @@ Settled nearestAround(const Settled& near,
   const Eigen::Matrix3d frame = frameOf(near, wanted.size());
   Settled best = near;
   double least = tolerance::farAway;
-  for (double distance = shortest; distance > 0.0 && distance <= farthest; distance *= growth) {
-    if (distance > usual && least < tolerance::farAway) {
-      break;
-    }
-    for (int cell = 0; cell < 27; ++cell) {
-      const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
-      const Vec3 start = near.toolEnd + distance * (frame * way);
-      const Settled found = settleNear(start, nearStart * distance, axis, wanted, constraints);
-      const double away = (found.toolEnd - from).norm();
-      // Mirror images are equally far: the first one stays.
-      if (found.ok && away < least - tolerance::coincidence) {
-        best = found;
-        least = away;
+  const auto begun = gapsMeasured();
+  // An axis that follows takes long to find, and from so many places no even way finds it either.
+  for (const bool evenly : {false, true}) {
+    for (double distance = shortest; distance > 0.0 && distance <= farthest; distance *= growth) {
+      const bool isFound = least < tolerance::farAway;
+      if (isFound ? evenly || distance > usual : evenly && !axis.isFixed()) {
+        break;
+      }
+      for (int cell = 0; cell < 27; ++cell) {
+        if (evenly && gapsMeasured() - begun > mostGaps) {
+          return best;
+        }
+        const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
+        const Vec3 start = near.toolEnd + distance * (frame * way);
+        const Settled found =
+            evenly ? settleEvenly(start, axis, wanted, constraints)
+                   : settleNear(start, nearStart * distance, axis, wanted, constraints);
+        const double away = (found.toolEnd - from).norm();
+        // Mirror images are equally far: the first one stays.
+        if (found.ok && away < least - tolerance::coincidence) {
+          best = found;
+          least = away;
+        }
       }
     }
   }

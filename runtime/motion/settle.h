@@ -40,6 +40,13 @@ struct Settled {
                              std::span<const Constraint> constraints,
                              double accept = 0.0);
 
+/// The conditions at a place, measured.
+[[nodiscard]] Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted);
+
+/// Directions that go with the surfaces wherever these lie: along the first contact normal, square
+/// to it towards the second, and square to both.
+[[nodiscard]] Eigen::Matrix3d frameOf(const Settled& at, std::size_t count);
+
 /// The place near `start` at which the conditions are missed least, in the sense of least squares,
 /// with the constraints met: where no position is to be found, and a better start for `settle`.
 [[nodiscard]] Settled closest(const Vec3& start,

@@ -7,9 +7,11 @@
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_choice.h"
+#include "runtime/motion/nearer.h"
 #include "runtime/motion/pierce.h"
 #include "runtime/motion/route.h"
 #include "runtime/motion/settle.h"
+#include "runtime/motion/startup_faults.h"
 #include "runtime/motion/startup_sense.h"
 #include "runtime/motion/told.h"
 
@@ -19,16 +21,6 @@ namespace {
 /// Share of the way to the first surface that a directed startup goes before it iterates.
 constexpr double approachShare = 0.75;
 
-/// One surface of the startup: where it is, on which side the tool ends up, and the gap field
-/// there.
-struct Goal {
-  NamedSurface surface;
-  ir::Condition condition = ir::Condition::to;
-  Role role = driveRole;
-  double side = 1.0;
-  std::unique_ptr<Field> field;
-};
-
 class Starter {
  public:
   Starter(const State& state, const runtime::Startup& startup) : state_(state), startup_(startup) {}
@@ -37,7 +29,7 @@ class Starter {
     if (auto bad = collect()) {
       return *bad;
     }
-    for (Goal& goal : goals_) {
+    for (StartupGoal& goal : goals_) {
       if (auto bad = chooseSide(goal)) {
         return *bad;
       }
@@ -69,7 +61,7 @@ class Starter {
       if (!surface) {
         return surface.takeFailure();
       }
-      Goal goal;
+      StartupGoal goal;
       goal.surface = *std::move(surface);
       goal.condition = startup_.surfaces[i].condition == ir::Condition::automatic
                            ? ir::Condition::to
@@ -78,7 +70,7 @@ class Starter {
       goals_.push_back(std::move(goal));
     }
     if (count == 1 && (!state_.ignorePart || state_.automaticPart)) {
-      Goal part;
+      StartupGoal part;
       part.surface = partSurface(state_);
       part.role = partRole;
       goals_.push_back(std::move(part));
@@ -91,7 +83,7 @@ class Starter {
 
   /// The side on which the tool ends up: TO the present one, PAST the other one; SRFVCT points from
   /// the one to the other.
-  std::optional<Failure> chooseSide(Goal& goal) {
+  std::optional<Failure> chooseSide(StartupGoal& goal) {
     const auto index = static_cast<std::size_t>(&goal - goals_.data());
     const Vec3 from = sidePoint(state_, state_.toolEnd, state_.axis);
     const surface::Foot foot = footOn(goal.surface.surface, from);
@@ -133,7 +125,7 @@ class Starter {
     return -foot.distance * foot.normal;
   }
 
-  [[nodiscard]] AxisParty party(const Goal& goal) const {
+  [[nodiscard]] AxisParty party(const StartupGoal& goal) const {
     const bool on = goal.condition == ir::Condition::on;
     return {&goal.surface, goal.side, on, [this, &goal] {
               return makeField(goal.surface.surface, goal.side,
@@ -141,13 +133,18 @@ class Starter {
             }};
   }
 
-  /// Steps of a directed startup towards its surfaces, in the order drive, part, check.
+  [[nodiscard]] bool allPlanes() const {
+    return std::all_of(goals_.begin(), goals_.end(),
+                       [](const StartupGoal& goal) { return goal.surface.isPlane(); });
+  }
+
+  /// Steps of a directed startup towards its surfaces, in the order drive, part, check. A direction
+  /// that leads to its surface from where the tool stands, but misses it behind the steps before,
+  /// is met by these.
   [[nodiscard]] Vec3 approach() const {
     Vec3 toolEnd = state_.toolEnd;
-    bool allPlanes = true;
     double farthest = 0.0;
-    for (const Goal& goal : goals_) {
-      allPlanes = allPlanes && goal.surface.isPlane();
+    for (const StartupGoal& goal : goals_) {
       farthest = std::max(farthest, std::abs(footOn(goal.surface.surface, toolEnd).distance));
     }
     for (std::size_t i = 0; i < goals_.size(); ++i) {
@@ -155,18 +152,23 @@ class Starter {
         continue;
       }
       const Vec3 v = state_.direction[i]->normalized();
-      const auto hit =
-          pierce(goals_[i].surface.surface, sidePoint(state_, toolEnd, state_.axis), v);
+      const auto hitFrom = [&](const Vec3& place) {
+        return pierce(goals_[i].surface.surface, sidePoint(state_, place, state_.axis), v);
+      };
+      const auto hit = hitFrom(toolEnd);
+      if (!hit && hitFrom(state_.toolEnd)) {
+        continue;
+      }
       const double radius = goals_[i].condition == ir::Condition::on ? 0.0 : state_.cutter->d / 2;
       const double way = hit ? *hit - radius - state_.band(goals_[i].role) : farthest;
-      toolEnd += (hit && allPlanes ? approachShare : 1.0) * std::max(way, 0.0) * v;
+      toolEnd += (hit && allPlanes() ? approachShare : 1.0) * std::max(way, 0.0) * v;
     }
     return toolEnd;
   }
 
   std::vector<Wanted> wanted(bool atRest, const Vec3& near) {
     std::vector<Wanted> list;
-    for (Goal& goal : goals_) {
+    for (StartupGoal& goal : goals_) {
       if (atRest && goal.condition == ir::Condition::on) {
         // The side from which the motions that follow will see it.
         goal.field = onField(goal.surface.surface, near, rule_, state_.inner[goal.role],
@@ -184,9 +186,9 @@ class Starter {
   /// than that without a gap.
   [[nodiscard]] bool isWithin(const Vec3& toolEnd) {
     return std::all_of(goals_.begin(), goals_.end(),
-                       [&](const Goal& goal) { return isWithin(goal, toolEnd); });
+                       [&](const StartupGoal& goal) { return isWithin(goal, toolEnd); });
   }
-  [[nodiscard]] bool isWithin(const Goal& goal, const Vec3& toolEnd) {
+  [[nodiscard]] bool isWithin(const StartupGoal& goal, const Vec3& toolEnd) {
     const double gap = goal.field->at(toolEnd, rule_.at(toolEnd)).gap;
     return gap >= -state_.inner[goal.role] - tolerance::sameSide &&
            gap <= state_.outer[goal.role] + tolerance::sameSide;
@@ -223,10 +225,31 @@ class Starter {
   }
 
   Result<Standing> runGo() {
-    const Vec3 from = approach();
+    const Vec3 led = approach();
+    Vec3 reached = led;
+    Settled found = search(led, reached);
+    if (!found.ok && goals_.size() > 2 && led != state_.toolEnd) {
+      // Directions of three surfaces only guide: where they lead astray, the nearest position is
+      // looked for without them.
+      Vec3 undirected = reached;
+      const Settled other = search(state_.toolEnd, undirected);
+      found = other.ok ? other : found;
+    }
+    // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
+    if (auto bad = rule_.fault(found.ok ? found.toolEnd : reached)) {
+      return *std::move(bad);
+    }
+    if (!found.ok) {
+      return noPosition(*state_.cutter, goals_, found, led);
+    }
+    return along(found);
+  }
+
+  /// The position to which the conditions lead from a place; `reached` is where the first way ends.
+  Settled search(const Vec3& from, Vec3& reached) {
     const auto extra = constraints(from);
     Settled found = firstTry(from, extra);
-    const Vec3 reached = found.toolEnd;
+    reached = found.toolEnd;
     // From far away or across a kink a way may miss what there is; and where surfaces nearly touch
     // each other, only places within the tolerances may be any.
     for (const bool atRest : {false, true}) {
@@ -237,25 +260,21 @@ class Starter {
         found = tried.ok || !atRest ? tried : found;
       }
     }
+    if (!exact_ && rule_.isFixed() && !allPlanes()) {
+      found = nearer(found, from, rule_, wanted(false, from), extra);
+    }
     if (found.ok && !exact_) {
       const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
       found = rest.ok || !isWithin(found.toolEnd) ? rest : found;
     }
-    // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
-    if (auto bad = rule_.fault(found.ok ? found.toolEnd : reached)) {
-      return *std::move(bad);
-    }
-    if (!found.ok) {
-      return explain(found, from);
-    }
-    return along(found);
+    return found;
   }
 
   /// A position, unless it lies behind the tool on a way that its direction gives exactly.
   [[nodiscard]] Result<Standing> along(const Settled& found) const {
     Standing end{found.toolEnd, found.axis, {}};
     for (std::size_t i = 0; i < goals_.size(); ++i) {
-      const Goal& goal = goals_[i];
+      const StartupGoal& goal = goals_[i];
       if (!state_.direction[i]) {
         continue;
       }
@@ -269,51 +288,6 @@ class Starter {
       }
     }
     return end;
-  }
-
-  /// Why no position was found from a place: surfaces that are parallel, a hollow that is too
-  /// narrow for the cutter, or nothing better to say.
-  [[nodiscard]] Failure explain(const Settled& found, const Vec3& from) const {
-    double atFirst = 0.0;
-    for (const Goal& goal : goals_) {
-      atFirst = std::max(atFirst, std::abs(goal.field->at(from, found.axis).gap));
-    }
-    // Farther from the surfaces than at the beginning: from far away all of them look parallel, and
-    // no hollow is near.
-    const bool lost = !(found.worst <= atFirst);
-    const Vec3 p = told(lost ? from : found.toolEnd);
-    const auto parallel = [](const Vec3& a, const Vec3& b) {
-      return a.cross(b).norm() <= tolerance::nullDirection;
-    };
-    // Where two surfaces are missed least they are parallel, so look at the beginning too.
-    for (std::size_t i = 0; i < goals_.size() && !lost; ++i) {
-      const Vec3 first = goals_[i].field->at(from, found.axis).normal;
-      for (std::size_t k = i + 1; k < goals_.size(); ++k) {
-        if (parallel(found.contacts[i].normal, found.contacts[k].normal) &&
-            parallel(first, goals_[k].field->at(from, found.axis).normal)) {
-          return fail(diag::SurfacesParallel, goals_[i].surface.name, goals_[k].surface.name, p.x(),
-                      p.y(), p.z());
-        }
-      }
-    }
-    for (const Goal& goal : goals_) {
-      if (goal.condition == ir::Condition::on) {
-        continue;
-      }
-      const double hollow = hollowRadius(goal.surface.surface, goal.side, p);
-      const double over = state_.cutter->maxRadius() - hollow;
-      if (over > 0.0) {
-        return fail(diag::CutterDoesNotFit, state_.cutter->maxRadius(), goal.surface.name, hollow,
-                    over, p.x(), p.y(), p.z());
-      }
-    }
-    return diverges(found);
-  }
-
-  [[nodiscard]] Failure diverges(const Settled& found) const {
-    const Vec3 p = told(found.toolEnd);
-    return fail(diag::StartupDiverges, p.x(), p.y(), p.z(), found.worst,
-                goals_[found.worstAt].surface.name);
   }
 
   /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to
@@ -344,7 +318,7 @@ class Starter {
       found.worstAt = 1;
     }
     if (!found.ok) {
-      return diverges(found);
+      return diverged(goals_, found);
     }
     if (!isWithin(goals_[0], found.toolEnd)) {
       const double drift = goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap;
@@ -373,7 +347,7 @@ class Starter {
 
   const State& state_;
   const runtime::Startup& startup_;
-  std::vector<Goal> goals_;
+  std::vector<StartupGoal> goals_;
   std::optional<std::size_t> partIndex_;
   AxisRule rule_;
   bool exact_ = false;

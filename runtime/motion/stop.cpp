@@ -42,20 +42,33 @@ std::optional<Met> StopFinder::scan(const Segment& segment) {
 std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
                                           const Segment& segment,
                                           const Met& met) {
-  const Vec3 near = segment.at(0.5 * (met.hit.low + met.hit.high));
+  const Vec3 near = withoutTolerances(a, segment, met);
   if (!course_.isArc()) {
     for (Guide& g : course_.path.guides) {
-      g.rest = restGapAfter(*g.field, near, course_.path.axis, a.tangent, g.bend, g.inner, g.outer,
-                            course_.exact);
+      g.rest = restGap(*g.field, near, course_.path.axis, g.inner, g.outer, course_.exact);
     }
   }
   auto end = atRest(a, segment, met, near);
   // A chord may cross what the path proper only touches.
-  if (end && (met.hit.touch || !isContact(met, *end)) && !segment.isArc() &&
-      !course_.watches[met.check].isTangent()) {
+  const bool tangent = course_.watches[met.check].isTangent();
+  if (end && !segment.isArc() && ((met.hit.touch && !tangent) || !isContact(met, *end))) {
     end = closer(a, segment, met, *end);
   }
   return end;
+}
+
+/// Where the path without tolerances stops. Cut vectors end anywhere in their bands, and the next
+/// to rounding tells them apart: what is measured here is the same however the motion came.
+Vec3 StopFinder::withoutTolerances(const PathPoint& a, const Segment& segment, const Met& met) {
+  const Vec3 onChord = segment.at(0.5 * (met.hit.low + met.hit.high));
+  if (course_.exact) {
+    return onChord;
+  }
+  for (Guide& g : course_.path.guides) {
+    g.rest = 0.5 * (g.outer - g.inner);
+  }
+  const auto there = meet(course_.path, a, segment, course_.watches[met.check], met.hit, 0.0);
+  return there ? there->toolEnd : onChord;
 }
 
 /// A stop must be within the tolerance: a touch may be a near miss.
@@ -69,10 +82,15 @@ bool StopFinder::isWithin(const PathPoint& a, const Met& met) const {
   return -state_.inner[role] <= gap && gap <= state_.outer[role];
 }
 
+bool StopFinder::mayBeBeyond() const {
+  return std::any_of(course_.watches.begin(), course_.watches.end(),
+                     [](const CheckWatch& w) { return w.mayBeWithin(); });
+}
+
 std::optional<Found> StopFinder::find(const PathPoint& a, const Segment& segment) {
   auto& watches = course_.watches;
   if (std::all_of(watches.begin(), watches.end(),
-                  [&](const CheckWatch& w) { return w.isFree(segment); })) {
+                  [&](const CheckWatch& w) { return w.isFarFrom(segment); })) {
     for (CheckWatch& w : watches) {
       w.pass(segment);
     }
@@ -177,9 +195,9 @@ void StopFinder::keep() {
   }
 }
 
-void StopFinder::restore() {
+void StopFinder::restore(const std::vector<CheckWatch::Progress>& kept) {
   for (std::size_t i = 0; i < course_.watches.size(); ++i) {
-    course_.watches[i].restore(kept_[i]);
+    course_.watches[i].restore(kept[i]);
   }
 }
 

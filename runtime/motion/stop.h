@@ -35,17 +35,25 @@ class StopFinder {
   /// tolerance of the check surface.
   [[nodiscard]] bool isWithin(const PathPoint& a, const Met& met) const;
 
+  /// True where the last segment may have ended within the tolerance of a check surface.
+  [[nodiscard]] bool mayBeBeyond() const;
+
   /// True where the path along curved surfaces is a straight line on which no check surface is met;
   /// the watches know it then.
   [[nodiscard]] bool isEndless();
 
   /// Puts the watches back to where they were before the last segment, to try it again.
-  void restore();
+  void restore() { restore(kept_); }
+  /// Remembers how they were before the last segment, and puts them back to that later.
+  void remember() { remembered_ = kept_; }
+  void recall() { restore(remembered_); }
 
  private:
   void keep();
+  void restore(const std::vector<CheckWatch::Progress>& kept);
   std::optional<Met> scan(const Segment& segment);
   std::optional<PathPoint> stop(const PathPoint& a, const Segment& segment, const Met& met);
+  Vec3 withoutTolerances(const PathPoint& a, const Segment& segment, const Met& met);
   bool isContact(const Met& met, const PathPoint& end);
   std::optional<PathPoint> atRest(const PathPoint& a,
                                   const Segment& segment,
@@ -61,7 +69,7 @@ class StopFinder {
 
   const State& state_;
   Course& course_;
-  std::vector<CheckWatch::Progress> kept_;
+  std::vector<CheckWatch::Progress> kept_, remembered_;
 };
 
 }  // namespace arelem::motion

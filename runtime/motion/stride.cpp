@@ -218,7 +218,7 @@ struct Stride::Trials {
 /// The length to try after one that leaves its band at `b`. Past an inflection the surface bends
 /// the other way than it did: aims at the other edge of the band before shortening the chord.
 void Stride::shorten(Trials& t, double factor, double cap, const PathPoint& a, const PathPoint& b) {
-  const bool turns = !t.looked && learnTurn(a, b);
+  const bool turns = !t.looked && (learnTurn(a, b) | learnSwerve());
   const double behind = behindRidge(a);
   const double shorter = t.tried.shorter(t.length, factor, t.count);
   t.toRidge = behind > t.tried.fits() && behind < mostOfCorner * t.length;
@@ -369,6 +369,21 @@ bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
       g.error = 0.0;
       const double behind = g.bend + g.spread * g.trend;
       turns = turns || (g.bend >= 0.0) != (before >= 0.0) || (behind >= 0.0) != (before >= 0.0);
+    }
+  }
+  return turns;
+}
+
+/// Aims at the edge of the band from which the trial chord swerves least; true where that is not
+/// the one it did.
+bool Stride::learnSwerve() {
+  bool turns = false;
+  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
+    Guide& g = path_.guides[i];
+    const auto& swerve = path_.swerves[i];
+    if (swerve && *swerve != 0.0 && g.aim == 0 && (g.bend >= 0.0) != (*swerve >= 0.0)) {
+      g.startAnew(*swerve);
+      turns = true;
     }
   }
   return turns;

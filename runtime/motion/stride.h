@@ -33,6 +33,7 @@ class Stride {
                                                             const PathPoint& b) const;
   bool turnAims();
   bool learnTurn(const PathPoint& a, const PathPoint& b);
+  bool learnSwerve();
   bool learnCurvature(std::size_t role, const PathPoint& a, const PathPoint& b);
 
   Path& path_;

@@ -47,7 +47,8 @@ std::optional<Vec3> inPlane(const Tilt& tilt,
   const double toSide = second.dot(side);
   const double toMotion = second.dot(forward);
   const double sense = std::abs(toSide) >= std::abs(toMotion) ? toSide : toMotion;
-  const double s = std::copysign(std::sqrt(std::max(0.0, 1.0 - c * c)), tilt.alpha * sense);
+  const double s = std::copysign(std::sqrt(std::max(0.0, 1.0 - c * c)),
+                                 tilt.turn != 0.0 ? tilt.turn : tilt.alpha * sense);
   return Vec3(c * first + s * second);
 }
 }  // namespace
@@ -65,6 +66,11 @@ std::optional<Vec3> tilted(const Tilt& tilt,
   const Vec3 along = forward - forward.dot(normal) * normal - forward.dot(side) * side;
   const Vec3 ahead = along.norm() > 0.0 ? Vec3(along.normalized()) : Vec3(normal.cross(side));
   return tilt.across ? inPlane(tilt, normal, side, ahead) : inSpace(tilt, normal, side, ahead);
+}
+
+double turnAbout(const Vec3& across, const Vec3& normal, const Vec3& axis) {
+  const double sine = across.dot(normal.cross(axis));
+  return std::abs(sine) <= tolerance::symmetric ? 0.0 : std::copysign(1.0, sine);
 }
 
 std::string whyNotTilted(const Tilt& tilt, const Vec3& normal, const Vec3& other) {

@@ -175,7 +175,7 @@ Contact contactOf(const surface::Sphere& s,
 }
 
 /// Across a cylinder that lies square to the tool axis the cutter is its profile, and the cylinder
-/// a circle.
+/// a circle. The face on top does not cut, but seen along the cylinder its rim lies all over it.
 Contact contactOf(const surface::Cylinder& s,
                   double side,
                   const Profile& cutter,
@@ -201,6 +201,11 @@ Contact contactOf(const surface::Cylinder& s,
       return {z - top.z - s.radius, -axis, te + onRim + top.z * axis};
     }
     const double distance = distanceTo(cutter, {rho, z}, q);
+    const ProfilePoint& top = cutter.sideEnd;
+    if (z > top.z && z - top.z < distance && rho < top.rho) {
+      const double along = std::sqrt(top.rho * top.rho - rho * rho);
+      return {z - top.z - s.radius, -axis, te + rho * out + along * s.axis + top.z * axis};
+    }
     const double scale = distance != 0.0 ? 1.0 / distance : 1.0;
     return {distance - s.radius, scale * ((q.rho - rho) * out + (q.z - z) * axis),
             te + q.rho * out + q.z * axis};

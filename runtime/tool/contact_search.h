@@ -75,6 +75,8 @@ class ContactSearch {
   static constexpr int angles = 16;
   /// Cosine of one and a half steps between the angles of the grid.
   static constexpr double besideContact = 0.83;
+  /// Of the radius at which the cone of a drill ends: where its point ends, and its corner begins.
+  static constexpr double pointShare = 0.25, mostOfCone = 0.9;
   /// Share of the lead over the places of the grid that those between them leave.
   static constexpr double trustedShare = 0.5;
 
@@ -241,11 +243,14 @@ class ContactSearch {
   };
 
   /// The lowest of its neighbors; of equal ones the first. A row on the axis, the same all around,
-  /// does not tell where the others are low.
-  static bool isLow(const Grid& grid, const SurveyRows& all, std::size_t row, int k) {
+  /// does not tell where the others are low; nor does the corner of a drill for the cone above it,
+  /// on which a hollow may come nearer between its ends.
+  bool isLow(const Grid& grid, const SurveyRows& all, std::size_t row, int k) const {
+    const bool onCone = cutter_.alpha > 0.0 && all.list[row].piece == SurveyRow::bottom;
     for (int dr = -1; dr <= 1; ++dr) {
       const auto r = static_cast<std::size_t>(static_cast<int>(row) + dr);
-      const bool tells = r == row || (r < all.count && all.list[r].q.rho > 0.0);
+      const bool tells = r == row || (r < all.count && all.list[r].q.rho > 0.0 &&
+                                      !(onCone && all.list[r].piece != SurveyRow::bottom));
       for (int dk = -1; dk <= 1 && tells; ++dk) {
         const int neighbor = (k + dk + angles) % angles;
         const bool before = r < row || (r == row && neighbor < k);
@@ -294,8 +299,8 @@ class ContactSearch {
     }
     search_.toward = toward;
     search_.hint = hint;
-    const bool atPoint = isAtPoint(best.point);
-    const double others = std::min({skipped, leastBeside(grid, all, directions, toward, atPoint),
+    const Zone zone = zoneOf(best.point);
+    const double others = std::min({skipped, leastBeside(grid, all, directions, toward, zone),
                                     leastApart(lows, best, toward)});
     search_.lead = trustedShare * (others - best.gap);
     search_.leadGap = best.gap + search_.lead;
@@ -304,9 +309,14 @@ class ContactSearch {
     return best;
   }
 
-  /// The point of a drill and its rim are apart, though in one direction from the axis.
-  bool isAtPoint(const Vec3& place) const {
-    return cutter_.alpha > 0.0 && (place - te_).cross(axis_).norm() < 0.25 * cutter_.bottomEnd.rho;
+  /// The point of a drill, its cone and its corner are apart, though in one direction from the
+  /// axis.
+  enum class Zone { point, cone, corner };
+  Zone zoneOf(const Vec3& place) const {
+    const double out = (place - te_).cross(axis_).norm();
+    return cutter_.alpha == 0.0 || out >= mostOfCone * cutter_.bottomEnd.rho ? Zone::corner
+           : out < pointShare * cutter_.bottomEnd.rho                        ? Zone::point
+                                                                             : Zone::cone;
   }
 
   /// The least minimum that is another contact: between two places of the grid the tool is nearer.
@@ -316,7 +326,7 @@ class ContactSearch {
     for (std::size_t i = 0; i < lows.count; ++i) {
       const Low& low = lows.list[i];
       const bool beside = below(low.point) && low.toward.dot(toward) >= besideContact &&
-                          isAtPoint(low.point) == isAtPoint(best.point);
+                          zoneOf(low.point) == zoneOf(best.point);
       if (!(beside && below(best.point)) &&
           (low.point - best.point).norm() > tolerance::coincidence) {
         least = std::min(least, low.gap);
@@ -325,22 +335,24 @@ class ContactSearch {
     return least;
   }
 
-  /// The least distance of the grid but for the bottom and the corner next to the contact. Of point
-  /// and rim of a drill the one that does not touch (`atPoint`) counts.
+  /// The least distance of the grid but for the bottom and the corner next to the contact. Of
+  /// point, cone and corner of a drill those that do not touch count.
   double leastBeside(const Grid& grid,
                      const SurveyRows& all,
                      const std::array<Vec3, angles>& directions,
                      const Vec3& toward,
-                     bool atPoint) const {
+                     Zone zone) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < all.count; ++r) {
       const SurveyRow& row = all.list[r];
       if (row.piece != SurveyRow::side && row.q.rho == 0.0) {
-        least = cutter_.alpha > 0.0 && !atPoint ? std::min(least, grid[r][0]) : least;
+        least = cutter_.alpha > 0.0 && zone != Zone::point ? std::min(least, grid[r][0]) : least;
         continue;
       }
-      const bool apart =
-          row.piece == SurveyRow::side || (atPoint && row.piece == SurveyRow::corner);
+      const bool onCone = cutter_.alpha > 0.0 && row.piece == SurveyRow::bottom;
+      const bool apart = row.piece == SurveyRow::side ||
+                         (row.piece == SurveyRow::corner && zone != Zone::corner) ||
+                         (onCone && zone != Zone::cone);
       for (std::size_t k = 0; k < angles; ++k) {
         if (apart || directions[k].dot(toward) < besideContact) {
           least = std::min(least, grid[r][k]);

@@ -207,6 +207,19 @@ class Certify(ArelemCase):
         self.assertExit(5, "verify", "s.apt", "s.jsonl")
         self.assertIn("`L1` at", self.err)
 
+    def test_a_startup_that_is_too_low_does_not_put_the_tool_end_on_the_part(self):
+        # The rim of the flat tool touches the leaning plane; 3.75 lower the tool end is on it, which no word asks for.
+        records = self.records("OUTTOL/.01\nCUTTER/10\nPS=PLANE/-.6,0,.8,0\nDS=PLANE/0,1,0,0\nFROM/-20,0,20\n"
+                               "GO/ON,DS,TO,PS,ON,(PLANE/1,0,0,-10)\nINDIRV/1,0,0\n"
+                               "TLON,GOFWD/DS,ON,(PLANE/1,0,0,10)\nFINI\n")
+        startup = next(r for r in records if r["kind"] == "GOTO")
+        startup["points"][0][2] -= 3.75
+        self.store(records)
+        self.assertExit(5, "verify", "s.apt", "s.jsonl")
+        self.assertIn("E0914", self.err)
+        self.assertIn("3 inside `PS` at (-10, 0, -7.5) on cut vector 1", self.err)
+        self.assertNotIn("E0905", self.err)
+
     def test_a_chord_that_gouges_between_good_ends_is_refuted(self):
         records = self.records()
         motion = next(r for r in records if r["isn"] == 12 and r["kind"] == "GOTO")

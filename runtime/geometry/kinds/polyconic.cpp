@@ -50,8 +50,8 @@ Vec3 Polyconic::Sheet::normalAt(double s, const SheetPlace& p) const {
   Vec3 across = p.byG.cross(p.byF);
   if (across.norm() <= noArea * p.byF.squaredNorm()) {
     across = p.byFG.cross(p.byF);
-  } else if (form_.hasNose() && s < 0.0) {
-    across = -across;
+  } else {
+    across *= upwards(s);
   }
   const double length = across.norm();
   return length > 0.0 ? Vec3(mirrored_ / length * across) : Vec3(p.byF.unitOrthogonal());
@@ -127,13 +127,12 @@ Bends Polyconic::bends(const Vec3&, const Foot& foot, double radius, const Hint&
   const double away = std::abs(distance);
   const Bends any = bendsOfAnySet(distance, radius);
   // Feet of all places within the radius lie within 2 (|distance| + radius) of the foot.
-  const auto range = sheet_->curvatures(hint, 2.0 * (away + radius));
-  if (!range) {
+  const Sheet::Part part = sheet_->about(hint, 2.0 * (away + radius));
+  if (!part.curvatures) {
     return any;
   }
-  const double sharpest = std::max(std::abs(range->low), std::abs(range->high));
-  return both(any,
-              bendsOfCurvature(*range, distance, radius, sharpest * (away + 3.0 * radius) < 1.0));
+  return both(any, bendsOfCurvature(*part.curvatures, distance, radius,
+                                    part.alone && part.sharpest * (away + 3.0 * radius) < 1.0));
 }
 
 }  // namespace arelem::surface

@@ -18,6 +18,8 @@ using Box = std::array<Interval, 3>;
 constexpr double widest = 0.45;
 /// It is taken in parts that reach at most this far.
 constexpr double narrow = 0.04;
+/// A patch is taken in at most so many by so many.
+constexpr int mostParts = 4;
 /// The first form of a part of the sheet that is bounded changes by at most this share, and ways
 /// along it are at most this many times as long as straight ones.
 constexpr double mostChange = 0.5;
@@ -95,9 +97,9 @@ std::optional<Polyconic::Sheet::Range> Polyconic::Sheet::over(const Interval& s,
   return range;
 }
 
-std::optional<Polyconic::Sheet::Range> Polyconic::Sheet::about(const Hint& middle,
-                                                               double halfS,
-                                                               double halfT) const {
+std::optional<Polyconic::Sheet::Range> Polyconic::Sheet::around(const Hint& middle,
+                                                                double halfS,
+                                                                double halfT) const {
   const Interval byS(-halfS, halfS);
   const Interval byT(-halfT, halfT);
   auto range = over(Interval(middle.s) + byS, Interval(middle.t) + byT);
@@ -121,6 +123,16 @@ namespace {
 struct Square {
   double e, f, k;
 
+  /// None where the sheet has no direction.
+  [[nodiscard]] static std::optional<Square> of(const SheetPlace& place) {
+    const double ss = place.byF.squaredNorm();
+    const double st = place.byF.dot(place.byG);
+    const double tt = place.byG.squaredNorm() - st * st / ss;
+    if (!(ss > 0.0 && tt > noArea * noArea * ss)) {
+      return std::nullopt;
+    }
+    return Square{std::sqrt(ss), std::sqrt(tt), st / ss};
+  }
   /// Half widths of s and t over a circle of x and y.
   [[nodiscard]] double halfS(double way) const { return way / e + std::abs(k) * way / f; }
   [[nodiscard]] double halfT(double way) const { return way / f; }
@@ -130,7 +142,8 @@ struct Square {
 /// matrix, and of the second times the area.
 struct Forms {
   Interval exx, exy, eyy, lxx, lxy, lyy;
-  Interval upright;  ///< how far normals go along the middle one, times the area
+  Interval upright;    ///< how far normals go along the middle one, times the area
+  double leans = 0.0;  ///< how far they are from it, times the area
 
   template <class Range>
   Forms(const Range& box, const Square& q, const Vec3& normal) {
@@ -148,64 +161,125 @@ struct Forms {
     lxy = dot(across, xy);
     lyy = dot(across, yy);
     upright = dot(across, {normal.x(), normal.y(), normal.z()});
+    leans = std::hypot((across[0] - normal.x()).size(), (across[1] - normal.y()).size(),
+                       (across[2] - normal.z()).size());
   }
   void widen(const Forms& o) {
     for (Interval Forms::*m : {&Forms::exx, &Forms::exy, &Forms::eyy, &Forms::lxx, &Forms::lxy,
                                &Forms::lyy, &Forms::upright}) {
       this->*m = geometry::hull(this->*m, o.*m);
     }
+    leans = std::max(leans, o.leans);
+  }
+  /// The first form is nearly the unit matrix, and the eigenvalues of the second nearly the
+  /// curvatures, positive where the sheet bends towards byG x byF. None where it changes too much.
+  [[nodiscard]] std::optional<Bends> curvatures() const {
+    const Interval change = eigenvalues(exx, exy, eyy);
+    if (!(change.size() <= mostChange && upright.low > 0.0)) {
+      return std::nullopt;
+    }
+    const Interval second = eigenvalues(lxx, lxy, lyy);
+    // The area is the root of the determinant of the first form.
+    const double least = 1.0 + change.low;
+    const double most = 1.0 + change.high;
+    const auto farthest = [&](double value, bool upwards) {
+      const bool outwards = (value > 0.0) == upwards;
+      return value / (outwards ? least * least : most * most);
+    };
+    return Bends{farthest(second.low, false), farthest(second.high, true)};
   }
 };
+
+/// Of a sheet that bends towards byG x byF: whether its normal goes there or back.
+Bends seenFrom(double upwards, const Bends& bent) {
+  return upwards < 0.0 ? bent : Bends{-bent.high, -bent.low};
+}
 }  // namespace
 
-/// The first form is nearly the unit matrix all over the box, and the eigenvalues of the second
-/// nearly the curvatures. The box is taken in parts: intervals widen faster than it does.
-std::optional<Bends> Polyconic::Sheet::curvatures(const Hint& middle, double reach) const {
+/// The box is taken in parts: intervals widen faster than it does.
+std::optional<Bends> Polyconic::Sheet::curvatures(const Hint& middle,
+                                                  double reach,
+                                                  int most) const {
   const SheetPlace place = at(middle.s, middle.t);
-  const double ss = place.byF.squaredNorm();
-  const double st = place.byF.dot(place.byG);
-  const double tt = place.byG.squaredNorm() - st * st / ss;
-  if (!(ss > 0.0 && tt > noArea * noArea * ss)) {
+  const auto square = Square::of(place);
+  if (!square) {
     return std::nullopt;
   }
-  const Square square{std::sqrt(ss), std::sqrt(tt), st / ss};
   const double way = sheetSlack * reach;
-  const double halfS = square.halfS(way);
-  const double halfT = square.halfT(way);
+  const double halfS = square->halfS(way);
+  const double halfT = square->halfT(way);
   if (!(std::max(halfS, halfT) <= widest)) {
     return std::nullopt;
   }
   const int byS = static_cast<int>(std::ceil(halfS / narrow));
   const int byT = static_cast<int>(std::ceil(halfT / narrow));
+  if (byS * byT > most) {
+    return std::nullopt;
+  }
   const Vec3 normal = form_.rows * place.byG.cross(place.byF).normalized() * mirrored_;
   std::optional<Forms> forms;
   for (int i = 0; i < byS; ++i) {
     for (int j = 0; j < byT; ++j) {
       const Hint center{true, middle.s + halfS * ((2 * i + 1.0) / byS - 1.0),
                         middle.t + halfT * ((2 * j + 1.0) / byT - 1.0)};
-      const std::optional<Range> box = about(center, halfS / byS, halfT / byT);
+      const std::optional<Range> box = around(center, halfS / byS, halfT / byT);
       if (!box) {
         return std::nullopt;
       }
-      const Forms part(*box, square, normal);
+      const Forms part(*box, *square, normal);
       forms ? forms->widen(part) : void(forms = part);
     }
   }
-  const Interval change = eigenvalues(forms->exx, forms->exy, forms->eyy);
-  if (!(change.size() <= mostChange && forms->upright.low > 0.0)) {
+  const auto bent = forms->curvatures();
+  return bent ? std::optional(seenFrom(upwards(middle.s), *bent)) : std::nullopt;
+}
+
+std::optional<Polyconic::Sheet::Turned> Polyconic::Sheet::turnedAbout(const Hint& middle,
+                                                                      double halfS,
+                                                                      double halfT) const {
+  const SheetPlace place = at(middle.s, middle.t);
+  const auto square = Square::of(place);
+  const auto box = square ? around(middle, halfS, halfT) : std::nullopt;
+  if (!box) {
     return std::nullopt;
   }
-  const Interval second = eigenvalues(forms->lxx, forms->lxy, forms->lyy);
-  // The area is the root of the determinant of the first form.
-  const double least = 1.0 + change.low;
-  const double most = 1.0 + change.high;
-  const auto farthest = [&](double value, bool upwards) {
-    const bool outwards = (value > 0.0) == upwards;
-    return value / (outwards ? least * least : most * most);
+  const Vec3 normal = form_.rows * place.byG.cross(place.byF).normalized() * mirrored_;
+  const Forms forms(*box, *square, normal);
+  const auto bent = forms.curvatures();
+  if (!bent || !(forms.leans <= mostChange)) {
+    return std::nullopt;
+  }
+  // A unit vector is as far from another as twice the sine of half the angle, and `leans` at least
+  // the sine of it.
+  const double spread = forms.leans / std::sqrt(1.0 - 0.25 * forms.leans * forms.leans);
+  return Turned{true, seenFrom(upwards(middle.s), *bent), upwards(middle.s) * normal, spread};
+}
+
+Polyconic::Sheet::Turned Polyconic::Sheet::turnedOver(const Interval& s, const Interval& t) const {
+  const auto partsOf = [](const Interval& x) {
+    return std::clamp(static_cast<int>(std::ceil(x.half() / narrow)), 1, mostParts);
   };
-  const double low = farthest(second.low, false);
-  const double high = farthest(second.high, true);
-  return form_.hasNose() && middle.s < 0.0 ? Bends{low, high} : Bends{-high, -low};
+  const int byS = partsOf(s);
+  const int byT = partsOf(t);
+  std::vector<Turned> parts;
+  for (int i = 0; i < byS; ++i) {
+    for (int j = 0; j < byT; ++j) {
+      const Hint center{true, s.low + s.half() * (2 * i + 1.0) / byS,
+                        t.low + t.half() * (2 * j + 1.0) / byT};
+      const auto part = turnedAbout(center, s.half() / byS, t.half() / byT);
+      if (!part) {
+        return {};
+      }
+      parts.push_back(*part);
+    }
+  }
+  Turned all = parts[parts.size() / 2];
+  for (const Turned& part : parts) {
+    all.curvatures.low = std::min(all.curvatures.low, part.curvatures.low);
+    all.curvatures.high = std::max(all.curvatures.high, part.curvatures.high);
+    all.spread = std::max(all.spread, (part.normal - all.normal).norm() + part.spread);
+  }
+  return all;
 }
 
 }  // namespace arelem::surface

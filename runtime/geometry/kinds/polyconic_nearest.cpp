@@ -50,6 +50,7 @@ Polyconic::Sheet::Sheet(const geometry::Polyconic& form)
       properLow_(form.properEnd(geometry::Polyconic::Part::before)),
       properHigh_(form.properEnd(geometry::Polyconic::Part::behind)) {
   const double high = geometry::Polyconic::high;
+  findEnds();
   edgesS_ = bordersOf(form.low(), high, form.hasRoots() ? 2 * patchesOfS : patchesOfS, properLow_,
                       properHigh_);
   edgesT_ = bordersOf(0.0, 1.0, patchesOfT, -unbounded, unbounded);
@@ -63,6 +64,15 @@ Polyconic::Sheet::Sheet(const geometry::Polyconic& form)
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     alone_[i].store(-1.0, std::memory_order_relaxed);
   }
+  Hull all{at(form_.low(), 0.0).place};
+  for (const double s : {form_.low(), 0.0, high}) {
+    for (const double t : {0.0, 0.5, 1.0}) {
+      all.widen({at(s, t).place});
+    }
+  }
+  width_ = 2.0 * all.half.norm();
+  turned_ = std::make_unique<LateTurned[]>(patches_.size());
+  around_ = std::make_unique<Surroundings[]>(patches_.size());
 }
 
 Polyconic::Sheet::Number Polyconic::Sheet::numberAt(const Hint& at) const {
@@ -71,7 +81,7 @@ Polyconic::Sheet::Number Polyconic::Sheet::numberAt(const Hint& at) const {
 
 double Polyconic::Sheet::squaredAlone(const Number& number) const {
   const int columns = static_cast<int>(edgesT_.size()) - 1;
-  const auto here = static_cast<std::size_t>(number.row * columns + number.column);
+  const std::size_t here = indexOf(number);
   double least = alone_[here].load(std::memory_order_relaxed);
   if (least >= 0.0) {
     return least;
@@ -94,7 +104,7 @@ Polyconic::Sheet::Patch Polyconic::Sheet::patchOver(const Interval& s, const Int
                                        geometry::Polyconic::along(middle.t));
   patch.middle = patch.on = Vec3(center[0].value, center[1].value, center[2].value);
   patch.half = Vec3::Constant(unbounded);
-  if (const auto range = about(middle, s.half(), t.half())) {
+  if (const auto range = around(middle, s.half(), t.half())) {
     for (int i = 0; i < 3; ++i) {
       const auto axis = static_cast<std::size_t>(i);
       patch.half[i] = range->s[axis].size() * s.half() + range->t[axis].size() * t.half();
@@ -148,6 +158,13 @@ Polyconic::Sheet::Lows Polyconic::Sheet::lows(const Vec3& q,
                                               double upper,
                                               const Number& known) const {
   const int columns = static_cast<int>(edgesT_.size()) - 1;
+  if (upper == unbounded) {
+    // The middles of patches are on the sheet, and beyond by less than rounding is as near.
+    for (const Patch& patch : patches_) {
+      upper = std::min(upper, (q - patch.on).squaredNorm());
+    }
+    upper *= 1.0 + asNear;
+  }
   Lows found;
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
     if (rows_[static_cast<std::size_t>(row)].squaredFrom(q) >= upper) {
@@ -174,7 +191,7 @@ Polyconic::Sheet::Reached Polyconic::Sheet::nearest(const Vec3& p, const Reached
   const Number number = isKnown ? numberAt(known->at) : Number{noPatch, noPatch};
   double best = isKnown ? (p - known->place.place).squaredNorm() : unbounded;
   // All that is nearer is at most twice as far from the foot.
-  if (isKnown && 4.0 * best <= squaredAlone(number)) {
+  if (isKnown && (4.0 * best <= squaredAlone(number) || isNearest(p, *known, number))) {
     return *known;
   }
   best *= 1.0 - asNear;

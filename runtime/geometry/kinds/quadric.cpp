@@ -16,11 +16,17 @@ constexpr int bisectionLimit = 200;
 constexpr double rounding = 1e-14;
 /// Slack of the test for the nearest point, which is an equality on the medial axis.
 constexpr double medial = 1e-9;
+/// This near to the medial axis a place is on it, as a share of its coordinates.
+constexpr double amidst = 1e-14;
+/// A multiplier that changes by less than this share is found.
+constexpr double lastMultiplier = 1e-15;
 /// Newton over the multiplier keeps this far from the ends of its interval, as a share of it.
 constexpr double nearEnd = 0.05;
 /// A foot that moves by this share of its coordinates is found: Newton's next step is the square of
 /// that.
 constexpr double lastMove = 1e-9;
+/// Moves below this that get no smaller are rounding.
+constexpr double settled = 1e-13;
 /// Share of the gradient by which it may change for the surface to count as a graph.
 constexpr double graphShare = 0.5;
 }  // namespace
@@ -44,6 +50,7 @@ Quadric::Quadric(const Eigen::Matrix3d& matrix, const Vec3& linear, double const
 Quadric::Candidate Quadric::refine(const Vec3& p, const Vec3& start) const {
   Candidate c{false, start, 0.0};
   const Vec3 first = gradient(start);
+  double before = tolerance::farAway;
   c.multiplier = first.squaredNorm() > 0.0 ? (p - start).dot(first) / first.squaredNorm() : 0.0;
   for (int i = 0; i < newtonLimit; ++i) {
     const Vec3 slope = gradient(c.point);
@@ -60,10 +67,12 @@ Quadric::Candidate Quadric::refine(const Vec3& p, const Vec3& start) const {
     }
     c.point -= step.head<3>();
     c.multiplier -= step[3];
-    if (step.head<3>().norm() <= 1e-15 * (1.0 + c.point.norm())) {
+    const double moved = step.head<3>().norm() / (1.0 + c.point.norm());
+    if (moved <= 1e-15 || (moved <= settled && moved >= 0.5 * before)) {
       c.good = isNearest(c.multiplier);
       return c;
     }
+    before = moved;
   }
   return c;
 }
@@ -85,6 +94,28 @@ struct FootCurve {
   [[nodiscard]] double value(double m) const {
     const Vec3 q = at(m);
     return q.dot(roots.cwiseProduct(q)) + 2.0 * linear.dot(q) + constant;
+  }
+  /// The step of Newton on F there; not finite where F is level.
+  [[nodiscard]] double newton(double m, double there) const {
+    const Vec3 half = roots.cwiseProduct(at(m)) + linear;
+    return there / (4.0 * half.dot(half.cwiseQuotient(Vec3::Ones() + 2.0 * m * roots)));
+  }
+  /// The zero of F between two multipliers, at the first of which it has the sign of `rising`: by
+  /// Newton, and by halves where that leads out.
+  [[nodiscard]] double zeroBetween(double inner, double outer, bool rising) const {
+    double m = 0.5 * (inner + outer);
+    for (int k = 0; k < bisectionLimit; ++k) {
+      const double there = value(m);
+      ((there > 0.0) == rising ? inner : outer) = m;
+      const double next = m + newton(m, there);
+      const bool inside = next > std::min(inner, outer) && next < std::max(inner, outer);
+      const double last = m;
+      m = inside ? next : 0.5 * (inner + outer);
+      if (std::abs(m - last) <= lastMultiplier * std::abs(m) || m == inner || m == outer) {
+        break;
+      }
+    }
+    return m;
   }
   /// Newton on F from a multiplier. Gives up near the ends of the interval in which the foot is the
   /// nearest.
@@ -138,12 +169,19 @@ Vec3 Quadric::search(const Vec3& p) const {
   const int i = rising ? 0 : 2;
   const bool ends = rising ? roots_[0] < -flat_ : roots_[2] > flat_;
   const double end = ends ? -0.5 / roots_[i] : 0.0;
+  const bool isAmidst = ends && std::abs(curve.place[i] - 2.0 * end * curve.linear[i]) <=
+                                    amidst * (1.0 + curve.place.norm());
+  if (const auto q = isAmidst ? curve.onMedialAxis(i, end) : std::nullopt) {
+    return axes_ * *q;
+  }
   // From 0 towards the end until the sign changes.
+  const double first = std::abs(curve.newton(0.0, curve.value(0.0)));
+  const double least = std::isfinite(first) && first > 0.0 ? first : std::ldexp(1.0, -60);
   double inner = 0.0;
   double outer = 0.0;
-  for (int k = 1; k <= bisectionLimit; ++k) {
+  for (int k = 0; k < bisectionLimit; ++k) {
     inner = outer;
-    outer = ends ? end * (1.0 - std::ldexp(1.0, -k)) : std::ldexp(rising ? 1.0 : -1.0, k - 60);
+    outer = ends ? end * (1.0 - std::ldexp(1.0, -1 - k)) : std::ldexp(rising ? least : -least, k);
     if ((ends && outer == end) || (curve.value(outer) > 0.0) != rising) {
       break;
     }
@@ -153,14 +191,7 @@ Vec3 Quadric::search(const Vec3& p) const {
     // No real point: a quadric without a surface is met nowhere.
     return q ? Vec3(axes_ * *q) : Vec3(p + tolerance::farAway * Vec3::UnitZ());
   }
-  for (int k = 0; k < bisectionLimit; ++k) {
-    const double middle = 0.5 * (inner + outer);
-    if (middle == inner || middle == outer) {
-      break;
-    }
-    ((curve.value(middle) > 0.0) == rising ? inner : outer) = middle;
-  }
-  return axes_ * curve.at(outer);
+  return axes_ * curve.at(curve.zeroBetween(inner, outer, rising));
 }
 
 Foot Quadric::foot(const Vec3& p, Hint& hint) const {

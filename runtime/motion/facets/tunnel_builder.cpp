@@ -23,12 +23,15 @@ constexpr double stepReach = 0.125;
 /// Cells shorter than this share of a cut vector are a wall or a cliff.
 constexpr double leastReach = 1e-4;
 constexpr int deepest = 40;
-/// Lists from the tree are made longer or shorter until they are between `few` and `many`.
-constexpr std::size_t few = 60;
-constexpr std::size_t many = 130;
+/// Lists are made longer or shorter until they hold between so many.
+struct Counts {
+  std::size_t few, many, fewNear, manyNear;
+};
+/// Those that are right at any height cost little for each triangle; slabs that are too thin or too
+/// short cost searches of the tree.
+constexpr Counts ofPlaces{60, 130, 6, 14};
+constexpr Counts ofSlabs{100, 220, 30, 60};
 constexpr std::size_t most = 4000;
-constexpr std::size_t fewNear = 6;
-constexpr std::size_t manyNear = 14;
 constexpr double growth = 1.4;
 constexpr double firstWide = 0.06, firstNear = 0.01;
 constexpr double mostShare = 4.0;
@@ -163,7 +166,9 @@ bool TunnelBuilder::gather() {
     if (!resume(highest)) {
       return false;
     }
-    wide_.length = better(wide_.length, heights_->count(Among::wide), few, many, shortest_);
+    const Counts& counts = heights_->isOfAnyHeight() ? ofPlaces : ofSlabs;
+    wide_.length =
+        better(wide_.length, heights_->count(Among::wide), counts.few, counts.many, shortest_);
     near_.way.to.s = here.s;
     return true;
   }
@@ -215,8 +220,9 @@ bool TunnelBuilder::focus() {
       continue;
     }
     heights_->focus(near_.way);
-    near_.length = better(near_.length, heights_->count(Among::near), fewNear, manyNear,
-                          nearReach * shortest_);
+    const Counts& counts = heights_->isOfAnyHeight() ? ofPlaces : ofSlabs;
+    near_.length = better(near_.length, heights_->count(Among::near), counts.fewNear,
+                          counts.manyNear, nearReach * shortest_);
     return true;
   }
 }

@@ -40,10 +40,13 @@ TouchHeight UprightHeights::heightOf(std::uint32_t index, const tool::Touch& tou
   return {index, touch.z, {base, n.x(), n.z()}, 0.0, false};
 }
 
+/// A side that ends below where it would touch touches lower, if at all: what is touched higher
+/// makes that no matter.
 std::optional<TouchNode> UprightHeights::wideNode(double s) {
   TouchNode node;
   node.s = s;
   double best = nowhere;
+  bool beyond = false;
   for (std::uint32_t i = 0; i < list_.size(); ++i) {
     if (list_.known(i, s) <= best) {
       continue;
@@ -52,24 +55,26 @@ std::optional<TouchNode> UprightHeights::wideNode(double s) {
     if (!touch || touch->z <= best) {
       continue;
     }
-    if (touch->beyond) {
-      return std::nullopt;
-    }
-    node.add(heightOf(i, *touch));
     best = touch->z;
+    beyond = touch->beyond;
+    if (!beyond) {
+      node.add(heightOf(i, *touch));
+    }
   }
-  return best == nowhere || node.highest().isSteep() ? std::nullopt : std::optional(node);
+  return best == nowhere || beyond || node.highest().isSteep() ? std::nullopt : std::optional(node);
 }
 
 std::optional<TouchNode> UprightHeights::nearNode(double s) {
   TouchNode node;
   node.s = s;
   double best = nowhere;
+  bool beyond = false;
   list_.heightsAt(s, above_);
   for (int i = 0; i < nodeLimit; ++i) {
     const std::size_t j = greatest(above_);
     if (above_.empty() || above_[j] <= best + rest_) {
-      return best == nowhere || node.highest().isSteep() ? std::nullopt : std::optional(node);
+      return best == nowhere || beyond || node.highest().isSteep() ? std::nullopt
+                                                                   : std::optional(node);
     }
     const std::uint32_t index = list_.near()[j];
     const auto touch = low_.of(list_.facet(index), s);
@@ -77,15 +82,17 @@ std::optional<TouchNode> UprightHeights::nearNode(double s) {
       above_[j] = nowhere;
       continue;
     }
-    if (touch->beyond) {
-      return std::nullopt;
-    }
     if (touch->normal.z() >= usefulRise) {
       list_.addNormal(touch->normal, s, above_);
     }
     above_[j] = std::min(above_[j], touch->z);
-    node.add(heightOf(index, *touch));
-    best = std::max(best, touch->z);
+    if (touch->z > best) {
+      best = touch->z;
+      beyond = touch->beyond;
+    }
+    if (!touch->beyond) {
+      node.add(heightOf(index, *touch));
+    }
   }
   return std::nullopt;
 }

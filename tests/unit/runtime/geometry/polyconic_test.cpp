@@ -232,5 +232,38 @@ TEST(PolyconicSurface, BendsAreNarrow) {
   EXPECT_LE(b.high, 0.6);
 }
 
+// A cutter's reach above a gentle arch that grows: bounds from its patches hold all bends, and are
+// not much wider than these.
+TEST(PolyconicSurface, BendsHoldOverAWideReach) {
+  std::vector<double> canon = quarter(100.0, 0, -45.0, 90.0);
+  for (std::size_t i = 0; i < 6; ++i) {
+    canon[17 + 8 * i] = -0.1 * canon[16 + 8 * i];
+  }
+  const surface::Polyconic s = of(canon);
+  Points r;
+  for (int i = 0; i < 20; ++i) {
+    const double angle = r.in(1.2, 1.9);
+    const double outwards = i % 2 == 0 ? r.in(1.0, 6.0) : r.in(-6.0, -1.0);
+    const Vec3 p(r.in(-20, 20), (95 + outwards) * std::cos(angle),
+                 (95 + outwards) * std::sin(angle));
+    constexpr double radius = 6.0;
+    surface::Polyconic::Hint hint;
+    const surface::Foot foot = s.foot(p, hint);
+    const surface::Bends b = s.bends(p, foot, radius);
+    EXPECT_GE(b.low, -0.02) << p.transpose();
+    EXPECT_LE(b.high, 0.05) << p.transpose();
+    for (int k = 0; k < 50; ++k) {
+      const Vec3 way(r.in(-1, 1), r.in(-1, 1), r.in(-1, 1));
+      const Vec3 q = p + radius * r.in(0, 1) * way.normalized();
+      const Vec3 t = Vec3(r.in(-1, 1), r.in(-1, 1), r.in(-1, 1)).normalized();
+      surface::Polyconic::Hint there;
+      const surface::Foot of = s.foot(q, there);
+      const double bend = s.bend(q, of, t, there);
+      EXPECT_GE(bend, b.low - 1e-9) << q.transpose();
+      EXPECT_LE(bend, b.high + 1e-9) << q.transpose();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace arelem

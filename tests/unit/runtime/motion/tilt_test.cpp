@@ -58,6 +58,18 @@ TEST(Tilt, FourAxesStaySquareToTheVector) {
   expectAxis(tilted(tilt, slanting, Vec3(0, 1, -1).normalized(), Vec3::UnitX()), {0, 0, 1});
 }
 
+TEST(Tilt, FourAxesKeepTheirSense) {
+  Tilt tilt;
+  tilt.alpha = 30 * degree;
+  tilt.across = Vec3(Vec3::UnitX());
+  const auto axis = tilted(tilt, Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX());
+  ASSERT_TRUE(axis);
+  tilt.turn = turnAbout(*tilt.across, Vec3::UnitZ(), *axis);
+  EXPECT_EQ(tilt.turn, -1.0);
+  expectAxis(tilted(tilt, Vec3::UnitZ(), -Vec3::UnitY(), Vec3::UnitX()), *axis);
+  EXPECT_EQ(turnAbout(*tilt.across, Vec3::UnitZ(), Vec3::UnitZ()), 0.0);
+}
+
 TEST(Tilt, ParallelNormalsLeaveNoAxis) {
   Tilt tilt;
   tilt.alpha = 30 * degree;

@@ -1,26 +1,13 @@
 #include "runtime/motion/facets/tunnel_builder.h"
 
-#include <random>
-
 #include <gtest/gtest.h>
 
 #include "runtime/tool/mesh_contact.h"
+#include "tests/unit/runtime/motion/facets/random_cutters.h"
 
 // The tunnel of a tolerance along facets, against the gaps to all triangles one by one.
 namespace arelem::motion {
 namespace {
-
-const std::vector<std::vector<double>> cutters = {
-    {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, 0.266342, 0.125, 0, 8, 3}};
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double in(double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine_); }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// A rough square from -2 to 2 about z = 0, as a soup: neighbors do not share corners, and one of
 /// `holes` triangles is left out.

@@ -4,26 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/runtime/motion/facets/random_cutters.h"
+
 // What an upright cutter touches first, against the heights of all triangles one by one.
 namespace arelem::motion {
 namespace {
-
-/// Flat, ball, bull-nose, and tapered with a corner arc that is a tangent of the side.
-const std::vector<std::vector<double>> cutters = [] {
-  const double beta = 8.0 * std::acos(-1.0) / 180.0;
-  const double e = 0.375 - 0.125 * (1.0 - std::sin(beta)) / std::cos(beta);
-  return std::vector<std::vector<double>>{
-      {0.75}, {0.75, 0.375}, {1.0, 0.1875}, {0.75, 0.125, e, 0.125, 0, 8, 3}};
-}();
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double in(double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine_); }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// A waved square from -2 to 2 about z = 0 whose corners are moved at random, with a hole where
 /// `hole` triangles are missing; `turned`: it looks down.

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ir/diag/motion.h"
+#include "ir/space/tolerance.h"
+#include "runtime/motion/angle_rule.h"
+#include "runtime/motion/between_contacts.h"
+
+namespace arelem::motion {
+
+namespace {
+/// The contacts depend on the axis and the axis on the contacts' normals: repeated until both
+/// agree.
+class AngleAxis final : public AxisSource {
+ public:
+  AngleAxis(
+      const Tilt& tilt, AngleSide control, AngleSide other, const Vec3& start, const Vec3& forward)
+      : rule_(tilt, std::move(control), std::move(other), forward), last_(start) {}
+
+  Vec3 at(const Vec3& toolEnd) override {
+    if (const auto upright = rule_.onToolEnd(toolEnd, last_)) {
+      return found(*upright);
+    }
+    if (state_ == State::between) {
+      if (const auto followed = between_.follow(toolEnd)) {
+        last_ = *followed;
+        return last_;
+      }
+    }
+    if (const auto near = steadily(toolEnd, last_)) {
+      return found(*near);
+    }
+    Vec3 axis = last_;
+    double before = 2.0, least = before;
+    int idle = 0;
+    bool hurried = false;
+    const int most = inVain_ < mostInVain ? patience : littlePatience;
+    for (repeats_ = 1; repeats_ <= repeatLimit && idle < most; ++repeats_) {
+      const auto next = rule_.step(toolEnd, axis);
+      if (!next) {
+        state_ = State::impossible;
+        return last_;
+      }
+      const double moved = (*next - axis).norm();
+      // Half steps where whole ones go to and fro.
+      axis = moved < slowShare * before ? *next : Vec3((axis + *next).normalized());
+      before = moved;
+      idle = moved < least ? 0 : idle + 1;
+      least = std::min(least, moved);
+      if (moved <= tolerance::rounding) {
+        break;
+      }
+      if (!hurried && moved <= learning) {
+        hurried = true;
+        if (const auto near = steadily(toolEnd, axis)) {
+          return found(*near);
+        }
+      }
+    }
+    state_ = before <= tolerance::symmetric ? State::found : State::restless;
+    if (state_ == State::restless && inVain_ < mostInVain) {
+      auto settled = byNewton(toolEnd, axis);
+      state_ = settled ? State::found : State::between;
+      settled = settled ? settled : between_.find(toolEnd, axis);
+      state_ = settled ? state_ : State::restless;
+      inVain_ = settled ? 0 : inVain_ + 1;
+      axis = settled.value_or(axis);
+    }
+    last_ = axis;
+    return axis;
+  }
+
+  void hold(const Vec3& toolEnd) override {
+    const Vec3 axis = at(toolEnd);
+    if (!fault()) {
+      rule_.hold(toolEnd, axis);
+    }
+  }
+
+  [[nodiscard]] std::optional<Failure> fault() const override {
+    if (state_ == State::impossible) {
+      return fail(diag::AxisImpossible, rule_.tilt().alpha * degrees, rule_.controlName(),
+                  rule_.reason());
+    }
+    return state_ == State::restless ? std::optional(restless()) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<Failure> jump() const override {
+    return state_ == State::between ? std::optional(restless()) : std::nullopt;
+  }
+
+ private:
+  enum class State { found, between, impossible, restless };
+  static constexpr double degrees = 180.0 / std::numbers::pi;
+  [[nodiscard]] Failure restless() const {
+    return fail(diag::AxisDiverges, rule_.tilt().alpha * degrees, rule_.controlName(), repeats_);
+  }
+  static constexpr int repeatLimit = 100;
+  /// Repeats without a smaller move after which there will be none; and where many searches found
+  /// nothing.
+  static constexpr int patience = 12, littlePatience = 5;
+  static constexpr double slowShare = 0.9;
+  /// Of Newton; after so many searches in a row that found nothing there are no more.
+  static constexpr int newtonLimit = 12, mostInVain = 50;
+  /// Steady steps: most of them, the longest one, what is left after each of what was before unless
+  /// it is little and not much more than at first, and what may be left at last; a step is at most
+  /// so many times as long as what is missed.
+  static constexpr int quickLimit = 12;
+  static constexpr double nearEnough = 0.1, quickShare = 0.5, learning = 1e-3, astray = 4.0;
+  static constexpr double stillRounding = 1e-12, mostOfMiss = 20.0;
+  /// Newton ends at what is left of an axis, turns by at most so much at once, and tries steps down
+  /// to this share.
+  static constexpr double newtonMiss = 1e-14, largestTurn = 0.3, leastShare = 1e-3;
+
+  Vec3 found(const Vec3& axis) {
+    state_ = State::found;
+    last_ = axis;
+    return axis;
+  }
+
+  /// The axis that its own normals give back, near one: steps as long as the change of the axis
+  /// that follows with the one before tells, which is learned from steps (Broyden). None where they
+  /// do not come nearer fast.
+  std::optional<Vec3> steadily(const Vec3& toolEnd, Vec3 axis) {
+    Vec3 step = Vec3::Zero(), miss = Vec3::Zero();
+    double first = 0.0;
+    for (int i = 0; i < quickLimit; ++i) {
+      const auto next = rule_.step(toolEnd, axis);
+      if (!next) {
+        break;
+      }
+      const Vec3 missBefore = miss;
+      miss = *next - axis;
+      const double left = miss.norm();
+      if (left <= tolerance::rounding) {
+        return next;
+      }
+      if (i == 0) {
+        first = left;
+      } else {
+        // What was foretold: the axis that follows moves by slope_ times the step.
+        slope_ +=
+            (miss + step - missBefore - slope_ * step) * step.transpose() / step.squaredNorm();
+        const bool isFast = left <= quickShare * missBefore.norm();
+        if (!isFast && left <= stillRounding) {
+          return next;
+        }
+        if (!isFast && left > std::min(learning, astray * first)) {
+          break;
+        }
+      }
+      step = (Eigen::Matrix3d::Identity() - slope_).inverse() * miss;
+      if (!(step.norm() <= mostOfMiss * left)) {
+        slope_.setZero();
+        step = miss;
+      }
+      if (step.norm() > nearEnough) {
+        break;
+      }
+      const Vec3 there = (axis + step).normalized();
+      step = there - axis;
+      axis = there;
+    }
+    slope_.setZero();
+    return std::nullopt;
+  }
+
+  /// The axis that its own normals give back, by Newton: where the place of the contact follows the
+  /// axis by as much as it turns (a ball in a narrow hollow, over an edge), repeats do not come
+  /// nearer.
+  std::optional<Vec3> byNewton(const Vec3& toolEnd, Vec3 axis) {
+    constexpr double h = 1e-6;
+    auto next = rule_.step(toolEnd, axis);
+    for (int i = 0; i < newtonLimit && next; ++i) {
+      const Vec3 miss = *next - axis;
+      if (miss.norm() <= newtonMiss) {
+        return axis;
+      }
+      const Vec3 e1 = axis.unitOrthogonal();
+      const Vec3 e2 = axis.cross(e1);
+      const auto along1 = rule_.step(toolEnd, (axis + h * e1).normalized());
+      const auto along2 = rule_.step(toolEnd, (axis + h * e2).normalized());
+      if (!along1 || !along2) {
+        return std::nullopt;
+      }
+      const Vec3 moved1 = (*along1 - *next) / h;
+      const Vec3 moved2 = (*along2 - *next) / h;
+      slope_ = moved1 * e1.transpose() + moved2 * e2.transpose();
+      const Vec3 d1 = moved1 - e1;
+      const Vec3 d2 = moved2 - e2;
+      Eigen::Matrix2d change;
+      change << d1.dot(e1), d2.dot(e1), d1.dot(e2), d2.dot(e2);
+      const Eigen::Vector2d turn =
+          change.fullPivLu().solve(Eigen::Vector2d(-miss.dot(e1), -miss.dot(e2)));
+      std::optional<Vec3> better;
+      for (double share = std::min(1.0, largestTurn / std::max(turn.norm(), h)); share > leastShare;
+           share *= 0.5) {
+        const Vec3 there = (axis + share * (turn.x() * e1 + turn.y() * e2)).normalized();
+        const auto behind = rule_.step(toolEnd, there);
+        if (behind && (*behind - there).norm() < miss.norm()) {
+          better = there;
+          next = behind;
+          break;
+        }
+      }
+      if (!better) {
+        return miss.norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
+      }
+      axis = *better;
+    }
+    return std::nullopt;
+  }
+
+  AngleRule rule_;
+  BetweenContacts between_{rule_};
+  Vec3 last_;
+  Eigen::Matrix3d slope_ = Eigen::Matrix3d::Zero();  ///< of the axis that follows with an axis
+  State state_ = State::found;
+  int repeats_ = 0;
+  int inVain_ = 0;  ///< searches in a row that found no axis
+};
+}  // namespace
+
+std::unique_ptr<AxisSource> atAngle(
+    const Tilt& tilt, AngleSide control, AngleSide other, const Vec3& start, const Vec3& forward) {
+  return std::make_unique<AngleAxis>(tilt, std::move(control), std::move(other), start, forward);
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,62 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "runtime/motion/axis_source.h"
+#include "runtime/motion/tilt.h"
+
+namespace arelem::motion {
+
+/// The normals from which the axis follows.
+struct AngleNormals {
+  Vec3 control = Vec3::UnitZ(), other = Vec3::UnitX();
+
+  [[nodiscard]] AngleNormals towards(const AngleNormals& to, double share) const {
+    return {(control + share * (to.control - control)).normalized(),
+            (other + share * (to.other - other)).normalized()};
+  }
+  [[nodiscard]] double from(const AngleNormals& n) const {
+    return (control - n.control).norm() + (other - n.other).norm();
+  }
+};
+
+/// Where a tool with some axis touches both surfaces. The normal of the controlling one is on the
+/// side of the axis.
+struct AngleTouch {
+  tool::Contact control, other;
+
+  [[nodiscard]] AngleNormals normals() const { return {control.normal, other.normal}; }
+};
+
+/// One half of ATANGL each: the contacts that follow from an axis, and the axis that follows from
+/// their normals.
+class AngleRule {
+ public:
+  AngleRule(const Tilt& tilt, AngleSide control, AngleSide other, const Vec3& forward)
+      : tilt_(tilt), control_(std::move(control)), other_(std::move(other)), forward_(forward) {}
+
+  [[nodiscard]] AngleTouch touch(const Vec3& toolEnd, const Vec3& axis);
+  [[nodiscard]] std::optional<Vec3> axisOf(const AngleNormals& n);
+  /// The axis that follows from the contacts with another one.
+  [[nodiscard]] std::optional<Vec3> step(const Vec3& toolEnd, const Vec3& from) {
+    return axisOf(touch(toolEnd, from).normals());
+  }
+  /// Without an angle any place of a level bottom is the contact for the axis along its normal: of
+  /// these axes the one whose contact is the tool end, if that is the contact.
+  [[nodiscard]] std::optional<Vec3> onToolEnd(const Vec3& toolEnd, const Vec3& near);
+  /// Four axes: keeps to the side of the normal on which this one is.
+  void hold(const Vec3& toolEnd, const Vec3& axis);
+
+  [[nodiscard]] const Tilt& tilt() const { return tilt_; }
+  [[nodiscard]] const std::string& controlName() const { return control_.name; }
+  /// Why `axisOf` had no axis.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+ private:
+  Tilt tilt_;
+  AngleSide control_, other_;
+  Vec3 forward_;
+  std::string reason_;
+};
+
+}  // namespace arelem::motion

@@ -1,0 +1,67 @@
+#include "runtime/motion/corners.h"
+
+#include "ir/space/tolerance.h"
+#include "runtime/motion/axis_turn.h"
+
+namespace arelem::motion {
+
+namespace {
+/// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
+/// unit.
+constexpr double cornersApart = 1e-4;
+
+/// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
+constexpr double cornerMissed = 1e-7;
+
+bool isAt(const std::optional<Vec3>& corner, const PathPoint& place) {
+  return corner && (*corner - place.toolEnd).norm() <= cornersApart;
+}
+}  // namespace
+
+std::optional<Corners::Way> Corners::from(const PathPoint& last,
+                                          const std::optional<PathPoint>& tip) {
+  auto way = turned(last, tip);
+  way = way ? way : leapt(last);
+  if (way) {
+    startAnew();
+  }
+  return way;
+}
+
+/// The last cut vector may have ended before the corner, and from there the next one would leave
+/// the band: the tip is gone to.
+std::optional<Corners::Way> Corners::turned(const PathPoint& last,
+                                            const std::optional<PathPoint>& tip) {
+  const PathPoint& at = tip ? *tip : last;
+  const auto round = isAt(turn_, at) ? std::nullopt : path_.roundCorner(at);
+  if (!round) {
+    return std::nullopt;
+  }
+  turn_ = at.toolEnd;
+  const bool apart = (at.toolEnd - last.toolEnd).norm() > cornerMissed;
+  return Way{apart ? std::vector<PathPoint>{at} : std::vector<PathPoint>{}, *round};
+}
+
+/// One place of the cutter gives an axis with which another touches, and that one an axis with
+/// which it goes on touching: no axes between them hold the rule, and the tool turns where it is.
+std::optional<Corners::Way> Corners::leapt(const PathPoint& last) {
+  if (path_.axis.isFixed() || isAt(leap_, last)) {
+    return std::nullopt;
+  }
+  leap_ = last.toolEnd;
+  std::vector<PathPoint> ends = turnOntoPath(path_, last, last.tangent);
+  if (ends.empty() || (ends.back().axis - last.axis).norm() <= tolerance::nullDirection) {
+    return std::nullopt;
+  }
+  const PathPoint on = ends.back();
+  return Way{std::move(ends), on};
+}
+
+/// Nothing is known of the path behind the corner.
+void Corners::startAnew() {
+  for (Guide& g : path_.guides) {
+    g.startAnew(0.0);
+  }
+}
+
+}  // namespace arelem::motion

@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "runtime/motion/path.h"
+
+namespace arelem::motion {
+
+/// How a motion gets on where its path does not go straight on: the path turns where another place
+/// of the cutter begins to touch, or the tool axis of the rule leaps from one to another.
+class Corners {
+ public:
+  explicit Corners(Path& path) : path_(path) {}
+
+  struct Way {
+    std::vector<PathPoint> through;  ///< ends of cut vectors up to there
+    PathPoint on;                    ///< the place behind the corner, with the new direction
+  };
+  /// From the last place before a corner; `tip` is a place between, too near for a cut vector that
+  /// nothing calls for. None where there is no way.
+  [[nodiscard]] std::optional<Way> from(const PathPoint& last, const std::optional<PathPoint>& tip);
+
+ private:
+  [[nodiscard]] std::optional<Way> turned(const PathPoint& last,
+                                          const std::optional<PathPoint>& tip);
+  [[nodiscard]] std::optional<Way> leapt(const PathPoint& last);
+  void startAnew();
+
+  Path& path_;
+  std::optional<Vec3> turn_;  ///< where the path turned last
+  std::optional<Vec3> leap_;  ///< where the axis leapt last
+};
+
+}  // namespace arelem::motion
