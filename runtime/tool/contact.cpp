@@ -201,11 +201,6 @@ Contact contactOf(const surface::Cylinder& s,
       return {z - top.z - s.radius, -axis, te + onRim + top.z * axis};
     }
     const double distance = distanceTo(cutter, {rho, z}, q);
-    const ProfilePoint& top = cutter.sideEnd;
-    if (z > top.z && z - top.z < distance && rho < top.rho) {
-      const double along = std::sqrt(top.rho * top.rho - rho * rho);
-      return {z - top.z - s.radius, -axis, te + rho * out + along * s.axis + top.z * axis};
-    }
     const double scale = distance != 0.0 ? 1.0 / distance : 1.0;
     return {distance - s.radius, scale * ((q.rho - rho) * out + (q.z - z) * axis),
             te + q.rho * out + q.z * axis};
