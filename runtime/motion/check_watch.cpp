@@ -25,6 +25,8 @@ constexpr double nearShare = 1e-3;
 /// looked for none need be shorter than this many times the root of the band.
 constexpr double closeShare = 0.0625;
 constexpr double closeRoots = 2.0;
+/// Segments longer than this are those of a path that is straight for ever. Part unit.
+constexpr double endless = 0.5 * tolerance::farAway;
 }  // namespace
 
 CheckWatch::CheckWatch(const NamedSurface& surface,
@@ -108,6 +110,7 @@ void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
   now_.free = 0.0;
   now_.armed = std::abs(m.value) > band_;
   startedAt_ = !now_.armed;
+  startedOff_ = startedAt_ && std::abs(m.value) > tolerance::sameSide;
   now_.outside = m.field;
   now_.positive = m.value > 0.0;
   now_.startedRemote = now_.positive;
@@ -167,6 +170,23 @@ double CheckWatch::crossing(const Segment& s, double low, double high) {
   return high;
 }
 
+/// Within the tolerance from the start on: the zero, farther on than that, where a tool that was
+/// clear begins to violate the surface (TO), or one that violated it comes clear (PAST).
+void CheckWatch::noteFirstZero(const Segment& s, double before, double u, const Measure& m) {
+  const bool clear = m.value > 0.0;
+  if (!startedOff_ || now_.armed || firstZero_ || nth_ != 1 || clear == now_.positive ||
+      std::abs(m.value) <= tolerance::sameSide ||
+      (!pointTool_ && clear != (condition_ == ir::Condition::past))) {
+    return;
+  }
+  now_.positive = clear;
+  const double at = crossing(s, before, u);
+  now_.positive = !clear;
+  if (at > band_) {
+    firstZero_ = Hit{before, u, vanishing(m, now_.outside)};
+  }
+}
+
 /// True where the measure came near zero and goes away again. A slope of zero has no direction.
 bool CheckWatch::touchesHere(const Measure& m) {
   const double toward = now_.positive ? m.turn : -m.turn;
@@ -204,6 +224,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   for (;;) {
     const Measure m = measure(s, u);
     const double size = std::abs(m.value);
+    noteFirstZero(s, before, u, m);
     // Where it starts at the surface the tool is on neither side.
     Field* const outsideBefore = now_.armed ? now_.outside : m.field;
     now_.outside = m.value > tolerance::sameSide ? m.field : now_.outside;
@@ -248,7 +269,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
     if (u > s.length || before == s.length || isSpent()) {
       now_.free = std::max(0.0, margin - rate * (s.length - before));
       now_.farther = std::max(0.0, farther - rate * (s.length - before));
-      return std::nullopt;
+      return s.isArc() || s.length > endless ? firstZero_ : std::nullopt;
     }
   }
 }

@@ -25,7 +25,9 @@ struct StopBand {
 /// are counted as spec 4.8 says: TO and PAST are the zeros of max(gap on one side, gap on the
 /// other), which are where the cutter begins and ends to violate the surface; ON are the zeros of
 /// the tool end's distance. A gap that comes within the tolerance and turns round without changing
-/// its sign is a contact too: TO and PAST at one place.
+/// its sign is a contact too: TO and PAST at one place. A start within the tolerance does not
+/// count, nor what follows before it is left; but on a straight line or a circle that meets nothing
+/// else the place where the surface is met exactly does (the next of two lines that hardly turn).
 class CheckWatch {
  public:
   struct Hit {
@@ -171,6 +173,7 @@ class CheckWatch {
   [[nodiscard]] double reach() const { return band_ + pathBand_; }
   [[nodiscard]] double steepestTurning(const Segment& s) const;
   [[nodiscard]] std::optional<Hit> scanCrossing(const Segment& segment);
+  void noteFirstZero(const Segment& segment, double before, double along, const Measure& measure);
   [[nodiscard]] bool crosses(const Measure& measure);
   [[nodiscard]] double crossing(const Segment& segment, double low, double high);
   [[nodiscard]] bool near(const Measure& measure) const {
@@ -236,7 +239,9 @@ class CheckWatch {
   const Effort* effort_ = nullptr;
   bool close_ = false;
   bool startedAt_ = false;
-  std::vector<double> looks_;  ///< lengths along the segment, where looked at closely
+  bool startedOff_ = false;       ///< within its tolerance, but not on it
+  std::optional<Hit> firstZero_;  ///< the position asked for, if it is met before that is left
+  std::vector<double> looks_;     ///< lengths along the segment, where looked at closely
   Approach nearest_, nearestFacing_;
   std::optional<Parallel> parallel_;
 };

@@ -79,6 +79,11 @@ Extremes extremes(const Cubic& c) {
 }
 }  // namespace
 
+double meanCurvature(double before, double behind, double length) {
+  const double change = behind - before;
+  return std::abs(change) <= levelChange ? 0.0 : change / length;
+}
+
 double longestChord(double bend, double from, double to, double inner, double outer) {
   if (bend == 0.0) {
     return unlimited;

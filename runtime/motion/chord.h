@@ -11,6 +11,12 @@ struct GapNode {
   double slope = 0.0;  ///< of the gap, per length
 };
 
+/// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
+/// turns.
+constexpr double levelChange = 1e-11;
+/// Mean curvature between two places, by the slopes there.
+[[nodiscard]] double meanCurvature(double before, double behind, double length);
+
 /// Longest chord from gap `from` to gap `to` over a surface of constant curvature `bend` (positive:
 /// bending away, so that the chord dips) that stays in [-inner, outer].
 [[nodiscard]] double longestChord(double bend, double from, double to, double inner, double outer);

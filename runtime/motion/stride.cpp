@@ -28,9 +28,6 @@ constexpr double leastOver = 1.05;
 constexpr double ridgeFit = 1.5;
 /// Trials are shortened to corners that are nearer than this share of them.
 constexpr double mostOfCorner = 0.97;
-/// A slope that changes by less over a cut vector does not change: a plane seen by a tool that
-/// turns.
-constexpr double levelChange = 1e-11;
 /// Where the curvature changes by more than this share over a cut vector, or its sign, that is
 /// planned by the change.
 constexpr double swaying = 0.5;
@@ -328,14 +325,6 @@ std::optional<std::array<double, 2>> Stride::slopes(std::size_t role,
                     slopeAlong(b.contacts[role], b.toolEnd, chord / length, turn)};
 }
 
-namespace {
-/// Mean curvature between two places.
-double curvature(double before, double behind, double length) {
-  const double change = behind - before;
-  return std::abs(change) <= levelChange ? 0.0 : change / length;
-}
-}  // namespace
-
 /// Takes the curvature of a chord at its start, and how it changes, from both halves, which have
 /// those of their middles; false where it is straight.
 bool Stride::learnCurvature(std::size_t role, const PathPoint& a, const PathPoint& b) {
@@ -345,7 +334,7 @@ bool Stride::learnCurvature(std::size_t role, const PathPoint& a, const PathPoin
   }
   Guide& g = path_.guides[role];
   const double length = (b.toolEnd - a.toolEnd).norm();
-  g.bend = curvature(slope->front(), slope->back(), length);
+  g.bend = meanCurvature(slope->front(), slope->back(), length);
   g.trend = g.spread = 0.0;
   g.aim = 0;
   if (path_.middle.end == b.toolEnd && path_.middle.smooth[role] && g.bend != 0.0) {
