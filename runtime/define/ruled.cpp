@@ -1,6 +1,8 @@
 // RLDSRF definitions.
 #include <array>
 
+#include <fmt/format.h>
+
 #include "ir/diag/geometry.h"
 #include "ir/space/tolerance.h"
 #include "runtime/define/choice.h"
@@ -39,17 +41,20 @@ Result<SectionCurve> readCurve(const Arguments& given, std::size_t first, int nu
   return curve;
 }
 
-/// The curve must exist all along its base line.
+/// The curve must exist all along its base line, and not farther from it than anything is.
 Result<bool> checkCurve(const SectionCurve& curve, int number) {
   constexpr int samples = 16;
   for (int i = 0; i <= samples; ++i) {
     const double fraction = static_cast<double>(i) / samples;
-    if (!curve.at(fraction)) {
+    const auto place = curve.at(fraction);
+    const double away = place ? (*place - curve.base(fraction)).norm() : 0.0;
+    if (!place || away > tolerance::farAway) {
       return fail(diag::RuledCurveMissed, number, fraction, spell(curve.surface.type))
-          .withHelp(
-              "a plane that touches the surface, or is the surface, does not cut it: ends "
-              "that lie nearer to each other (an arc of less than half a turn), or another "
-              "vector");
+          .withHelp(place ? fmt::format("what it cuts is {:.6g} away; more than {:g} is too far",
+                                        away, tolerance::farAway)
+                          : "a plane that touches the surface, or is the surface, does not cut "
+                            "it: ends that lie nearer to each other (an arc of less than half a "
+                            "turn), or another vector");
     }
   }
   return true;

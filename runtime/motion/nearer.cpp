@@ -10,6 +10,9 @@ namespace arelem::motion {
 namespace {
 /// Nothing worth a search is nearer than what is missed at first, which tells the least way.
 constexpr double leastWay = 1.05;
+/// Nor where the first step of Newton foretells the position to this share of the way, which is not
+/// so many times the least: it is the nearest but for how gaps bend, and they bend little there.
+constexpr double foretold = 0.1, straightWay = 1.4;
 /// A way that was not found may be so many times as long.
 constexpr double farWay = 3.0;
 /// Places from which it begins, as shares of the way that was found.
@@ -94,7 +97,9 @@ Settled nearer(const Settled& found,
   const Settled start = measured(from, axis, wanted);
   const double atLeast = leastFrom(from, start, wanted, constraints);
   const double way = found.ok ? (found.toolEnd - from).norm() : farWay * atLeast;
-  if (way <= leastWay * atLeast) {
+  const Vec3 first = from + firstStep(start, wanted, constraints);
+  if (way <= leastWay * atLeast || (found.ok && way <= straightWay * atLeast &&
+                                    (found.toolEnd - first).norm() <= foretold * way)) {
     return found;
   }
   const Eigen::Matrix3d frame = frameOf(start, wanted.size());

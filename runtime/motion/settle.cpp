@@ -71,6 +71,33 @@ Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, st
   return cod.solve(b);
 }
 
+/// What is missed at a place, in the first order.
+struct Equations {
+  std::array<Vec3, 3> rows;
+  std::array<double, 3> rhs{};
+  std::size_t count = 0;
+  double most = 0.0;
+
+  void add(const Vec3& row, double missed) {
+    rows[count] = row;
+    rhs[count++] = missed;
+    most = std::max(most, std::abs(missed));
+  }
+};
+
+Equations equationsAt(const Settled& at,
+                      std::span<const Wanted> wanted,
+                      std::span<const Constraint> constraints) {
+  Equations e;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    e.add(at.contacts[i].normal, wanted[i].target - at.contacts[i].gap);
+  }
+  for (const Constraint& c : constraints) {
+    e.add(c.normal, -c.normal.dot(at.toolEnd - c.through));
+  }
+  return e;
+}
+
 /// Axis and contacts where the tool is, and how far it is from what is wanted.
 void look(Settled& out, AxisRule& axis, std::span<const Wanted> wanted) {
   out.axis = axis.at(out.toolEnd);
@@ -93,28 +120,16 @@ Settled settle(const Vec3& start,
                double accept) {
   Settled out;
   out.toolEnd = start;
-  std::array<Vec3, 3> rows;
-  std::array<double, 3> rhs{};
   Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
   double previous = 1e300, least = previous;
   int idle = 0, unsettled = 0;
   for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
     look(out, axis, wanted);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      rows[i] = out.contacts[i].normal;
-      rhs[i] = wanted[i].target - out.contacts[i].gap;
-    }
-    std::size_t count = wanted.size();
+    Equations e = equationsAt(out, wanted, constraints);
     if (out.iterations == 1) {
-      out.missed = rhs;
+      std::copy_n(e.rhs.begin(), wanted.size(), out.missed.begin());
     }
-    double most = out.worst;
-    for (const Constraint& c : constraints) {
-      rows[count] = c.normal;
-      rhs[count] = -c.normal.dot(out.toolEnd - c.through);
-      most = std::max(most, std::abs(rhs[count]));
-      ++count;
-    }
+    const double most = e.most;
     const double rest = absoluteRest + relativeRest * out.toolEnd.cwiseAbs().maxCoeff();
     // Done at rounding level, or when Newton has stopped gaining there.
     if (most <= std::max(rest, accept) || (most <= 1e4 * rest && most >= 0.5 * previous)) {
@@ -133,11 +148,11 @@ Settled settle(const Vec3& start,
         turning = axis.change(out.toolEnd).transpose();
       }
       for (std::size_t i = 0; i < wanted.size(); ++i) {
-        rows[i] += turning * changeWithAxis(out.contacts[i], out.toolEnd, out.axis);
+        e.rows[i] += turning * changeWithAxis(out.contacts[i], out.toolEnd, out.axis);
       }
     }
     previous = most;
-    const Vec3 step = solve(rows, rhs, count);
+    const Vec3 step = solve(e.rows, e.rhs, e.count);
     if (!step.allFinite()) {
       return out;
     }
@@ -145,6 +160,13 @@ Settled settle(const Vec3& start,
   }
   out.ok = out.worst <= 1e-9 * (1.0 + out.toolEnd.cwiseAbs().maxCoeff());
   return out;
+}
+
+Vec3 firstStep(const Settled& from,
+               std::span<const Wanted> wanted,
+               std::span<const Constraint> constraints) {
+  const Equations e = equationsAt(from, wanted, constraints);
+  return solve(e.rows, e.rhs, e.count);
 }
 
 Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted) {

@@ -54,6 +54,12 @@ struct Settled {
                               std::span<const Wanted> wanted,
                               std::span<const Constraint> constraints);
 
+/// The first step of Newton from a place that is measured: the shortest way for which the gaps
+/// there, as they rise, are the ones wanted.
+[[nodiscard]] Vec3 firstStep(const Settled& from,
+                             std::span<const Wanted> wanted,
+                             std::span<const Constraint> constraints);
+
 /// The same from far away: all that is missed shrinks evenly, so that the tool comes to the place
 /// to which it can be led, and not to one behind a surface. Not ok where no such way is found.
 [[nodiscard]] Settled settleEvenly(const Vec3& start,
