@@ -7,11 +7,6 @@
 
 namespace arelem::motion {
 
-namespace {
-/// A stop whose chord leaves the band by this share of the length's square is taken.
-constexpr double fitShare = 1e-6;
-}  // namespace
-
 void Arrival::put(PathPoint& last, const PathPoint& to) {
   if (stops_.mayBeBeyond()) {
     trail_.hold(last, to);

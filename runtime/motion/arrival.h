@@ -6,6 +6,9 @@
 
 namespace arelem::motion {
 
+/// A cut vector whose chord leaves the band by this share of the length's square is taken.
+inline constexpr double fitShare = 1e-6;
+
 /// The last cut vectors of a motion, to a stop that was found.
 class Arrival {
  public:

@@ -21,8 +21,6 @@
 namespace arelem::motion {
 
 namespace {
-/// A stop whose chord leaves the band by this share of the length's square is taken.
-constexpr double fitShare = 1e-6;
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
 /// Motions of more cut vectors are not computed again for the sake of a message.

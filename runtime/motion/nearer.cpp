@@ -24,21 +24,6 @@ constexpr double sameChoice = 0.9, asLong = 0.999;
 constexpr int slideLimit = 60;
 constexpr double slideEnough = 1e-6;
 
-/// How far the tool must go at least: gaps change by no more than the way.
-double leastFrom(const Vec3& from,
-                 const Settled& there,
-                 std::span<const Wanted> wanted,
-                 std::span<const Constraint> constraints) {
-  double least = 0.0;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    least = std::max(least, std::abs(wanted[i].target - there.contacts[i].gap));
-  }
-  for (const Constraint& c : constraints) {
-    least = std::max(least, std::abs(c.normal.dot(from - c.through)));
-  }
-  return least;
-}
-
 /// What of a way the conditions leave free, at a place.
 Vec3 freeOf(Vec3 way,
             const Settled& at,
@@ -95,11 +80,10 @@ Settled nearer(const Settled& found,
                std::span<const Constraint> constraints) {
   const bool isFree = wanted.size() + constraints.size() < 3;
   const Settled start = measured(from, axis, wanted);
-  const double atLeast = leastFrom(from, start, wanted, constraints);
+  const auto [step, atLeast] = firstStep(start, wanted, constraints);
   const double way = found.ok ? (found.toolEnd - from).norm() : farWay * atLeast;
-  const Vec3 first = from + firstStep(start, wanted, constraints);
   if (way <= leastWay * atLeast || (found.ok && way <= straightWay * atLeast &&
-                                    (found.toolEnd - first).norm() <= foretold * way)) {
+                                    (found.toolEnd - from - step).norm() <= foretold * way)) {
     return found;
   }
   const Eigen::Matrix3d frame = frameOf(start, wanted.size());

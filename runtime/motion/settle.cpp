@@ -162,11 +162,11 @@ Settled settle(const Vec3& start,
   return out;
 }
 
-Vec3 firstStep(const Settled& from,
-               std::span<const Wanted> wanted,
-               std::span<const Constraint> constraints) {
+FirstStep firstStep(const Settled& from,
+                    std::span<const Wanted> wanted,
+                    std::span<const Constraint> constraints) {
   const Equations e = equationsAt(from, wanted, constraints);
-  return solve(e.rows, e.rhs, e.count);
+  return {solve(e.rows, e.rhs, e.count), e.most};
 }
 
 Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted) {

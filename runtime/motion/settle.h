@@ -54,11 +54,16 @@ struct Settled {
                               std::span<const Wanted> wanted,
                               std::span<const Constraint> constraints);
 
-/// The first step of Newton from a place that is measured: the shortest way for which the gaps
-/// there, as they rise, are the ones wanted.
-[[nodiscard]] Vec3 firstStep(const Settled& from,
-                             std::span<const Wanted> wanted,
-                             std::span<const Constraint> constraints);
+/// From a place that is measured: the first step of Newton, the shortest way for which the gaps
+/// there, as they rise, are the ones wanted; and how far the tool must go at least, as gaps change
+/// by no more than the way.
+struct FirstStep {
+  Vec3 step;
+  double least;
+};
+[[nodiscard]] FirstStep firstStep(const Settled& from,
+                                  std::span<const Wanted> wanted,
+                                  std::span<const Constraint> constraints);
 
 /// The same from far away: all that is missed shrinks evenly, so that the tool comes to the place
 /// to which it can be led, and not to one behind a surface. Not ok where no such way is found.
