@@ -168,7 +168,8 @@ Vec3 nearest(const FootCurve& curve, double flat, double multiplier) {
   if (const auto q = ends && curve.isAmidst(i) ? curve.onMedialAxis(i) : std::nullopt) {
     return *q;
   }
-  auto q = curve.towardsEnd(ends ? i : 2 - i, ends, multiplier);
+  const int by = ends ? i : 2 - i;
+  auto q = std::abs(curve.roots[by]) > flat ? curve.towardsEnd(by, ends, multiplier) : std::nullopt;
   if (!q && ends) {
     q = curve.onMedialAxis(i);
   }
