@@ -21,8 +21,8 @@ constexpr double leastBeyond = 1e-4;
 constexpr double nearEnd = 0.05, endShare = 1e-6;
 /// How near to each other the shares with the one and the other contact are.
 constexpr double closeEnough = 1e-13;
-/// Axes of shares so near to each other that differ so much jump: where the sense of the motion that
-/// the normals tell turns over, no contacts change, and the way is of no use.
+/// Axes of shares so near to each other that differ so much jump: where the sense of the motion
+/// that the normals tell turns over, no contacts change, and the way is of no use.
 constexpr double besideJump = 1e-6, jumping = 1e-2;
 }  // namespace
 
