@@ -226,8 +226,7 @@ class ChordFit {
   /// be known well, and kinks may leave this share of the band.
   static constexpr double hopeless = 0.5;
   static constexpr double hopelessShare = 0.02;
-  /// Squares below this are those of chords for the wrong edge of the band; so many looks tell
-  /// that.
+  /// Squares of factors of chords that aim at the wrong edge of the band; so many looks tell that.
   static constexpr double farTooLong = 0.1;
   static constexpr int mostLooks = 48;
 
