@@ -91,10 +91,18 @@ std::optional<PathPoint> Path::standing(const Vec3& near,
                     : std::nullopt;
 }
 
-std::optional<PathPoint> Path::step(const PathPoint& from,
-                                    double along,
-                                    const std::array<double, 2>& gaps,
-                                    double accept) {
+namespace {
+/// The plane square to the path in which a step along it ends.
+Constraint acrossAt(const PathPoint& from, double along) {
+  return {from.tangent, from.toolEnd + along * from.tangent};
+}
+}  // namespace
+
+bool Path::step(const PathPoint& from,
+                double along,
+                const std::array<double, 2>& gaps,
+                double accept,
+                PathPoint& to) {
   // The path bends by -bend along each contact normal.
   const Vec3& n0 = from.contacts[0].normal;
   const Vec3& n1 = from.contacts[1].normal;
@@ -116,27 +124,45 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
     const double steep = aside.squaredNorm() / (along * along);
     guess += (steep < 1.0 ? 1.0 + steep : 1.0) * aside;
   }
-  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
-                          Wanted{guides[1].field.get(), gaps[1]}};
-  const std::array across{Constraint{from.tangent, from.toolEnd + along * from.tangent}};
-  const Settled settled = settle(guess, axis, wanted, across, accept);
-  if (accept > 0.0) {
-    for (std::size_t i = 0; i < guides.size(); ++i) {
-      guides[i].error = (corrections[i] + settled.missed[i]) / (along * along * along);
+  to.toolEnd = guess;
+  to.axis = axis.at(guess);
+  double most = std::abs(acrossAt(from, along).missedAt(guess));
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    to.contacts[i] = guides[i].field->at(guess, to.axis);
+    const double missed = gaps[i] - to.contacts[i].gap;
+    most = std::max(most, std::abs(missed));
+    if (accept > 0.0) {
+      guides[i].error = (corrections[i] + missed) / (along * along * along);
     }
   }
-  const double reach = jumpShare * jumpShare * (guess - from.toolEnd).squaredNorm();
-  if (!settled.ok || (settled.toolEnd - guess).squaredNorm() > reach) {
-    return std::nullopt;
+  // Mostly the place that was foretold does.
+  const bool there = most <= std::max(roundingAt(guess), accept);
+  return (there || settleStep(from, along, gaps, accept, to)) && aimBehind(to, from);
+}
+
+/// Goes on from the place that was foretold, which is measured; false where that leads to another
+/// branch of the path.
+bool Path::settleStep(const PathPoint& from,
+                      double along,
+                      const std::array<double, 2>& gaps,
+                      double accept,
+                      PathPoint& at) {
+  const std::array across{acrossAt(from, along)};
+  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
+                          Wanted{guides[1].field.get(), gaps[1]}};
+  Settled settled;
+  settled.toolEnd = at.toolEnd;
+  settled.axis = at.axis;
+  std::copy(at.contacts.begin(), at.contacts.end(), settled.contacts.begin());
+  settleOn(settled, axis, wanted, across, accept);
+  const double reach = jumpShare * jumpShare * (at.toolEnd - from.toolEnd).squaredNorm();
+  if (!settled.ok || (settled.toolEnd - at.toolEnd).squaredNorm() > reach) {
+    return false;
   }
-  PathPoint p;
-  p.toolEnd = settled.toolEnd;
-  p.axis = settled.axis;
-  p.contacts = {settled.contacts[0], settled.contacts[1]};
-  if (!aimBehind(p, from)) {
-    return std::nullopt;
-  }
-  return p;
+  at.toolEnd = settled.toolEnd;
+  at.axis = settled.axis;
+  std::copy_n(settled.contacts.begin(), at.contacts.size(), at.contacts.begin());
+  return true;
 }
 
 /// Where the new contact holds the tool back, the gap that held it before opens; where it lets the
@@ -172,16 +198,17 @@ class ChordFit {
            const PathPoint& b,
            std::size_t guide,
            double length,
-           const std::optional<certify::Chord>& turning)
-      : field_(field), a_(a), turning_(turning), length_(length) {
-    direction_ = (b.toolEnd - a.toolEnd) / length;
-    if (turning_) {
-      turn_ = turning_->turn() / length * turning_->pole();
-    }
-    first_ = node(0.0, a.contacts[guide], a.toolEnd);
-    last_ = node(length, b.contacts[guide], b.toolEnd);
-    ends_ = GapLine(first_, last_);
-  }
+           const certify::Chord* turning)
+      : field_(field),
+        a_(a),
+        turning_(turning),
+        length_(length),
+        direction_((b.toolEnd - a.toolEnd) / length),
+        turn_(turning != nullptr ? Vec3(turning->turn() / length * turning->pole())
+                                 : Vec3(Vec3::Zero())),
+        first_(node(0.0, a.contacts[guide], a.toolEnd)),
+        last_(node(length, b.contacts[guide], b.toolEnd)),
+        ends_(first_, last_) {}
 
   double run(double inner, double outer) {
     inner_ = inner;
@@ -192,7 +219,7 @@ class ChordFit {
     // Where the axis turns the middle alone tells little: as a normal turns next to the tip of a
     // cone or at a knot of a curve, the gap may be foretold there and off beside it.
     const bool smooth = foretold(first_, last_, middle, smooth_);
-    const int depth = smooth && !turning_ ? 0 : deepest;
+    const int depth = smooth && turning_ == nullptr ? 0 : deepest;
     isSmooth_ = smooth || foretold(first_, last_, middle, roughShare * (inner + outer));
     consider(first_, middle, depth);
     consider(middle, last_, depth);
@@ -233,7 +260,7 @@ class ChordFit {
 
   [[nodiscard]] Node node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
     const double slope =
-        turning_ ? slopeAlong(c, toolEnd, direction_, turn_) : c.normal.dot(direction_);
+        turning_ != nullptr ? slopeAlong(c, toolEnd, direction_, turn_) : c.normal.dot(direction_);
     return {{along, c.gap, slope}, c.normal};
   }
   [[nodiscard]] Path::Ridge ridgeBetween(const Node& a, const Node& b) const {
@@ -245,7 +272,8 @@ class ChordFit {
   Node measure(double along) {
     const double share = along / length_;
     const Vec3 place = a_.toolEnd + along * direction_;
-    return node(along, field_.at(place, turning_ ? turning_->axis(share) : a_.axis), place);
+    return node(along, field_.at(place, turning_ != nullptr ? turning_->axis(share) : a_.axis),
+                place);
   }
   void consider(const Node& a, const Node& b, int depth) {
     const double length = b.along - a.along;
@@ -257,7 +285,9 @@ class ChordFit {
       const double squared = squaredFit(ends_, a, b, inner_, outer_);
       if (squared < squared_) {
         squared_ = squared;
-        swerve_ = swerve(ends_, a, b, inner_, outer_);
+        if (squared < farTooLong) {
+          swerve_ = swerve(ends_, a, b, inner_, outer_);
+        }
         ridge_.reset();
         if (depth > 0 && a.slope > b.slope) {
           ridge_ = ridgeBetween(a, b);
@@ -282,9 +312,9 @@ class ChordFit {
 
   Field& field_;
   const PathPoint& a_;
-  const std::optional<certify::Chord>& turning_;
+  const certify::Chord* turning_;  ///< null where the axis stays
   double length_;
-  Vec3 direction_, turn_ = Vec3::Zero();
+  Vec3 direction_, turn_;
   Node first_, last_;
   GapLine ends_;
   double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
@@ -324,22 +354,24 @@ double Path::alongRidge(const PathPoint& a, double to) const {
 }
 
 double Path::fit(const PathPoint& a, const PathPoint& b) {
-  const Vec3 chord = b.toolEnd - a.toolEnd;
-  const double length = chord.norm();
-  const bool turning = a.axis != b.axis;
-  if (length <= 0.0 && !turning) {
+  if (a.axis == b.axis) {
+    return fitAlong(a, b, nullptr);
+  }
+  // The proof takes the axis to turn evenly too.
+  const certify::Chord evenly(a.toolEnd, b.toolEnd, a.axis, b.axis);
+  return fitAlong(a, b, &evenly);
+}
+
+double Path::fitAlong(const PathPoint& a, const PathPoint& b, const certify::Chord* turning) {
+  const double length = (b.toolEnd - a.toolEnd).norm();
+  if (length <= 0.0 && turning == nullptr) {
     return tolerance::farAway;
   }
   // A cut vector that only turns the axis is measured by the angle.
   const double scale = length > 0.0 ? length : (b.axis - a.axis).norm();
-  // The proof takes the axis to turn evenly too.
-  std::optional<certify::Chord> evenly;
-  if (turning) {
-    evenly.emplace(a.toolEnd, b.toolEnd, a.axis, b.axis);
-  }
   double factor = tolerance::farAway;
   middle.end = b.toolEnd;
-  middle.straight = !turning;
+  middle.straight = turning == nullptr;
   misses = {0, 0};
   swerves = {};
   ridge.reset();
@@ -354,7 +386,7 @@ double Path::fit(const PathPoint& a, const PathPoint& b) {
     // A start outside its band by the slack allowed there must not stop the motion.
     const double inner = std::max({guides[i].inner, -a.contacts[i].gap, -b.contacts[i].gap});
     const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
-    ChordFit chordFit(*guides[i].field, a, b, i, scale, evenly);
+    ChordFit chordFit(*guides[i].field, a, b, i, scale, turning);
     const double fits = chordFit.run(inner, outer);
     if (fits < factor) {
       factor = fits;
