@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "runtime/motion/chord.h"
+#include "runtime/motion/field.h"
 #include "runtime/motion/segment.h"
 
 namespace arelem::motion {
