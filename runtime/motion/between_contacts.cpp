@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/motion/axis.h"
-#include "runtime/motion/chord.h"
+#include "runtime/motion/gap_cubic.h"
 
 namespace arelem::motion {
 

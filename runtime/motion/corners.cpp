@@ -18,8 +18,7 @@ bool isAt(const std::optional<Vec3>& corner, const PathPoint& place) {
 }
 }  // namespace
 
-std::optional<Corners::Way> Corners::from(const PathPoint& last,
-                                          const std::optional<PathPoint>& tip) {
+std::optional<Corners::Way> Corners::from(const PathPoint& last, const PathPoint* tip) {
   auto way = turned(last, tip);
   way = way ? way : leapt(last);
   if (way) {
@@ -30,9 +29,8 @@ std::optional<Corners::Way> Corners::from(const PathPoint& last,
 
 /// The last cut vector may have ended before the corner, and from there the next one would leave
 /// the band: the tip is gone to.
-std::optional<Corners::Way> Corners::turned(const PathPoint& last,
-                                            const std::optional<PathPoint>& tip) {
-  const PathPoint& at = tip ? *tip : last;
+std::optional<Corners::Way> Corners::turned(const PathPoint& last, const PathPoint* tip) {
+  const PathPoint& at = tip != nullptr ? *tip : last;
   const auto round = isAt(turn_, at) ? std::nullopt : path_.roundCorner(at);
   if (!round) {
     return std::nullopt;

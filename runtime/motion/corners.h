@@ -16,13 +16,12 @@ class Corners {
     std::vector<PathPoint> through;  ///< ends of cut vectors up to there
     PathPoint on;                    ///< the place behind the corner, with the new direction
   };
-  /// From the last place before a corner; `tip` is a place between, too near for a cut vector that
-  /// nothing calls for. None where there is no way.
-  [[nodiscard]] std::optional<Way> from(const PathPoint& last, const std::optional<PathPoint>& tip);
+  /// From the last place before a corner; `tip`, if not null, is a place between, too near for a
+  /// cut vector that nothing calls for. None where there is no way.
+  [[nodiscard]] std::optional<Way> from(const PathPoint& last, const PathPoint* tip);
 
  private:
-  [[nodiscard]] std::optional<Way> turned(const PathPoint& last,
-                                          const std::optional<PathPoint>& tip);
+  [[nodiscard]] std::optional<Way> turned(const PathPoint& last, const PathPoint* tip);
   [[nodiscard]] std::optional<Way> leapt(const PathPoint& last);
   void startAnew();
 

@@ -78,6 +78,9 @@ class Follower {
   [[nodiscard]] std::optional<Failure> ranOffEnd() const {
     for (const auto& [surface, contact] :
          {std::pair{&course_.part, &last_.contacts[0]}, {&course_.drive, &last_.contacts[1]}}) {
+      if (!surface::mayEnd(surface->surface)) {
+        continue;
+      }
       const double length = surface::endBefore(surface->surface, contact->point);
       if (length > 0.0) {
         const CheckWatch& w = course_.watches.front();
@@ -129,10 +132,11 @@ class Follower {
         return bad;
       }
       const PathPoint& a = last_;
-      const auto b = stride_.next(a, cap);
+      const PathPoint* b = stride_.next(a, cap);
       // Close to a corner cut vectors may get ever shorter.
-      const bool stuck = !b || (cap > tolerance::coincidence &&
-                                (b->toolEnd - a.toolEnd).norm() <= tolerance::coincidence);
+      const bool stuck =
+          b == nullptr || (cap > tolerance::coincidence &&
+                           (b->toolEnd - a.toolEnd).norm() <= tolerance::coincidence);
       // Where the axis ends the path turns back, which looks like a corner.
       if (auto bad = stuck ? axisEnds(course_, last_) : std::nullopt) {
         return bad;
@@ -140,7 +144,7 @@ class Follower {
       if (stuck && turnCorner(b)) {
         continue;
       }
-      if (!b) {
+      if (b == nullptr) {
         return lost();
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {
@@ -180,8 +184,9 @@ class Follower {
     }
   }
 
-  /// Goes on in the direction behind a corner; false where there is none.
-  bool turnCorner(const std::optional<PathPoint>& tip) {
+  /// Goes on in the direction behind a corner, `tip` if that was reached; false where there is
+  /// none.
+  bool turnCorner(const PathPoint* tip) {
     const auto way = corners_.from(last_, tip);
     if (!way) {
       return false;
@@ -201,6 +206,9 @@ class Follower {
       return true;
     }
     turned_ += (b.tangent - a.tangent).norm();  // at most the angle
+    if (turned_ <= std::numbers::pi) {
+      return false;
+    }
     const Vec3 chord = b.toolEnd - a.toolEnd;
     const Vec3 back = course_.start.toolEnd - a.toolEnd;
     const double share = std::clamp(back.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
@@ -208,8 +216,7 @@ class Follower {
     for (const Guide& g : course_.path.guides) {
       near += roundBands * (g.inner + g.outer);
     }
-    if (turned_ > std::numbers::pi && (back - share * chord).norm() <= near &&
-        chord.dot(course_.start.tangent) > 0.0) {
+    if ((back - share * chord).norm() <= near && chord.dot(course_.start.tangent) > 0.0) {
       turned_ = 0.0;
       ++rounds_;
     }
