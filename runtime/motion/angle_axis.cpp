@@ -85,8 +85,15 @@ class AngleAxis final : public AxisSource {
     }
   }
 
-  void stand(const Vec3& toolEnd) override {
+  void stand(const Vec3& toolEnd, const Vec3& axis) override {
     if (toolEnd != toolEnd_) {
+      (void)at(toolEnd);
+    }
+    if ((last_ - axis).norm() > tolerance::symmetric) {
+      // It turned there from one axis to another.
+      stand_.reset();
+      state_ = State::found;
+      last_ = axis;
       (void)at(toolEnd);
     }
     stand_ = Memory{last_, rule_.forward(), toolEnd, slope_, state_, between_.last()};

@@ -31,9 +31,9 @@ class AxisRule {
     }
   }
   /// The tool has come there; what was looked at elsewhere is forgotten.
-  void stand(const Vec3& toolEnd) {
+  void stand(const Vec3& toolEnd, const Vec3& axis) {
     if (!isFixed()) {
-      source_->stand(toolEnd);
+      source_->stand(toolEnd, axis);
     }
   }
   /// Forgets all places.

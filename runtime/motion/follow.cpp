@@ -129,7 +129,7 @@ class Follower {
         return bad;
       }
       const PathPoint& a = last_;
-      course_.path.axis.stand(a.toolEnd);
+      course_.path.axis.stand(a.toolEnd, a.axis);
       const auto b = stride_.next(a, cap);
       // Close to a corner cut vectors may get ever shorter.
       const bool stuck = !b || (cap > tolerance::coincidence &&
