@@ -1,5 +1,7 @@
 #include "runtime/motion/corners.h"
 
+#include <algorithm>
+
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_turn.h"
 
@@ -12,6 +14,17 @@ constexpr double cornersApart = 1e-4;
 
 /// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
 constexpr double cornerMissed = 1e-7;
+
+/// How far ahead of where a path ends its other axis is looked for, in bands.
+constexpr double aheadBands = 10.0;
+
+double bandOf(const Path& path) {
+  double band = 0.0;
+  for (const Guide& g : path.guides) {
+    band = std::max(band, g.inner + g.outer);
+  }
+  return band;
+}
 
 bool isAt(const std::optional<Vec3>& corner, const PathPoint& place) {
   return corner && (*corner - place.toolEnd).norm() <= cornersApart;
@@ -47,6 +60,10 @@ std::optional<Corners::Way> Corners::leapt(const PathPoint& last) {
     return std::nullopt;
   }
   leap_ = last.toolEnd;
+  // The other axis is that with which the tool would go on.
+  const Vec3 ahead = last.toolEnd + aheadBands * bandOf(path_) * last.tangent;
+  const Vec3 beyond = path_.axis.at(ahead);
+  path_.axis.stand(ahead, beyond);
   std::vector<PathPoint> ends = turnOntoPath(path_, last, last.tangent);
   if (ends.empty() || (ends.back().axis - last.axis).norm() <= tolerance::nullDirection) {
     return std::nullopt;

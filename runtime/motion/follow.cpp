@@ -23,6 +23,8 @@ namespace arelem::motion {
 namespace {
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
+/// A cap that is no shorter than this share of the one before is the same.
+constexpr double sameCap = 0.999;
 /// Motions of more cut vectors are not computed again for the sake of a message.
 constexpr std::uint64_t closelyLimit = 10000;
 
@@ -132,6 +134,7 @@ class Follower {
         return bad;
       }
       const PathPoint& a = last_;
+      course_.path.axis.stand(a.toolEnd, a.axis);
       const PathPoint* b = stride_.next(a, cap);
       // Close to a corner cut vectors may get ever shorter.
       const bool stuck =
@@ -159,6 +162,7 @@ class Follower {
         if (!found->end) {
           return lost();
         }
+        const double before = cap;
         if (const auto stop = arrival_.fittingStop(a, segment, *found, cap)) {
           putTurn(*stop);
           if (!arrival_.arrive(last_, *stop, segment, found->met, cap)) {
@@ -168,7 +172,10 @@ class Follower {
           return std::nullopt;
         }
         stops_.restore();
-        continue;
+        if (cap < sameCap * before) {
+          continue;
+        }
+        // The axis leapt on the way: this cut vector is the share of the way to the stop behind it.
       }
       if (course_.path.flat() || isRoundAgain(a, *b)) {
         return missed(course_);
