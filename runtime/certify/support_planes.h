@@ -26,8 +26,8 @@ class SupportPlanes {
 
   /// Lower bound of the gap at `there` by the plane square to the normal of `of` that supports the
   /// convex hull of a torus; it says all where a level bottom lies on the torus.
-  [[nodiscard]] double belowHull(const Node& of, const Node& there) const
-      requires std::is_same_v<S, surface::Torus> {
+  [[nodiscard]] double belowHull(
+      const Node& of, const Node& there) const requires std::is_same_v<S, surface::Torus> {
     const Vec3& n = of.normal;
     const double along = n.dot(surface_.axis);
     const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
