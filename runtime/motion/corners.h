@@ -19,10 +19,19 @@ class Corners {
   /// From the last place before a corner; `tip`, if not null, is a place between, too near for a
   /// cut vector that nothing calls for. None where there is no way.
   [[nodiscard]] std::optional<Way> from(const PathPoint& last, const PathPoint* tip);
+  /// The end of a cut vector, straight on and not longer than `longest`, over a place where the
+  /// path has no one direction: it crosses another one, or the tool may go anywhere on two surfaces
+  /// that touch.
+  [[nodiscard]] std::optional<PathPoint> across(const PathPoint& last,
+                                                const Vec3& direction,
+                                                double longest);
 
  private:
   [[nodiscard]] std::optional<Way> turned(const PathPoint& last, const PathPoint* tip);
   [[nodiscard]] std::optional<Way> leapt(const PathPoint& last);
+  [[nodiscard]] std::optional<PathPoint> straightOn(const PathPoint& last,
+                                                    const Vec3& way,
+                                                    const std::array<double, 2>& gaps);
   void startAnew();
 
   Path& path_;

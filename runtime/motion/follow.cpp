@@ -1,6 +1,7 @@
 #include "runtime/motion/follow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -25,8 +26,29 @@ namespace {
 constexpr double roundBands = 4.0;
 /// A cap that is no shorter than this share of the one before is the same.
 constexpr double sameCap = 0.999;
+/// Where paths cross, cut vectors of at most this length are tried. Part unit.
+constexpr double longestAcross = 1e4;
 /// Motions of more cut vectors are not computed again for the sake of a message.
 constexpr std::uint64_t closelyLimit = 10000;
+
+/// The last cut vectors: next to a crossing they get short and turn.
+class LastWay {
+ public:
+  void note(const Vec3& way) { ways_[count_++ % ways_.size()] = way; }
+  /// The direction of the longest one; `otherwise` where there is none.
+  [[nodiscard]] Vec3 general(const Vec3& otherwise) const {
+    const auto shorter = [](const Vec3& a, const Vec3& b) {
+      return a.squaredNorm() < b.squaredNorm();
+    };
+    const Vec3& longest = *std::max_element(ways_.begin(), ways_.end(), shorter);
+    return longest.isZero(0.0) ? otherwise : Vec3(longest.normalized());
+  }
+
+ private:
+  std::array<Vec3, 8> ways_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                            Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::size_t count_ = 0;
+};
 
 class Follower {
  public:
@@ -68,6 +90,7 @@ class Follower {
  private:
   /// The next cut vector.
   void put(const PathPoint& p) {
+    way_.note(p.toolEnd - last_.toolEnd);
     trail_.put(last_, p);
     last_ = p;
   }
@@ -147,6 +170,9 @@ class Follower {
       if (stuck && turnCorner(b)) {
         continue;
       }
+      if (b == nullptr && (across_ = straightAcross(cap))) {
+        b = &*across_;
+      }
       if (b == nullptr) {
         return lost();
       }
@@ -184,6 +210,7 @@ class Follower {
         stride_.learn(a, *b);  // what is shorter tells more rounding than curvature
       }
       putTurn(*b);
+      way_.note(b->toolEnd - last_.toolEnd);
       arrival_.put(last_, *b);
       if (auto bad = ranOffEnd()) {
         return bad;
@@ -204,6 +231,12 @@ class Follower {
     }
     last_ = way->on;
     return true;
+  }
+
+  /// The next cut vector where the path crosses another one.
+  std::optional<PathPoint> straightAcross(double cap) {
+    const double longest = std::min({cap, state_.longestVector, longestAcross});
+    return corners_.across(last_, way_.general(last_.tangent), longest);
   }
 
   /// True where the path has come back to its start as often as positions are counted, and a cut
@@ -328,6 +361,8 @@ class Follower {
   double turned_ = 0.0;  ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;
   Corners corners_;
+  LastWay way_;
+  std::optional<PathPoint> across_;      ///< the end of a cut vector over a crossing of paths
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
 };
 

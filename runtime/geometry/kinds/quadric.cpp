@@ -215,8 +215,10 @@ Vec3 Quadric::turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
   if (!hint.valid || length <= 0.0) {
     return Vec3::Zero();
   }
-  // The place is 2 m |half| from its foot.
-  const Vec3 share = (Vec3::Ones() + foot.distance / length * roots_).cwiseInverse();
+  // The place is 2 m |half| from its foot. Amidst two feet the normal turns without end.
+  const Vec3 closing = Vec3::Ones() + foot.distance / length * roots_;
+  const Vec3 share =
+      closing.unaryExpr([](double c) { return 1.0 / (std::abs(c) > rounding ? c : rounding); });
   const Vec3& normal = hint.normal;
   const Vec3 along = axes_.transpose() * t;
   const Vec3 across = along - normal.dot(along) * normal;
