@@ -23,8 +23,6 @@ namespace arelem::motion {
 namespace {
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
-/// Motions of more cut vectors are not computed again for the sake of a message.
-constexpr std::uint64_t closelyLimit = 10000;
 
 class Follower {
  public:
@@ -61,7 +59,6 @@ class Follower {
     result_.axis = last_.axis;
     return std::move(result_);
   }
-  [[nodiscard]] std::uint64_t cutVectors() const { return result_.cutVectors; }
 
  private:
   /// The next cut vector.
@@ -331,12 +328,11 @@ Result<FollowResult> follow(const State& state,
   if (!course) {
     return course.takeFailure();
   }
-  Follower first(state, request, *course, sink, limits, interrupted);
-  auto result = first.run();
-  if (result || !tellsNearest(result.failure()) || first.cutVectors() > closelyLimit) {
+  auto result = Follower(state, request, *course, sink, limits, interrupted).run();
+  if (result || !tellsNearest(result.failure())) {
     return result;
   }
-  // Once more, for the nearest approach that the message tells.
+  // Once more, for the nearest approach that the message tells: no longer than the motion took.
   auto again = planCourse(state, request);
   if (!again) {
     return result;
