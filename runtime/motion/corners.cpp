@@ -1,8 +1,5 @@
 #include "runtime/motion/corners.h"
 
-#include <algorithm>
-#include <array>
-
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_turn.h"
 

@@ -1,7 +1,6 @@
 #include "runtime/motion/follow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -28,27 +27,6 @@ constexpr double roundBands = 4.0;
 constexpr double sameCap = 0.999;
 /// Where paths cross, cut vectors of at most this length are tried. Part unit.
 constexpr double longestAcross = 1e4;
-/// Motions of more cut vectors are not computed again for the sake of a message.
-constexpr std::uint64_t closelyLimit = 10000;
-
-/// The last cut vectors: next to a crossing they get short and turn.
-class LastWay {
- public:
-  void note(const Vec3& way) { ways_[count_++ % ways_.size()] = way; }
-  /// The direction of the longest one; `otherwise` where there is none.
-  [[nodiscard]] Vec3 general(const Vec3& otherwise) const {
-    const auto shorter = [](const Vec3& a, const Vec3& b) {
-      return a.squaredNorm() < b.squaredNorm();
-    };
-    const Vec3& longest = *std::max_element(ways_.begin(), ways_.end(), shorter);
-    return longest.isZero(0.0) ? otherwise : Vec3(longest.normalized());
-  }
-
- private:
-  std::array<Vec3, 8> ways_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
-                            Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  std::size_t count_ = 0;
-};
 
 class Follower {
  public:
@@ -85,7 +63,6 @@ class Follower {
     result_.axis = last_.axis;
     return std::move(result_);
   }
-  [[nodiscard]] std::uint64_t cutVectors() const { return result_.cutVectors; }
 
  private:
   /// The next cut vector.
@@ -380,12 +357,11 @@ Result<FollowResult> follow(const State& state,
   if (!course) {
     return course.takeFailure();
   }
-  Follower first(state, request, *course, sink, limits, interrupted);
-  auto result = first.run();
-  if (result || !tellsNearest(result.failure()) || first.cutVectors() > closelyLimit) {
+  auto result = Follower(state, request, *course, sink, limits, interrupted).run();
+  if (result || !tellsNearest(result.failure())) {
     return result;
   }
-  // Once more, for the nearest approach that the message tells.
+  // Once more, for the nearest approach that the message tells: no longer than the motion took.
   auto again = planCourse(state, request);
   if (!again) {
     return result;
