@@ -30,7 +30,7 @@ class G97(ArelemCase):
         self.assertExit(6, "a.apt", "-o", "a.lng")
         self.assertIn("E0640", self.err)
         self.assertIn("no FEDRAT came before it", self.err)
-        self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nGOTO/9,0,0\nFEDRAT/9999999\nGOTO/9,9,0\nGOTO/9,9,9\nFINI\n")
+        self.write("a.apt", "UNITS/MM\nFEDRAT/9999999\nFROM/0,0,0\nGOTO/9,0,0\nGOTO/9,9,0\nFINI\n")
         self.assertExit(6, "a.apt", "-o", "a.lng")
         self.assertNotIn("no FEDRAT", self.err)
 
