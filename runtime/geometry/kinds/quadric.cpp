@@ -27,6 +27,8 @@ constexpr double nearEnd = 0.05;
 constexpr double lastMove = 1e-9;
 /// Limit of 1 / d^2, and how fast it is looked for where its interval is open.
 constexpr double mostPole = 1e60, farther = 16.0;
+/// On the medial axis the normal turns without bound, which counts as this to the one.
+constexpr double leastScale = 1e-14;
 /// Share of the gradient by which it may change for the surface to count as a graph.
 constexpr double graphShare = 0.5;
 }  // namespace
@@ -216,7 +218,8 @@ Vec3 Quadric::turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
     return Vec3::Zero();
   }
   // The place is 2 m |half| from its foot.
-  const Vec3 share = (Vec3::Ones() + foot.distance / length * roots_).cwiseInverse();
+  const Vec3 scale = Vec3::Ones() + foot.distance / length * roots_;
+  const Vec3 share = scale.cwiseMax(leastScale).cwiseInverse();
   const Vec3& normal = hint.normal;
   const Vec3 along = axes_.transpose() * t;
   const Vec3 across = along - normal.dot(along) * normal;
