@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
-#include "runtime/motion/kept_share.h"
 #include "runtime/motion/tried.h"
 
 namespace arelem::motion {
@@ -281,7 +280,7 @@ std::optional<PathPoint> Stride::longestAlongCurves(const PathPoint& a, double c
       continue;
     }
     // What ends by MAXDP and not by the band.
-    const double kept = factor > idle && t.length >= longest_ ? keptShare(path_, a, *b) : 1.0;
+    const double kept = factor > idle && t.length >= longest_ ? keptShare_.of(path_, a, *b) : 1.0;
     if (kept < 1.0) {
       t.length = t.tried.shorter(t.length, kept, t.count);
       continue;
