@@ -30,6 +30,18 @@ class AxisRule {
       source_->hold(toolEnd);
     }
   }
+  /// The tool has come there; what was looked at elsewhere is forgotten.
+  void stand(const Vec3& toolEnd, const Vec3& axis) {
+    if (!isFixed()) {
+      source_->stand(toolEnd, axis);
+    }
+  }
+  /// Forgets all places.
+  void startAnew() {
+    if (!isFixed()) {
+      source_->startAnew();
+    }
+  }
   /// Why a motion may not get on from there.
   [[nodiscard]] std::optional<Failure> jump(const Vec3& toolEnd) {
     (void)at(toolEnd);

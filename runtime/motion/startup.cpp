@@ -249,6 +249,9 @@ class Starter {
       found = other.ok ? other : found;
     }
     // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
+    if (!found.ok) {
+      rule_.startAnew();
+    }
     auto bad = rule_.fault(found.ok ? found.toolEnd : reached);
     if (bad && (found.ok || bad->row == diag::AxisImpossible.row)) {
       return *std::move(bad);
