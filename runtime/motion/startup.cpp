@@ -221,13 +221,6 @@ class Starter {
     return list;
   }
 
-  Settled firstTry(const Vec3& from, std::span<const Constraint> extra) {
-    const auto goals = wanted(false, from);
-    return !rule_.isFixed() ? settleInTurn(from, state_.axis, rule_, goals, extra)
-           : exact_         ? settle(from, rule_, goals, extra)
-                            : settleEvenly(from, rule_, goals, extra);
-  }
-
   Result<Standing> runGo() {
     const Vec3 led = approach();
     Vec3 reached = led;
@@ -254,7 +247,13 @@ class Starter {
   /// The position to which the conditions lead from a place; `reached` is where the first way ends.
   Settled search(const Vec3& from, Vec3& reached) {
     const auto extra = constraints(from);
-    Settled found = firstTry(from, extra);
+    const auto wished = wanted(false, from);
+    const bool evenly = rule_.isFixed() && !exact_;
+    const Settled start = evenly ? measured(from, rule_, wished) : Settled{};
+    Settled found = evenly ? settleEvenly(start, rule_, wished, extra)
+                    : exact_ && rule_.isFixed()
+                        ? settle(from, rule_, wished, extra)
+                        : settleInTurn(from, state_.axis, rule_, wished, extra);
     reached = found.toolEnd;
     // From far away or across a kink a way may miss what there is; and where surfaces nearly touch
     // each other, only places within the tolerances may be any.
@@ -266,8 +265,8 @@ class Starter {
         found = tried.ok || !atRest ? tried : found;
       }
     }
-    if (!exact_ && rule_.isFixed() && !allPlanes()) {
-      found = nearer(found, from, rule_, wanted(false, from), extra);
+    if (evenly && !allPlanes()) {
+      found = nearer(found, start, rule_, wished, extra);
     }
     if (found.ok && !exact_) {
       const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
