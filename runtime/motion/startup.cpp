@@ -249,16 +249,18 @@ class Starter {
     const auto extra = constraints(from);
     const auto wished = wanted(false, from);
     const bool evenly = rule_.isFixed() && !exact_;
-    const Settled start = evenly ? measured(from, rule_, wished) : Settled{};
+    Settled start = evenly ? measured(from, rule_, wished) : Settled{};
     Settled found = evenly ? settleEvenly(start, rule_, wished, extra)
                     : exact_ && rule_.isFixed()
                         ? settle(from, rule_, wished, extra)
                         : settleInTurn(from, state_.axis, rule_, wished, extra);
     reached = found.toolEnd;
+    bool isFirst = true;
     // From far away or across a kink a way may miss what there is; and where surfaces nearly touch
     // each other, only places within the tolerances may be any.
     for (const bool atRest : {false, true}) {
       if (!found.ok) {
+        isFirst = false;
         const Settled near = closest(from, rule_, wanted(atRest, from), extra);
         const auto goals = wanted(atRest, near.toolEnd);
         const Settled tried = nearestAround(near, from, rule_, goals, extra);
@@ -266,7 +268,9 @@ class Starter {
       }
     }
     if (evenly && !allPlanes()) {
-      found = nearer(found, start, rule_, wished, extra);
+      const auto goals = wanted(false, from);
+      start = isFirst ? start : measured(from, rule_, goals);  // by fields that are new
+      found = nearer(found, start, rule_, goals, extra);
     }
     if (found.ok && !exact_) {
       const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
