@@ -75,8 +75,9 @@ class ChordFit {
   /// be known well, and kinks may leave this share of the band.
   static constexpr double hopeless = 0.5;
   static constexpr double hopelessShare = 0.02;
-  /// Squares of factors below this are those of chords that aim at the wrong edge of the band.
+  /// Squares of factors of chords that aim at the wrong edge of the band; so many looks tell that.
   static constexpr double farTooLong = 0.1;
+  static constexpr int mostLooks = 48;
 
   [[nodiscard]] Node node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
     const double slope =
@@ -90,12 +91,13 @@ class ChordFit {
     return {0, place, gap, a.slope - b.slope, {a.normal, b.normal}};
   }
   Node measure(double along) {
-    const double share = along / length_;
+    ++looks_;
     const Vec3 place = a_.toolEnd + along * direction_;
-    return node(along, field_.at(place, turning_ != nullptr ? turning_->axis(share) : a_.axis),
-                place);
+    const Vec3 axis = turning_ != nullptr ? turning_->axis(along / length_) : a_.axis;
+    return node(along, field_.at(place, axis), place);
   }
   void consider(const Node& a, const Node& b, int depth) {
+    depth = squared_ < farTooLong && looks_ >= mostLooks ? 0 : depth;
     const double length = b.along - a.along;
     // Where the contact jumps right at an end, both slopes may agree though the gap goes otherwise.
     const double astray = (b.gap - a.gap) / length - 0.5 * (a.slope + b.slope);
@@ -140,6 +142,7 @@ class ChordFit {
   double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
   double squared_ = tolerance::farAway;  ///< square of the factor
   double swerve_ = 0.0;                  ///< where that is
+  int looks_ = 0;
   std::optional<Path::Ridge> ridge_;
   std::optional<double> behind_;
   bool isSmooth_ = true;
