@@ -49,7 +49,8 @@ class AxisRule {
   }
   /// False where the axis that it was asked for last is one of many that turn into each other.
   [[nodiscard]] bool settles() const { return isFixed() || source_->settles(); }
-  /// Change of the axis with the tool end, d axis / d tool end, by central differences.
+  /// Change of the axis with the tool end, d axis / d tool end, by central differences; none where
+  /// the axis does not settle next to it.
   [[nodiscard]] Eigen::Matrix3d change(const Vec3& toolEnd);
 
  private:

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/motion/axis.h"
-#include "runtime/motion/chord.h"
+#include "runtime/motion/gap_cubic.h"
 
 namespace arelem::motion {
 
@@ -21,6 +21,9 @@ constexpr double leastBeyond = 1e-4;
 constexpr double nearEnd = 0.05, endShare = 1e-6;
 /// How near to each other the shares with the one and the other contact are.
 constexpr double closeEnough = 1e-13;
+/// Axes of shares so near to each other that differ so much jump: where the sense of the motion
+/// that the normals tell turns over, no contacts change, and the way is of no use.
+constexpr double besideJump = 1e-6, jumping = 1e-2;
 }  // namespace
 
 std::optional<Vec3> BetweenContacts::find(const Vec3& toolEnd, const Vec3& axis) {
@@ -133,7 +136,8 @@ double BetweenContacts::likely(const Vec3& toolEnd, const Bracket& bracket) {
   return way >= 0.0 && way <= bracket.width() ? a.share + way : a.share + 0.5 * bracket.width();
 }
 
-/// Until nothing is left between both ends; false where the contacts do not change on the way.
+/// Until nothing is left between both ends; false where the contacts do not change on the way, or
+/// where the axis jumps.
 bool BetweenContacts::narrow(const Vec3& toolEnd, Bracket& bracket) {
   const auto look = [&](double share) {
     const auto p = probe(toolEnd, share);
@@ -145,6 +149,10 @@ bool BetweenContacts::narrow(const Vec3& toolEnd, Bracket& bracket) {
   while (bracket.width() > closeEnough) {
     const double width = bracket.width();
     const bool bothKnown = bracket.low && bracket.high;
+    if (bothKnown && width < besideJump &&
+        (bracket.low->axis - bracket.high->axis).squaredNorm() > jumping * jumping) {
+      return false;
+    }
     if (!bothKnown && width < nearEnd) {
       const double end = bracket.low ? 1.0 - endShare : endShare;
       if (!look(end) || !bracket.low || !bracket.high) {

@@ -1,7 +1,5 @@
 #include "runtime/motion/corners.h"
 
-#include <algorithm>
-
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_turn.h"
 
@@ -26,13 +24,17 @@ double bandOf(const Path& path) {
   return band;
 }
 
+/// Over a crossing of paths: the shortest cut vector that is tried, and the largest turn, as a
+/// cosine.
+constexpr double shortestAcross = 1e-5;
+constexpr double straight = 0.87;
+
 bool isAt(const std::optional<Vec3>& corner, const PathPoint& place) {
   return corner && (*corner - place.toolEnd).norm() <= cornersApart;
 }
 }  // namespace
 
-std::optional<Corners::Way> Corners::from(const PathPoint& last,
-                                          const std::optional<PathPoint>& tip) {
+std::optional<Corners::Way> Corners::from(const PathPoint& last, const PathPoint* tip) {
   auto way = turned(last, tip);
   way = way ? way : leapt(last);
   if (way) {
@@ -43,9 +45,8 @@ std::optional<Corners::Way> Corners::from(const PathPoint& last,
 
 /// The last cut vector may have ended before the corner, and from there the next one would leave
 /// the band: the tip is gone to.
-std::optional<Corners::Way> Corners::turned(const PathPoint& last,
-                                            const std::optional<PathPoint>& tip) {
-  const PathPoint& at = tip ? *tip : last;
+std::optional<Corners::Way> Corners::turned(const PathPoint& last, const PathPoint* tip) {
+  const PathPoint& at = tip != nullptr ? *tip : last;
   const auto round = isAt(turn_, at) ? std::nullopt : path_.roundCorner(at);
   if (!round) {
     return std::nullopt;
@@ -53,6 +54,40 @@ std::optional<Corners::Way> Corners::turned(const PathPoint& last,
   turn_ = at.toolEnd;
   const bool apart = (at.toolEnd - last.toolEnd).norm() > cornerMissed;
   return Way{apart ? std::vector<PathPoint>{at} : std::vector<PathPoint>{}, *round};
+}
+
+std::optional<PathPoint> Corners::straightOn(const PathPoint& last,
+                                             const Vec3& way,
+                                             const std::array<double, 2>& gaps) {
+  const double length = way.norm();
+  const Vec3 direction = way / length;
+  auto p = path_.standing(last.toolEnd + way, direction, gaps, nullptr);
+  const bool fits = p && length >= straight * (p->toolEnd - last.toolEnd).norm() &&
+                    p->tangent.dot(direction) >= straight && path_.fitWithTurn(last, *p) >= 1.0;
+  return fits ? p : std::nullopt;
+}
+
+/// Twice as far each time: far behind the crossing both surfaces guide the tool again.
+std::optional<PathPoint> Corners::across(const PathPoint& last,
+                                         const Vec3& direction,
+                                         double longest) {
+  const std::array choices{std::array{last.contacts[0].gap, last.contacts[1].gap}, path_.rests(),
+                           path_.vertexGaps()};
+  std::optional<PathPoint> best;
+  double bestLength = 0.0;
+  for (const auto& gaps : choices) {
+    for (double length = shortestAcross; length <= longest; length *= 2.0) {
+      auto p = length > bestLength ? straightOn(last, length * direction, gaps) : std::nullopt;
+      if (p) {
+        best = std::move(p);
+        bestLength = length;
+      }
+    }
+  }
+  if (best) {
+    startAnew();
+  }
+  return best;
 }
 
 /// One place of the cutter gives an axis with which another touches, and that one an axis with
