@@ -1,7 +1,5 @@
 #include "runtime/motion/corners.h"
 
-#include <array>
-
 #include "ir/space/tolerance.h"
 #include "runtime/motion/axis_turn.h"
 
@@ -15,6 +13,17 @@ constexpr double cornersApart = 1e-4;
 /// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
 constexpr double cornerMissed = 1e-7;
 
+/// How far ahead of where a path ends its other axis is looked for, in bands.
+constexpr double aheadBands = 10.0;
+
+double bandOf(const Path& path) {
+  double band = 0.0;
+  for (const Guide& g : path.guides) {
+    band = std::max(band, g.inner + g.outer);
+  }
+  return band;
+}
+
 /// Over a crossing of paths: the shortest cut vector that is tried, and the largest turn, as a
 /// cosine.
 constexpr double shortestAcross = 1e-5;
@@ -25,8 +34,7 @@ bool isAt(const std::optional<Vec3>& corner, const PathPoint& place) {
 }
 }  // namespace
 
-std::optional<Corners::Way> Corners::from(const PathPoint& last,
-                                          const std::optional<PathPoint>& tip) {
+std::optional<Corners::Way> Corners::from(const PathPoint& last, const PathPoint* tip) {
   auto way = turned(last, tip);
   way = way ? way : leapt(last);
   if (way) {
@@ -37,9 +45,8 @@ std::optional<Corners::Way> Corners::from(const PathPoint& last,
 
 /// The last cut vector may have ended before the corner, and from there the next one would leave
 /// the band: the tip is gone to.
-std::optional<Corners::Way> Corners::turned(const PathPoint& last,
-                                            const std::optional<PathPoint>& tip) {
-  const PathPoint& at = tip ? *tip : last;
+std::optional<Corners::Way> Corners::turned(const PathPoint& last, const PathPoint* tip) {
+  const PathPoint& at = tip != nullptr ? *tip : last;
   const auto round = isAt(turn_, at) ? std::nullopt : path_.roundCorner(at);
   if (!round) {
     return std::nullopt;
@@ -90,6 +97,10 @@ std::optional<Corners::Way> Corners::leapt(const PathPoint& last) {
     return std::nullopt;
   }
   leap_ = last.toolEnd;
+  // The other axis is that with which the tool would go on.
+  const Vec3 ahead = last.toolEnd + aheadBands * bandOf(path_) * last.tangent;
+  const Vec3 beyond = path_.axis.at(ahead);
+  path_.axis.stand(ahead, beyond);
   std::vector<PathPoint> ends = turnOntoPath(path_, last, last.tangent);
   if (ends.empty() || (ends.back().axis - last.axis).norm() <= tolerance::nullDirection) {
     return std::nullopt;

@@ -54,6 +54,50 @@ std::optional<Failure> doesNotFit(const Course& course, const CheckWatch& w, con
               p.z());
 }
 
+/// Of a plane that is parallel to a plane that guides the tool: that stays as far from it as it is.
+bool keepsAway(const Course& course, const CheckWatch& w) {
+  const auto* check = std::get_if<surface::Plane>(&w.surface().surface);
+  const auto isParallel = [&](const NamedSurface& guide) {
+    const auto* plane = std::get_if<surface::Plane>(&guide.surface);
+    return plane != nullptr &&
+           plane->normal.cross(check->normal).norm() <= tolerance::nullDirection;
+  };
+  return check != nullptr && course.path.axis.isFixed() &&
+         (isParallel(course.drive) || isParallel(course.part));
+}
+
+/// Of a motion that is nowhere nearer to the check surface than where it begins.
+std::string_view neverNearer(const Course& course, const CheckWatch& w) {
+  if (keepsAway(course, w)) {
+    return "it is parallel to the way: the tool stays as far from it as it is";
+  }
+  return course.drive.isPlane() && course.part.isPlane()
+             ? "the tool moves away from it from the start on"
+             : "the tool is nowhere nearer to it than at the start";
+}
+
+/// Why no tangency was met.
+Failure noTangency(const Course& course, const CheckWatch& w) {
+  const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
+  const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
+  const Vec3 where = told(w.parallel() ? w.parallel()->place : w.nearestPlace());
+  const bool cross = !w.parallel() && gap <= w.band();
+  const bool overlaps = w.parallel() ? gap < 0.0 : w.nearestOverlaps();
+  if (auto narrow = cross ? std::nullopt : doesNotFit(course, w, where)) {
+    return *std::move(narrow);
+  }
+  Failure none = fail(diag::NoTangency, partner, w.surface().name, w.band(),
+                      cross      ? "cross without being parallel, off"
+                      : overlaps ? "overlap"
+                                 : "miss each other",
+                      std::abs(told(gap)), where.x(), where.y(), where.z());
+  const double away = (where - course.start.toolEnd).norm();
+  if (cross && away > endless) {
+    return std::move(none).withHelp("they come nearer to each other without end");
+  }
+  return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
+}
+
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -62,24 +106,7 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     return fail(diag::CheckNeverLeft, w.surface().name, condition, w.band());
   }
   if (w.isTangent()) {
-    const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
-    const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
-    const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
-    const bool cross = !w.parallel() && gap <= w.band();
-    const bool overlaps = w.parallel() ? gap < 0.0 : w.nearestOverlaps();
-    if (auto narrow = cross ? std::nullopt : doesNotFit(course, w, where)) {
-      return *std::move(narrow);
-    }
-    Failure none = fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                        cross      ? "cross without being parallel, off"
-                        : overlaps ? "overlap"
-                                   : "miss each other",
-                        std::abs(told(gap)), where.x(), where.y(), where.z());
-    const double away = (where - course.start.toolEnd).norm();
-    if (cross && away > endless) {
-      return std::move(none).withHelp("they come nearer to each other without end");
-    }
-    return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
+    return noTangency(course, w);
   }
   if (w.touchedAny()) {
     const Vec3 last = told(w.lastContact());
@@ -103,7 +130,7 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     return std::move(never).withHelp(atTheStart(w));
   }
   if ((w.nearestPlace() - course.start.toolEnd).norm() <= tolerance::coincidence) {
-    return std::move(never).withHelp("the tool moves away from it from the start on");
+    return std::move(never).withHelp(std::string(neverNearer(course, w)));
   }
   return never;
 }
@@ -128,18 +155,6 @@ Failure tooMuch(Course& course,
   }
   const Vec3 p = told(last.toolEnd);
   return fail(diag::MotionEffort, gaps, cutVectors, p.x(), p.y(), p.z());
-}
-
-/// Of a plane that is parallel to a plane that guides the tool: that stays as far from it as it is.
-static bool keepsAway(const Course& course, const CheckWatch& w) {
-  const auto* check = std::get_if<surface::Plane>(&w.surface().surface);
-  const auto isParallel = [&](const NamedSurface& guide) {
-    const auto* plane = std::get_if<surface::Plane>(&guide.surface);
-    return plane != nullptr &&
-           plane->normal.cross(check->normal).norm() <= tolerance::nullDirection;
-  };
-  return check != nullptr && course.path.axis.isFixed() &&
-         (isParallel(course.drive) || isParallel(course.part));
 }
 
 Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) {
