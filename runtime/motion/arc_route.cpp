@@ -63,8 +63,8 @@ ArcPlan ArcRoute::plan(const PathPoint& end) const {
   const double angle = std::atan2(to.y(), to.x()) - startAngle_;
   const double turn = 2.0 * std::numbers::pi;
   const double total = angle + turn * std::round((roughly - angle) / turn);
-  // How much of the band, counted from its small radius, lies below the start: less than nothing, or
-  // more than all of it, where the start is outside, as it may be a little.
+  // How much of the band, counted from its small radius, lies below the start: less than nothing,
+  // or more than all of it, where the start is outside, as it may be a little.
   const Guide& drive = course_.driveGuide();
   const double gap = course_.start.contacts[1].gap;
   const double band = drive.inner + drive.outer;
