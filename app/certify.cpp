@@ -1,10 +1,12 @@
 #include "app/certify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "app/certify_table.h"
 #include "app/cl_input.h"
+#include "app/decimals_seen.h"
 #include "app/in_part_unit.h"
 #include "app/pipeline.h"
 #include "app/source_file.h"
@@ -37,24 +39,28 @@ std::optional<Span> firstCorner(const std::vector<runtime::Action>& actions) {
 
 /// Hands the records of a CL file to the certificate, in the unit of the program, its arcs and
 /// splines as cut vectors and its swarf sections upright. False when it cannot be read.
+/// `decimals` becomes the number of them that its places have.
 bool readPath(ClFile& file,
               const PartFacts& part,
               double slack,
               const Settings& settings,
               cl::RecordSink& records,
               const InterruptFlag& interrupted,
-              ExitCode& exit) {
+              ExitCode& exit,
+              int& decimals) {
   Settings reading = settings;
   reading.dialect = frontend::Dialect::cl;
   Compilation job(reading);
   const auto upright = path::makeUprightStage(records, slack, job.log);
   const auto chords = path::makeChordStage(*upright, job.log, std::max(0.5 * slack, leastSag));
-  InPartUnit lengths(part, displayName(file.path()), *chords, job.log);
+  DecimalsSeen rounded(*chords);
+  InPartUnit lengths(part, displayName(file.path()), rounded, job.log);
   bool good = readRecords(job, file, lengths, interrupted);
   upright->finish();
   good = good && job.log.errors() == 0;
   job.log.print(job.sources, job.main, settings);
   exit = worse(exit, job.log.exitCode());
+  decimals = rounded.decimals();
   return good;
 }
 }  // namespace
@@ -84,6 +90,7 @@ ExitCode certify(const CertifyRequest& request,
       options.numbered = file->format() != InputFormat::text;
     }
     double seconds = 0.0;
+    int decimals = 0;
     const auto certificate = certify::makeCertificate(job.evaluation.actions, options, job.log);
     bool whole = false;
     {
@@ -102,7 +109,7 @@ ExitCode certify(const CertifyRequest& request,
         job.log.accept(std::move(refusal));
       } else {
         whole = readPath(*file, partFactsOf(job.evaluation.actions), options.slack, settings,
-                         *certificate, interrupted, exit);
+                         *certificate, interrupted, exit, decimals);
       }
       const bool judged = !corner || request.path.empty();
       if (judged && (whole || job.log.errors() > 0)) {
@@ -119,6 +126,12 @@ ExitCode certify(const CertifyRequest& request,
             "{}\n",
             s.statements, s.cutVectors, s.places, seconds,
             s.faults == 0 ? "all tolerances are proven" : fmt::format("{} faults", s.faults));
+        const double last = std::pow(10.0, -decimals);
+        if (s.faults != 0 && !request.slack && decimals != 0 && last > options.slack) {
+          std::cerr << fmt::format(
+              "   places of {} have {} decimals at most: `--slack {}` allows for their rounding\n",
+              options.file, decimals, last);
+        }
       }
     }
   }

@@ -25,6 +25,11 @@ PlanRefusal unknownFormat(const std::string& name) {
                                                  : "; did you mean `" + guess + "`?")};
 }
 
+/// Formats of another command.
+bool isViewed(const std::string& file) {
+  return file.ends_with(".png") || file.ends_with(".html");
+}
+
 /// The formats of --to; CL text when there is none.
 Refusal findFormats(const std::vector<std::string>& names,
                     std::vector<const backend::Target*>& formats) {
@@ -53,8 +58,9 @@ Refusal planFiles(const OutputChoice& choice,
                                     : file == "-"    ? defaultFormat()
                                                      : backend::targetForFile(file);
     if (target == nullptr) {
-      return PlanRefusal{ExitCode::wrongUse,
-                         "the suffix of `" + file + "` names no output format; give one with --to"};
+      const std::string seen = "the suffix of `" + file + "` names no output format; ";
+      return PlanRefusal{ExitCode::wrongUse, seen + (isViewed(file) ? "`arelem view` writes it"
+                                                                    : "give one with --to")};
     }
     job.outputs.push_back({file, target});
   }

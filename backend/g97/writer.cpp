@@ -232,7 +232,9 @@ class G97Writer : public Writer {
   int speedOf(double speed, std::string_view place) {
     const double rounded = std::round(speed);
     if (!(rounded >= 1.0 && rounded <= fastest)) {
-      object(fail(diag::G97Feed, place, speed), std::max(speed, 1.0 / speed));
+      Failure bad = fail(diag::G97Feed, place, speed);
+      object(speed > 0.0 ? bad : std::move(bad).withHelp("no FEDRAT came before it"),
+             std::max(speed, 1.0 / speed));
       return 1;
     }
     if (machine_.speed > 0.0 && rounded > machine_.speed) {

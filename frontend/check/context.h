@@ -1,4 +1,7 @@
 #pragma once
+#include <set>
+#include <string>
+
 #include "frontend/check/names.h"
 #include "frontend/check/reporter.h"
 #include "frontend/compile.h"
@@ -21,7 +24,11 @@ struct Context {
   /// checks.
   bool lenient = false;
 
-  void report(Diagnostic diagnostic) { reporter.report(std::move(diagnostic)); }
+  /// Words that the program has as names or labels, which was told (E0212, E0213): what follows
+  /// from that where they are used is no fault of its own.
+  std::set<std::string, std::less<>> misnamed;
+
+  void report(Diagnostic diagnostic);
 };
 
 }  // namespace arelem::frontend

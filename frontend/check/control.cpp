@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "ir/diag/frontend.h"
 #include "ir/space/tolerance.h"
 
@@ -42,7 +44,11 @@ bool Control::labelText(NodeId id, Word word, std::string_view& text) {
       (node->kind == Kind::label || node->kind == Kind::name || node->kind == Kind::number);
   if (!fits) {
     const Span at = node == nullptr ? block_.origin().span : node->span;
-    context_.report(diagnose(at, diag::LabelExpected, spell(word)));
+    Diagnostic d = diagnose(at, diag::LabelExpected, spell(word));
+    if (node != nullptr && node->kind == Kind::word) {
+      d.help = fmt::format("`{}` is a word of the language and cannot be a label", node->text);
+    }
+    context_.report(std::move(d));
     return false;
   }
   text = node->text;

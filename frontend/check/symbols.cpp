@@ -40,6 +40,18 @@ std::string_view mantissaOf(std::string_view name) {
              ? name.substr(0, e)
              : std::string_view();
 }
+
+/// Blanks do not count: `TO L1` is the name TOL1. Where a word and a name would make it, both with
+/// the comma between them, else nothing.
+std::string withComma(std::string_view name, Names& names) {
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    const NameFacts* behind = findWord(name.substr(0, i)) ? names.find(name.substr(i)) : nullptr;
+    if (behind != nullptr && behind->defined) {
+      return fmt::format("{},{}", name.substr(0, i), name.substr(i));
+    }
+  }
+  return {};
+}
 }  // namespace
 
 ir::SymbolId Values::symbol(std::string_view name, NameFacts& facts) {
@@ -65,6 +77,8 @@ void Values::undefined(std::string_view name, const Span& span) {
   } else if (const std::string_view mantissa = mantissaOf(name); !mantissa.empty()) {
     d.help = fmt::format("a number with an exponent has a decimal point: {}.{}", mantissa,
                          name.substr(mantissa.size()));
+  } else if (const std::string apart = withComma(name, context_.names); !apart.empty()) {
+    d.help = fmt::format("blanks do not count; with a comma: {}", apart);
   } else {
     for (const std::string& near : context_.names.similar(name, true)) {
       d.help += (d.help.empty() ? "did you mean `" : ", `") + near + "`";

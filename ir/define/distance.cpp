@@ -56,6 +56,7 @@ class Grid {
     int node = -1;  ///< predecessor, -1 at the start
     bool edited = false;
     Edit edit;
+    int lacks = -1;  ///< where a parameter lacks, if that is all that is changed up to here
   };
 
   Cell& cell(std::size_t used, int node) {
@@ -70,11 +71,17 @@ class Grid {
       return false;
     }
     const int cost = cell(fromUsed, from).cost + step;
+    const int lacks = edit == nullptr ? cell(fromUsed, from).lacks
+                      : edit->kind == Edit::Kind::missing && cost == otherCost
+                          ? static_cast<int>(edit->position)
+                          : -1;
     Cell& target = cell(used, to);
-    if (cost >= target.cost) {
+    // Where one may lack at several places the last is told: whoever stops short forgot the end.
+    const bool later = cost == target.cost && target.lacks >= 0 && lacks > target.lacks;
+    if (cost >= target.cost && !later) {
       return false;
     }
-    target = {cost, fromUsed, from, edit != nullptr, edit != nullptr ? *edit : Edit{}};
+    target = {cost, fromUsed, from, edit != nullptr, edit != nullptr ? *edit : Edit{}, lacks};
     return true;
   }
 

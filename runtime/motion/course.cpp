@@ -188,13 +188,34 @@ class Planner {
         Failure off = role == partRole
                           ? fail(diag::OffPartSurface, gap, name, 0.0 - g.inner, g.outer)
                           : fail(diag::OffDriveSurface, gap, name, 0.0 - g.inner, g.outer);
-        return turnsWhereItStands() ? std::move(off).withHelp(
-                                          "TLAXIS turns a tool that stands about its end: it "
-                                          "belongs before the startup")
-                                    : off;
+        if (turnsWhereItStands()) {
+          return std::move(off).withHelp(
+              "TLAXIS turns a tool that stands about its end: it belongs before the startup");
+        }
+        const std::string_view help = asTheOtherWord(role, slack);
+        return help.empty() ? off : std::move(off).withHelp(std::string(help));
       }
     }
     return std::nullopt;
+  }
+
+  /// What to write where the tool is in the tolerance of the other word: ON or in contact.
+  std::string_view asTheOtherWord(Role role, double slack) {
+    const Guide& g = guide(role);
+    const bool on = role == driveRole ? course_.onDrive : toolOn(partRole);
+    const double gap = on ? guideField(role, false)->at(state_.toolEnd, state_.axis).gap
+                          : std::abs(footOn(surfaceOf(role).surface, state_.toolEnd).distance);
+    if (gap > g.outer + slack || gap < -g.inner - slack) {
+      return {};
+    }
+    if (role == partRole) {
+      return on ? "the cutter touches it: TLOFPS keeps it so, TLONPS needs a startup ON it"
+                : "the tool end is on it: TLONPS keeps it so, TLOFPS needs a startup TO it";
+    }
+    return on ? "the cutter touches it: TLLFT and TLRGT keep it so, TLON needs a startup ON it"
+              : "the tool end is on it: TLON keeps it so, TLLFT and TLRGT need a startup TO or "
+                "PAST "
+                "it";
   }
 
   /// True where a TLAXIS with a vector may have turned the tool away from its surfaces.

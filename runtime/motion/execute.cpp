@@ -68,7 +68,7 @@ class Motions {
   }
 
   void report(Failure failure) {
-    reporter_.report(action(), std::move(failure));
+    reporter_.report(action(), std::move(failure), state_.part ? state_.part->entity : nullptr);
     stop_ = stop_ || reporter_.fatal();
   }
   void reportAll(std::vector<Failure>& warnings) {

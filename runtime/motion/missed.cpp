@@ -24,6 +24,28 @@ std::string atTheStart(const CheckWatch& w) {
       w.band());
 }
 
+/// Of a plane that is parallel to a plane that guides the tool: that stays as far from it as it is.
+bool keepsAway(const Course& course, const CheckWatch& w) {
+  const auto* check = std::get_if<surface::Plane>(&w.surface().surface);
+  const auto isParallel = [&](const NamedSurface& guide) {
+    const auto* plane = std::get_if<surface::Plane>(&guide.surface);
+    return plane != nullptr &&
+           plane->normal.cross(check->normal).norm() <= tolerance::nullDirection;
+  };
+  return check != nullptr && course.path.axis.isFixed() &&
+         (isParallel(course.drive) || isParallel(course.part));
+}
+
+/// Of a motion that is nowhere nearer to the check surface than where it begins.
+std::string_view neverNearer(const Course& course, const CheckWatch& w) {
+  if (keepsAway(course, w)) {
+    return "it is parallel to the way: the tool stays as far from it as it is";
+  }
+  return course.drive.isPlane() && course.part.isPlane()
+             ? "the tool moves away from it from the start on"
+             : "the tool is nowhere nearer to it than at the start";
+}
+
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -69,7 +91,7 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     return std::move(never).withHelp(atTheStart(w));
   }
   if ((w.nearestPlace() - course.start.toolEnd).norm() <= tolerance::coincidence) {
-    return std::move(never).withHelp("the tool moves away from it from the start on");
+    return std::move(never).withHelp(std::string(neverNearer(course, w)));
   }
   return never;
 }
@@ -94,18 +116,6 @@ Failure tooMuch(Course& course,
   }
   const Vec3 p = told(last.toolEnd);
   return fail(diag::MotionEffort, gaps, cutVectors, p.x(), p.y(), p.z());
-}
-
-/// Of a plane that is parallel to a plane that guides the tool: that stays as far from it as it is.
-static bool keepsAway(const Course& course, const CheckWatch& w) {
-  const auto* check = std::get_if<surface::Plane>(&w.surface().surface);
-  const auto isParallel = [&](const NamedSurface& guide) {
-    const auto* plane = std::get_if<surface::Plane>(&guide.surface);
-    return plane != nullptr &&
-           plane->normal.cross(check->normal).norm() <= tolerance::nullDirection;
-  };
-  return check != nullptr && course.path.axis.isFixed() &&
-         (isParallel(course.drive) || isParallel(course.part));
 }
 
 Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) {

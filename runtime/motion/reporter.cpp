@@ -26,6 +26,12 @@ std::vector<EntityPtr> involved(const runtime::Action& action) {
   return list;
 }
 
+/// The part surface stands in an earlier statement: it is shown where the message names it.
+bool isTold(const EntityPtr& part, std::string_view message) {
+  return part && !part->name.empty() &&
+         message.find("`" + part->name + "`") != std::string_view::npos;
+}
+
 /// Where a mesh ends its contact does: how far it reaches, for faults of the path.
 std::optional<std::string> reachOf(const Entity& mesh) {
   const auto count = mesh.canon.empty() ? std::size_t{0} : static_cast<std::size_t>(mesh.canon[0]);
@@ -96,20 +102,26 @@ std::optional<Failure> ofMotion(State& state, std::optional<Failure> failure) {
   return ofPlace ? fail(diag::AfterFailure) : std::move(failure);
 }
 
-void Reporter::report(const runtime::Action& action, Failure failure) {
+void Reporter::report(const runtime::Action& action, Failure failure, const EntityPtr& part) {
   const DiagRow& row = *failure.row;
   failed_ = failed_ || row.severity == Severity::error;
   fatal_ = fatal_ || &row == diag::Interrupted.row || &row == diag::LimitTransfers.row;
   putRecord(writer_, row);
-  for (const EntityPtr& entity : involved(action)) {
+  std::vector<EntityPtr> shown = involved(action);
+  for (const EntityPtr& entity : shown) {
     noteReach(entity, failure);
+  }
+  if (isTold(part, failure.message)) {
+    shown.push_back(part);
   }
   Diagnostic d = at(action.origin, std::move(failure));
   for (auto call = action.calls; call; call = call->outer) {
     d.calledFrom.push_back(call->call);
   }
-  for (const EntityPtr& entity : involved(action)) {
-    if (entity && !entity->name.empty() && entity->definition.length > 0) {
+  for (auto it = shown.begin(); it != shown.end(); ++it) {
+    const EntityPtr& entity = *it;
+    const bool again = std::find(shown.begin(), it, entity) != it;
+    if (entity && !again && !entity->name.empty() && entity->definition.length > 0) {
       d.labels.push_back({entity->definition, "`" + entity->name + "` defined here"});
     }
   }

@@ -16,8 +16,8 @@ class Reporter {
  public:
   Reporter(RecordWriter& writer, DiagnosticSink& sink) : writer_(writer), sink_(sink) {}
 
-  /// `action` is the statement at fault.
-  void report(const runtime::Action& action, Failure failure);
+  /// `action` is the statement at fault, `part` the part surface in force, if any.
+  void report(const runtime::Action& action, Failure failure, const EntityPtr& part = nullptr);
   /// True after an error.
   [[nodiscard]] bool failed() const { return failed_; }
   /// True after an error that ends the run.

@@ -115,6 +115,30 @@ class BadMotion(ArelemCase):
         self.assertFault(fault, "E0508", "724", 3.5, 9, -0.5)
         self.assertEqual(fault["help"], "the tool moves away from it from the start on")
 
+    def test_check_surface_beside_the_way(self):
+        # The tool end runs along y = -.5, its far side along y = 0: the line y = 3 is 3 away from the start to no end.
+        fault = self.fault("CUTTER/1", "L1=LINE/0,0,1,0", "L2=LINE/0,3,1,3", "FROM/0,-.5,0", "INDIRV/1,0,0",
+                           "TLRGT,GOFWD/L1,TO,L2")
+        self.assertFault(fault, "E0508", "724", 3, 0, -0.5)
+        self.assertEqual(fault["help"], "it is parallel to the way: the tool stays as far from it as it is")
+
+    def test_start_in_the_tolerance_of_the_other_word(self):
+        for at, word, help in (("FROM/0,0,0", "TLRGT", "the tool end is on it: TLON keeps it so"),
+                               ("FROM/0,-.5,0", "TLON", "the cutter touches it: TLLFT and TLRGT keep it so")):
+            fault = self.fault(*self.LINES, at, "INDIRV/1,0,0", f"{word},GOFWD/L1,TO,L2")
+            self.assertFault(fault, "E0505", "503")
+            self.assertIn(help, fault["help"])
+        # A ball that stands with its end on a plane leaning by 1 in 1, in which it is sunk, and one that touches it.
+        ball = ("CUTTER/2,1", "P=PLANE/1,0,1,0", "PSIS/P", "L2=LINE/0,5,1,5", "D=LINE/0,0,0,1")
+        for at, word, help in (("FROM/0,0,0", "TLOFPS", "the tool end is on it: TLONPS keeps it so"),
+                               (f"FROM/0,0,{math.sqrt(2) - 1}", "TLONPS", "the cutter touches it: TLOFPS keeps it so")):
+            fault = self.fault(*ball, at, "INDIRV/0,1,0", f"TLON,{word},GOFWD/D,ON,L2")
+            self.assertFault(fault, "E0504", "502")
+            self.assertIn(help, fault["help"])
+            self.assertIn("`P` defined here", [r["message"] for r in fault["related"]])
+        fault = self.fault(*self.LINES, "FROM/0,-3,0", "INDIRV/1,0,0", "TLRGT,GOFWD/L1,TO,L2")
+        self.assertNotIn("help", {k for k, v in fault.items() if v})
+
     def test_negative_thick_deeper_than_the_tool(self):
         # With a radius of .5 and THICK -.6 the tool overlaps one side or the other wherever it is.
         fault = self.fault(*self.LINES, "THICK/0,0,-.6", "FROM/0,-.5,0", "INDIRV/1,0,0", "TLRGT,GOFWD/L1,TO,L2")

@@ -319,7 +319,12 @@ class Certify(ArelemCase):
         self.write("s.apt", SPHERE)
         self.assertExit(0, "s.apt", "-o", "s.cls", "--decimals", "4")
         self.assertExit(5, "verify", "s.apt", "s.cls")
+        self.assertIn("have 4 decimals at most: `--slack 0.0001` allows", self.err)
         self.assertExit(0, "verify", "s.apt", "s.cls", "--slack", "0.0001")
+        self.assertExit(0, "s.apt", "-o", "e.cls")
+        self.write("s.apt", SPHERE.replace("OUTTOL/", "OUTTOL/.00000001 $$ "))
+        self.assertExit(5, "verify", "s.apt", "e.cls")
+        self.assertNotIn("decimals at most", self.err)
 
     def test_damaged_records_are_unreadable_input(self):
         self.records()

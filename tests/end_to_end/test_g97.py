@@ -25,6 +25,15 @@ class G97(ArelemCase):
                 self.assertExit(0, "verify", "a.lng", "--with", program)
                 self.assertIn("locations", self.err)
 
+    def test_a_path_without_a_feed(self):
+        self.write("a.apt", "UNITS/MM\nFROM/0,0,0\nGOTO/9,0,0\nGOTO/9,9,0\nFINI\n")
+        self.assertExit(6, "a.apt", "-o", "a.lng")
+        self.assertIn("E0640", self.err)
+        self.assertIn("no FEDRAT came before it", self.err)
+        self.write("a.apt", "UNITS/MM\nFEDRAT/9999999\nFROM/0,0,0\nGOTO/9,0,0\nGOTO/9,9,0\nFINI\n")
+        self.assertExit(6, "a.apt", "-o", "a.lng")
+        self.assertNotIn("no FEDRAT", self.err)
+
     def test_verify_sees_what_was_changed(self):
         program = PROJECT / "examples" / "sen_half_cylinder.apt"
         self.assertExit(0, program, "-o", "a.lng")

@@ -26,6 +26,9 @@ class Formats(ArelemCase):
         self.assertExit(0, "a.apt", "-o", "b.txt", "--to", "json")
         self.assertIn('"kind"', (self.folder / "b.txt").read_text())
         self.assertExit(2, "a.apt", "-o", "c.unknown")
+        self.assertIn("give one with --to", self.err)
+        self.assertExit(2, "a.apt", "-o", "c.png")
+        self.assertIn("`arelem view` writes it", self.err)
         self.assertExit(2, "a.apt", "--to", "jsn")
         self.assertIn("did you mean `json`?", self.err)
 

@@ -126,5 +126,15 @@ TEST(Names, AnExponentWithoutAPointIsExplained) {
             "a number with an exponent has a decimal point: 1.E300");
 }
 
+TEST(Names, AWordAndANameWithoutTheirComma) {
+  const auto helpOf = [](const std::string& statement) {
+    return compileText("L1=LINE/0,0,1,0\n" + statement + "\nFINI\n")->sink.all().back().help;
+  };
+  EXPECT_EQ(helpOf("GO/TO L1"), "blanks do not count; with a comma: TO,L1");
+  EXPECT_EQ(helpOf("GO/TO,L1,PAST L1"), "blanks do not count; with a comma: PAST,L1");
+  EXPECT_EQ(helpOf("GO/TO,L2"), "did you mean `L1`");
+  EXPECT_EQ(helpOf("GO/TOL7"), "");  // no name is there behind the word
+}
+
 }  // namespace
 }  // namespace arelem::frontend
