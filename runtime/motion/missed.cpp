@@ -164,9 +164,12 @@ Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) 
   }
   const Vec3 p = told(last.toolEnd);
   const CheckWatch& w = course.watches.front();
-  const Vec3 q = told(w.nearestPlace());
-  return fail(diag::CutVectorLimit, cutVectors, p.x(), p.y(), p.z(), w.surface().name,
-              told(w.nearest()), q.x(), q.y(), q.z());
+  // Of a tangency what counts is where the surfaces are parallel: the tool may cross elsewhere.
+  const double nearest = w.parallel() ? std::abs(w.parallel()->gap) : w.nearest();
+  const Vec3 q = told(w.parallel() ? w.parallel()->place : w.nearestPlace());
+  Failure limit = fail(diag::CutVectorLimit, cutVectors, p.x(), p.y(), p.z(), w.surface().name,
+                       told(nearest), q.x(), q.y(), q.z());
+  return w.isTangent() ? std::move(limit).note(missedOne(course, w).message) : limit;
 }
 
 Failure lost(Course& course, const PathPoint& last) {
