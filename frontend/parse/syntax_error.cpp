@@ -90,6 +90,9 @@ Diagnostic explainSyntaxError(std::span<const Token> tokens,
     return diagnose(bad.span, diag::IfFormat);
   }
   Diagnostic d = diagnose(bad.span, diag::Misplaced, shown(bad));
+  if (tokens.front().kind == doWord) {
+    d.help = "the form is DO/ variable = first, last [, step] ... ENDDO";
+  }
   return expected.empty() ? d : std::move(d).note("here may stand: " + expected);
 }
 

@@ -194,6 +194,18 @@ def post_words_page(tables):
     return "\n".join(text) + "\n"
 
 
+LATER = ["", "## Blocks of later systems", "",
+         "| statement | meaning |", "|---|---|",
+         "| `DO/ variable = first, last [, step]` ... `ENDDO` | repeats what stands between; `step` is 1, or negative to count down. Not at all "
+         "where `last` lies before `first` |",
+         "| `IF (condition) THEN` ... [`ELSEIF (condition) THEN` ...] [`ELSE` ...] `ENDIF` | does the first part whose condition holds |",
+         "| `.LT. .LE. .EQ. .NE. .GE. .GT. .AND. .OR. .NOT.` | conditions |",
+         "| `INCLUDE/ 'file'` | the statements of a file, sought beside the program and in the folders of `-I` |", "",
+         "Both kinds of blocks nest, and may stand in LOOPST, in macros and outside of both.", "",
+         "```apt", "N=0", "M=0", "DO/I=10,2,-2", "IF(I .GT. 6 .OR. I .EQ. 2) THEN", "N=N+1", "ELSE", "M=M+I", "ENDIF", "ENDDO", "FINI", "```", "",
+         "| name | type | canonical numbers |", "|---|---|---|", "| N | SCALAR | 3 |", "| M | SCALAR | 10 |"]
+
+
 def dialects_page(tables):
     names = ["auto", "apt360", "apt4", "cl", "native"]
     text = [GENERATED, "", "# Dialects", "",
@@ -206,7 +218,7 @@ def dialects_page(tables):
              "A line that begins like this (blanks do not count), with no `name =` before it:", "",
              "| begin | written by |", "|---|---|"]
     text += [f"| `{row['begin']}` | {row['writer']} |" for row in tables["clMarks"]]
-    return "\n".join(text) + "\n"
+    return "\n".join(text + LATER) + "\n"
 
 
 def limits_page(limits):
