@@ -113,7 +113,8 @@ class CutterProbe final : public Probe {
       }
     } else {
       result.high = highest(a, b);
-      result.low = searched(a.s, b.s, aim, pieces_, result);
+      const double hull = overHull(a, b);
+      result.low = hull >= aim ? hull : searched(a.s, b.s, aim, pieces_, result);
     }
     return result;
   }
@@ -205,6 +206,19 @@ class CutterProbe final : public Probe {
     const double byA = std::min(planes_.below(a, a), planes_.below(a, b));
     const double byB = std::min(planes_.below(b, a), planes_.below(b, b));
     return {std::max(byA, byB) - bulge, highest(a, b)};
+  }
+
+  /// Lower bound by planes that support the hull of the surface, where that is known.
+  [[nodiscard]] double overHull(const Node& a, const Node& b) const {
+    if constexpr (std::is_same_v<S, surface::Torus>) {
+      if (relation_.side > 0.0) {
+        const double turned = chord_.turn() * (b.s - a.s);
+        const double byA = std::min(planes_.belowHull(a, a), planes_.belowHull(a, b));
+        const double byB = std::min(planes_.belowHull(b, a), planes_.belowHull(b, b));
+        return std::max(byA, byB) - 0.125 * turned * turned * reach_;
+      }
+    }
+    return -unbounded;
   }
 
   /// Upper bound between two nodes: the contacts of both, kept on the cutter.

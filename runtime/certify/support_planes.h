@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "ir/space/tolerance.h"
 #include "runtime/certify/piece.h"
@@ -22,10 +24,22 @@ class SupportPlanes {
     return plane - tool::reach(cutter_, of.normal.dot(there.axis)) - thick_;
   }
 
+  /// Lower bound of the gap at `there` by the plane square to the normal of `of` that supports the
+  /// convex hull of a torus; it says all where a level bottom lies on the torus.
+  [[nodiscard]] double belowHull(
+      const Node& of, const Node& there) const requires std::is_same_v<S, surface::Torus> {
+    const Vec3& n = of.normal;
+    const double along = n.dot(surface_.axis);
+    const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
+    return n.dot(there.toolEnd - surface_.center) - tool::reach(cutter_, n.dot(there.axis)) -
+           surface_.major * across - surface_.minor - thick_;
+  }
+
   /// Of a cutter that covers the tip of a cone the nearest point lies on the cone's axis, where the
   /// planes that support the cone all around meet: none of them alone says how near. Their weighted
   /// means do: any normal leaning from the axis by up to 90 degrees less the half angle, so long
-  /// that its share of the axis is sin(half). Golden sections find the one that says most.
+  /// that its share of the axis is sin(half). What they say is a concave function of how they lean,
+  /// towards the cutter's axis and aside.
   void supportAtTip(Node& n, const Chord& chord) const requires std::is_same_v<S, surface::Cone> {
     if (n.high - n.low <= tolerance::rounding) {
       return;
@@ -34,34 +48,28 @@ class SupportPlanes {
     const Vec3 way = n.toolEnd + cutter_.f * n.axis - surface_.vertex;
     const Vec3 across = way - way.dot(up) * up;
     const Vec3 out = across.norm() > 0.0 ? Vec3(across.normalized()) : up.unitOrthogonal();
-    const auto mean = [&](double tangent) -> Vec3 {
-      return surface_.sinHalf * (up + tangent * out);
+    const Vec3 aside = up.cross(out);
+    const auto mean = [&](double outwards, double sideways) -> Vec3 {
+      return surface_.sinHalf * (up + outwards * out + sideways * aside);
     };
-    const auto gapBy = [&](double tangent) {
-      const Vec3 m = mean(tangent);
+    const auto gapBy = [&](double outwards, double sideways) {
+      const Vec3 m = mean(outwards, sideways);
       const double length = m.norm();
       return m.dot(n.toolEnd - surface_.vertex) -
              length * tool::reach(cutter_, m.dot(n.axis) / length) - thick_;
     };
-    constexpr double golden = 0.6180339887498949;
-    double low = 0.0;
-    double high = surface_.cosHalf / surface_.sinHalf;
-    for (int i = 0; i < tipSections; ++i) {
-      const double left = high - golden * (high - low);
-      const double right = low + golden * (high - low);
-      (gapBy(left) >= gapBy(right) ? high : low) = gapBy(left) >= gapBy(right) ? right : left;
+    const double most = surface_.cosHalf / surface_.sinHalf;
+    const auto [straight, value] = greatest(0.0, most, [&](double t) { return gapBy(t, 0.0); });
+    take(n, value, mean(straight, 0.0), chord);
+    if (n.high - n.low <= tolerance::sameSide) {
+      return;
     }
-    const double best = 0.5 * (low + high);
-    if (gapBy(best) > n.low) {
-      n.low = gapBy(best);
-      n.support = mean(best);
-      // The place of the cutter that such a plane touches is the one on the cone's axis.
-      const Vec3 normal = n.support.normalized();
-      const double nz = normal.dot(n.axis);
-      const tool::ProfilePoint q = tool::reachPoint(cutter_, nz);
-      const Vec3 place = n.toolEnd + q.z * n.axis + q.rho * squareTo(n.axis, -normal);
-      measure(n, place, chord);
-    }
+    const auto bestAside = [&](double outwards) {
+      const double rest = std::sqrt(std::max(0.0, most * most - outwards * outwards));
+      return greatest(-rest, rest, [&](double t) { return gapBy(outwards, t); });
+    };
+    const auto [leaning, gap] = greatest(-most, most, [&](double t) { return bestAside(t).value; });
+    take(n, gap, mean(leaning, bestAside(leaning).at), chord);
   }
 
   /// The gap is convex where the top face, which does not cut, counts too. That face is the nearest
@@ -83,6 +91,45 @@ class SupportPlanes {
  private:
   /// Golden sections for the plane at the tip of a cone.
   static constexpr int tipSections = 60;
+
+  struct Greatest {
+    double at, value;
+  };
+  /// Of a concave function between two places.
+  template <class Function>
+  static Greatest greatest(double low, double high, const Function& value) {
+    constexpr double golden = 0.6180339887498949;
+    double left = high - golden * (high - low);
+    double right = low + golden * (high - low);
+    double byLeft = value(left);
+    double byRight = value(right);
+    for (int i = 0; i < tipSections; ++i) {
+      if (byLeft >= byRight) {
+        high = std::exchange(right, left);
+        byRight = byLeft;
+        left = high - golden * (high - low);
+        byLeft = value(left);
+      } else {
+        low = std::exchange(left, right);
+        byLeft = byRight;
+        right = low + golden * (high - low);
+        byRight = value(right);
+      }
+    }
+    return byLeft >= byRight ? Greatest{left, byLeft} : Greatest{right, byRight};
+  }
+
+  /// Takes what a mean of the planes at the tip of a cone says, if that is more than is known. The
+  /// place of the cutter that such a plane touches is the one on the cone's axis.
+  void take(Node& n, double gap, const Vec3& mean, const Chord& chord) const {
+    if (gap > n.low) {
+      n.low = gap;
+      n.support = mean;
+      const Vec3 normal = mean.normalized();
+      const tool::ProfilePoint q = tool::reachPoint(cutter_, normal.dot(n.axis));
+      measure(n, n.toolEnd + q.z * n.axis + q.rho * squareTo(n.axis, -normal), chord);
+    }
+  }
 
   /// Takes the gap at a place of the cutter, if that is the lowest so far.
   void measure(Node& n, const Vec3& place, const Chord& chord) const {

@@ -16,9 +16,16 @@ class AngleAxis final : public AxisSource {
  public:
   AngleAxis(
       const Tilt& tilt, AngleSide control, AngleSide other, const Vec3& start, const Vec3& forward)
-      : rule_(tilt, std::move(control), std::move(other), forward), last_(start) {}
+      : rule_(tilt, std::move(control), std::move(other), forward), start_{start, forward} {
+    startAnew();
+  }
 
   Vec3 at(const Vec3& toolEnd) override {
+    // Places far off may have led anywhere: what is nearer to where the tool stands begins there.
+    if (stand_ && (toolEnd - stand_->toolEnd).norm() < (toolEnd - toolEnd_).norm()) {
+      recall(*stand_);
+    }
+    toolEnd_ = toolEnd;
     if (const auto upright = rule_.onToolEnd(toolEnd, last_)) {
       return found(*upright);
     }
@@ -78,6 +85,27 @@ class AngleAxis final : public AxisSource {
     }
   }
 
+  void stand(const Vec3& toolEnd, const Vec3& axis) override {
+    if (toolEnd != toolEnd_) {
+      (void)at(toolEnd);
+    }
+    if ((last_ - axis).norm() > tolerance::symmetric) {
+      // It turned there from one axis to another.
+      stand_.reset();
+      state_ = State::found;
+      last_ = axis;
+      (void)at(toolEnd);
+    }
+    stand_ = Memory{last_, rule_.forward(), toolEnd, slope_, state_, between_.last()};
+    inVain_ = 0;
+  }
+
+  void startAnew() override {
+    stand_.reset();
+    recall(start_);
+    inVain_ = 0;
+  }
+
   [[nodiscard]] std::optional<Failure> fault() const override {
     if (state_ == State::impossible) {
       return fail(diag::AxisImpossible, rule_.tilt().alpha * degrees, rule_.controlName(),
@@ -112,6 +140,24 @@ class AngleAxis final : public AxisSource {
   /// Newton ends at what is left of an axis, turns by at most so much at once, and tries steps down
   /// to this share.
   static constexpr double newtonMiss = 1e-14, largestTurn = 0.3, leastShare = 1e-3;
+
+  /// With what a search begins.
+  struct Memory {
+    Vec3 axis, forward;
+    Vec3 toolEnd = Vec3::Zero();
+    Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
+    State state = State::found;
+    BetweenContacts::Last between{};
+  };
+
+  void recall(const Memory& m) {
+    last_ = m.axis;
+    rule_.setForward(m.forward);
+    toolEnd_ = m.toolEnd;
+    slope_ = m.slope;
+    state_ = m.state;
+    between_.setLast(m.between);
+  }
 
   Vec3 found(const Vec3& axis) {
     state_ = State::found;
@@ -214,8 +260,10 @@ class AngleAxis final : public AxisSource {
 
   AngleRule rule_;
   BetweenContacts between_{rule_};
-  Vec3 last_;
-  Eigen::Matrix3d slope_ = Eigen::Matrix3d::Zero();  ///< of the axis that follows with an axis
+  const Memory start_;
+  std::optional<Memory> stand_;  ///< what was found where the tool stands
+  Vec3 last_, toolEnd_;          ///< found last, and where
+  Eigen::Matrix3d slope_;        ///< of the axis that follows with an axis
   State state_ = State::found;
   int repeats_ = 0;
   int inVain_ = 0;  ///< searches in a row that found no axis

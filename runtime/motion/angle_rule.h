@@ -47,6 +47,10 @@ class AngleRule {
   /// Four axes: keeps to the side of the normal on which this one is.
   void hold(const Vec3& toolEnd, const Vec3& axis);
 
+  /// The sense of the motion, which axes that lead follow.
+  [[nodiscard]] const Vec3& forward() const { return forward_; }
+  void setForward(const Vec3& forward) { forward_ = forward; }
+
   [[nodiscard]] const Tilt& tilt() const { return tilt_; }
   [[nodiscard]] const std::string& controlName() const { return control_.name; }
   /// Why `axisOf` had no axis.

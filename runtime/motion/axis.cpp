@@ -16,7 +16,13 @@ Eigen::Matrix3d AxisRule::change(const Vec3& toolEnd) {
   const double step = differenceStep * (1.0 + toolEnd.cwiseAbs().maxCoeff());
   for (int i = 0; i < 3; ++i) {
     const Vec3 shift = step * Vec3::Unit(i);
-    result.col(i) = (at(toolEnd + shift) - at(toolEnd - shift)) / (2.0 * step);
+    const Vec3 ahead = at(toolEnd + shift);
+    const bool settled = settles();
+    const Vec3 behind = at(toolEnd - shift);
+    if (!settled || !settles()) {
+      return Eigen::Matrix3d::Zero();
+    }
+    result.col(i) = (ahead - behind) / (2.0 * step);
   }
   return result;
 }

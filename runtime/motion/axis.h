@@ -30,6 +30,18 @@ class AxisRule {
       source_->hold(toolEnd);
     }
   }
+  /// The tool has come there; what was looked at elsewhere is forgotten.
+  void stand(const Vec3& toolEnd, const Vec3& axis) {
+    if (!isFixed()) {
+      source_->stand(toolEnd, axis);
+    }
+  }
+  /// Forgets all places.
+  void startAnew() {
+    if (!isFixed()) {
+      source_->startAnew();
+    }
+  }
   /// Why a motion may not get on from there.
   [[nodiscard]] std::optional<Failure> jump(const Vec3& toolEnd) {
     (void)at(toolEnd);
@@ -37,7 +49,8 @@ class AxisRule {
   }
   /// False where the axis that it was asked for last is one of many that turn into each other.
   [[nodiscard]] bool settles() const { return isFixed() || source_->settles(); }
-  /// Change of the axis with the tool end, d axis / d tool end, by central differences.
+  /// Change of the axis with the tool end, d axis / d tool end, by central differences; none where
+  /// the axis does not settle next to it.
   [[nodiscard]] Eigen::Matrix3d change(const Vec3& toolEnd);
 
  private:

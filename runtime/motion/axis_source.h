@@ -19,6 +19,11 @@ class AxisSource {
   /// Of axes that have a choice, from there on that which they make there: a motion cannot jump
   /// from one to another.
   virtual void hold(const Vec3& /*toolEnd*/) {}
+  /// The tool has come there with that axis: searches around begin at it, whatever others were
+  /// looked at before.
+  virtual void stand(const Vec3& /*toolEnd*/, const Vec3& /*axis*/) {}
+  /// Searches begin where the first one did.
+  virtual void startAnew() {}
   /// Why there was no axis with the tool end there when it was last asked for; it then was the one
   /// of the place before.
   [[nodiscard]] virtual std::optional<Failure> fault() const { return std::nullopt; }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/motion/axis.h"
-#include "runtime/motion/chord.h"
+#include "runtime/motion/gap_cubic.h"
 
 namespace arelem::motion {
 
@@ -21,29 +21,32 @@ constexpr double leastBeyond = 1e-4;
 constexpr double nearEnd = 0.05, endShare = 1e-6;
 /// How near to each other the shares with the one and the other contact are.
 constexpr double closeEnough = 1e-13;
+/// Axes of shares so near to each other that differ so much jump: where the sense of the motion
+/// that the normals tell turns over, no contacts change, and the way is of no use.
+constexpr double besideJump = 1e-6, jumping = 1e-2;
 }  // namespace
 
 std::optional<Vec3> BetweenContacts::find(const Vec3& toolEnd, const Vec3& axis) {
-  share_ = -1.0;
-  here_ = rule_.touch(toolEnd, axis).normals();
-  const auto turned = rule_.axisOf(here_);
+  last_.share = -1.0;
+  last_.here = rule_.touch(toolEnd, axis).normals();
+  const auto turned = rule_.axisOf(last_.here);
   if (!turned) {
     return std::nullopt;
   }
-  there_ = rule_.touch(toolEnd, *turned).normals();
+  last_.there = rule_.touch(toolEnd, *turned).normals();
   return settle(toolEnd, {});
 }
 
 std::optional<Vec3> BetweenContacts::follow(const Vec3& toolEnd) {
-  if (share_ < 0.0) {
+  if (last_.share < 0.0) {
     return std::nullopt;
   }
-  const double before = share_;
-  const double way = (toolEnd - toolEnd_).norm();
-  const auto bracket = around(toolEnd, share_, rate_ * way);
+  const double before = last_.share;
+  const double way = (toolEnd - last_.toolEnd).norm();
+  const auto bracket = around(toolEnd, last_.share, last_.rate * way);
   const auto axis = bracket ? settle(toolEnd, *bracket) : std::nullopt;
   if (axis && way > 0.0) {
-    rate_ = 2.0 * std::abs(share_ - before) / way;
+    last_.rate = 2.0 * std::abs(last_.share - before) / way;
   }
   return axis;
 }
@@ -51,18 +54,18 @@ std::optional<Vec3> BetweenContacts::follow(const Vec3& toolEnd) {
 /// The place of each contact changes with the axis, and the way between their normals with it.
 std::optional<Vec3> BetweenContacts::settle(const Vec3& toolEnd, Bracket bracket) {
   double before = bracket.from();
-  share_ = -1.0;
+  last_.share = -1.0;
   std::optional<Vec3> last;
   for (int round = 0; round < roundLimit; ++round) {
     if (!narrow(toolEnd, bracket)) {
       return std::nullopt;
     }
     const Probe found = *bracket.low;
-    there_ = found.touch.normals();
-    here_ = bracket.high->touch.normals();
+    last_.there = found.touch.normals();
+    last_.here = bracket.high->touch.normals();
     if (last && (found.axis - *last).norm() <= sameAxis) {
-      share_ = found.share;
-      toolEnd_ = toolEnd;
+      last_.share = found.share;
+      last_.toolEnd = toolEnd;
       return found.axis;
     }
     last = found.axis;
@@ -77,13 +80,13 @@ std::optional<Vec3> BetweenContacts::settle(const Vec3& toolEnd, Bracket bracket
 }
 
 std::optional<BetweenContacts::Probe> BetweenContacts::probe(const Vec3& toolEnd, double share) {
-  const auto axis = rule_.axisOf(here_.towards(there_, share));
+  const auto axis = rule_.axisOf(last_.here.towards(last_.there, share));
   if (!axis) {
     return std::nullopt;
   }
   Probe p{share, *axis, rule_.touch(toolEnd, *axis)};
   const AngleNormals n = p.touch.normals();
-  p.isThere = n.from(there_) < n.from(here_);
+  p.isThere = n.from(last_.there) < n.from(last_.here);
   return p;
 }
 
@@ -133,7 +136,8 @@ double BetweenContacts::likely(const Vec3& toolEnd, const Bracket& bracket) {
   return way >= 0.0 && way <= bracket.width() ? a.share + way : a.share + 0.5 * bracket.width();
 }
 
-/// Until nothing is left between both ends; false where the contacts do not change on the way.
+/// Until nothing is left between both ends; false where the contacts do not change on the way, or
+/// where the axis jumps.
 bool BetweenContacts::narrow(const Vec3& toolEnd, Bracket& bracket) {
   const auto look = [&](double share) {
     const auto p = probe(toolEnd, share);
@@ -145,6 +149,10 @@ bool BetweenContacts::narrow(const Vec3& toolEnd, Bracket& bracket) {
   while (bracket.width() > closeEnough) {
     const double width = bracket.width();
     const bool bothKnown = bracket.low && bracket.high;
+    if (bothKnown && width < besideJump &&
+        (bracket.low->axis - bracket.high->axis).squaredNorm() > jumping * jumping) {
+      return false;
+    }
     if (!bothKnown && width < nearEnd) {
       const double end = bracket.low ? 1.0 - endShare : endShare;
       if (!look(end) || !bracket.low || !bracket.high) {

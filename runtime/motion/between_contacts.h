@@ -12,6 +12,15 @@ class BetweenContacts {
 
   /// From an axis that repeats turn to and fro.
   [[nodiscard]] std::optional<Vec3> find(const Vec3& toolEnd, const Vec3& axis);
+  /// The last one that was found.
+  struct Last {
+    AngleNormals here, there;
+    double share = -1.0;  ///< of the way between them; below 0: none was found
+    Vec3 toolEnd = Vec3::Zero();
+    double rate = 1.0;  ///< that the share changes per length, at most
+  };
+  [[nodiscard]] const Last& last() const { return last_; }
+  void setLast(const Last& last) { last_ = last; }
   /// Near the last one that was found: it follows the tool end steadily.
   [[nodiscard]] std::optional<Vec3> follow(const Vec3& toolEnd);
 
@@ -41,10 +50,7 @@ class BetweenContacts {
   [[nodiscard]] static double likely(const Vec3& toolEnd, const Bracket& bracket);
 
   AngleRule& rule_;
-  AngleNormals here_, there_;
-  double share_ = -1.0;          ///< at which the last axis was found; below 0: none was
-  Vec3 toolEnd_ = Vec3::Zero();  ///< and where
-  double rate_ = 1.0;            ///< that the share changes per length, at most
+  Last last_;
 };
 
 }  // namespace arelem::motion

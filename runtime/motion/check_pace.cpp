@@ -33,25 +33,6 @@ CheckPace::CheckPace(const surface::AnySurface& surface, const tool::Profile* cu
   }
 }
 
-/// Of the signed distance, per length in a unit direction.
-double CheckPace::rising(const Vec3& direction) const {
-  const double cosine = along_.dot(direction);
-  switch (kind_) {
-    case Kind::plane:
-      return std::abs(cosine);
-    case Kind::lines:
-      return std::min(1.0, (direction - cosine * along_).norm());
-    case Kind::cone: {
-      const double sine = (direction - cosine * along_).norm();
-      const bool besides = cosine * cosHalf_ + sine * sinHalf_ >= 0.0;
-      return besides ? std::max(0.0, sine * cosHalf_ - cosine * sinHalf_) : 1.0;
-    }
-    case Kind::any:
-      break;
-  }
-  return 1.0;
-}
-
 double CheckPace::closing(double side, double gap, double slope, const Vec3& direction) const {
   if (kind_ == Kind::plane) {
     return std::abs(slope);

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/geometry/kinds.h"
 #include "runtime/tool/profile.h"
@@ -21,13 +22,15 @@ class CheckPace {
 
   /// The most that a signed distance, or the gap on its side, changes per length.
   [[nodiscard]] double most(const Vec3& direction) const {
-    return std::max(rising(direction), rising(-direction));
+    const double rises = rising(direction);
+    return kind_ == Kind::cone ? std::max(rises, rising(-direction)) : rises;
   }
   /// By how much a gap comes nearer to zero per length, from here to where it is zero. `side`: of
   /// the surface, where the gap is; `slope`: that of the gap in the direction.
   [[nodiscard]] double closing(double side, double gap, double slope, const Vec3& direction) const;
 
  private:
+  /// Of the signed distance, per length in a unit direction.
   [[nodiscard]] double rising(const Vec3& direction) const;
 
   enum class Kind : unsigned char { any, plane, lines, cone };
@@ -37,5 +40,23 @@ class CheckPace {
   bool convex_ = false;                   ///< the solid on the negative side
   bool convexCutter_ = true;
 };
+
+inline double CheckPace::rising(const Vec3& direction) const {
+  const double cosine = along_.dot(direction);
+  switch (kind_) {
+    case Kind::plane:
+      return std::abs(cosine);
+    case Kind::lines:
+      return std::min(1.0, (direction - cosine * along_).norm());
+    case Kind::cone: {
+      const double sine = (direction - cosine * along_).norm();
+      const bool besides = cosine * cosHalf_ + sine * sinHalf_ >= 0.0;
+      return besides ? std::max(0.0, sine * cosHalf_ - cosine * sinHalf_) : 1.0;
+    }
+    case Kind::any:
+      break;
+  }
+  return 1.0;
+}
 
 }  // namespace arelem::motion

@@ -119,7 +119,7 @@ void CheckWatch::begin(const Vec3& toolEnd, const Vec3& axis) {
 
 std::optional<CheckWatch::Hit> CheckWatch::scan(const Segment& segment, Field& guide) {
   if (isFree(segment)) {
-    pass(segment);
+    pass();
     return std::nullopt;
   }
   if (close_) {

@@ -64,19 +64,19 @@ class CheckWatch {
   [[nodiscard]] std::optional<Hit> scan(const Segment& segment, Field& guide);
   /// True where the segment is free by what is known already; then `pass` takes the place of
   /// `scan`.
-  [[nodiscard]] bool isFree(const Segment& segment) const {
-    const double change = steepest(segment) * segment.length;
-    return now_.free > change && (!close_ || now_.farther > change);
+  [[nodiscard]] bool isFree(const Segment& segment) {
+    ahead_ = steepest(segment) * segment.length;
+    return now_.free > ahead_ && (!close_ || now_.farther > ahead_);
   }
   /// The same, with an end that is not within the tolerance for sure.
-  [[nodiscard]] bool isFarFrom(const Segment& segment) const {
-    return isFree(segment) && now_.free - steepest(segment) * segment.length > band_;
+  [[nodiscard]] bool isFarFrom(const Segment& segment) {
+    return isFree(segment) && now_.free - ahead_ > band_;
   }
   [[nodiscard]] bool mayBeWithin() const { return now_.free <= band_; }
-  void pass(const Segment& segment) {
-    const double change = steepest(segment) * segment.length;
-    now_.free -= change;
-    now_.farther -= change;
+  /// Of the segment that was asked for last.
+  void pass() {
+    now_.free -= ahead_;
+    now_.farther -= ahead_;
   }
 
   /// True where a gap that turns round is contact within the tolerance. ON and tangent stops have
@@ -235,6 +235,7 @@ class CheckWatch {
   double arm_;  ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;
+  double ahead_ = 0.0;  ///< the most that a measure changes over the segment asked for last
   double ignoredUntil_ = -1.0;
   const Effort* effort_ = nullptr;
   bool close_ = false;

@@ -13,14 +13,17 @@ namespace arelem::motion {
 class Effort {
  public:
   explicit Effort(std::uint64_t each)
-      : each_(std::max<std::uint64_t>(each, 1)), began_(gapsMeasured()) {}
+      : each_(std::clamp<std::uint64_t>(each, 1, mostEach)), began_(gapsMeasured()) {
+    allow(0);
+  }
 
-  void allow(std::uint64_t cutVectors) { allowed_ = beforeFirst + cutVectors; }
-  [[nodiscard]] bool isSpent() const { return (gapsMeasured() - began_) / each_ >= allowed_; }
+  void allow(std::uint64_t cutVectors) { allowed_ = each_ * (beforeFirst + cutVectors); }
+  [[nodiscard]] bool isSpent() const { return gapsMeasured() - began_ >= allowed_; }
 
  private:
   static constexpr std::uint64_t beforeFirst = 100;
-  std::uint64_t each_, began_, allowed_ = beforeFirst;
+  static constexpr std::uint64_t mostEach = 1ULL << 30U;  ///< which nothing takes
+  std::uint64_t each_, began_, allowed_ = 0;
 };
 
 }  // namespace arelem::motion

@@ -23,8 +23,10 @@ namespace arelem::motion {
 namespace {
 /// A path that passes its start within this many bands is closed.
 constexpr double roundBands = 4.0;
-/// Motions of more cut vectors are not computed again for the sake of a message.
-constexpr std::uint64_t closelyLimit = 10000;
+/// A cap that is no shorter than this share of the one before is the same.
+constexpr double sameCap = 0.999;
+/// Where paths cross, cut vectors of at most this length are tried. Part unit.
+constexpr double longestAcross = 1e4;
 
 class Follower {
  public:
@@ -61,11 +63,11 @@ class Follower {
     result_.axis = last_.axis;
     return std::move(result_);
   }
-  [[nodiscard]] std::uint64_t cutVectors() const { return result_.cutVectors; }
 
  private:
   /// The next cut vector.
   void put(const PathPoint& p) {
+    way_.note(p.toolEnd - last_.toolEnd);
     trail_.put(last_, p);
     last_ = p;
   }
@@ -78,6 +80,9 @@ class Follower {
   [[nodiscard]] std::optional<Failure> ranOffEnd() const {
     for (const auto& [surface, contact] :
          {std::pair{&course_.part, &last_.contacts[0]}, {&course_.drive, &last_.contacts[1]}}) {
+      if (!surface::mayEnd(surface->surface)) {
+        continue;
+      }
       const double length = surface::endBefore(surface->surface, contact->point);
       if (length > 0.0) {
         const CheckWatch& w = course_.watches.front();
@@ -129,10 +134,12 @@ class Follower {
         return bad;
       }
       const PathPoint& a = last_;
-      const auto b = stride_.next(a, cap);
+      course_.path.axis.stand(a.toolEnd, a.axis);
+      const PathPoint* b = stride_.next(a, cap);
       // Close to a corner cut vectors may get ever shorter.
-      const bool stuck = !b || (cap > tolerance::coincidence &&
-                                (b->toolEnd - a.toolEnd).norm() <= tolerance::coincidence);
+      const bool stuck =
+          b == nullptr || (cap > tolerance::coincidence &&
+                           (b->toolEnd - a.toolEnd).norm() <= tolerance::coincidence);
       // Where the axis ends the path turns back, which looks like a corner.
       if (auto bad = stuck ? axisEnds(course_, last_) : std::nullopt) {
         return bad;
@@ -140,7 +147,10 @@ class Follower {
       if (stuck && turnCorner(b)) {
         continue;
       }
-      if (!b) {
+      if (b == nullptr && (across_ = straightAcross(cap))) {
+        b = &*across_;
+      }
+      if (b == nullptr) {
         return lost();
       }
       if (auto bad = course_.path.axis.fault(b->toolEnd)) {
@@ -155,6 +165,7 @@ class Follower {
         if (!found->end) {
           return lost();
         }
+        const double before = cap;
         if (const auto stop = arrival_.fittingStop(a, segment, *found, cap)) {
           putTurn(*stop);
           if (!arrival_.arrive(last_, *stop, segment, found->met, cap)) {
@@ -164,7 +175,10 @@ class Follower {
           return std::nullopt;
         }
         stops_.restore();
-        continue;
+        if (cap < sameCap * before) {
+          continue;
+        }
+        // The axis leapt on the way: this cut vector is the share of the way to the stop behind it.
       }
       if (course_.path.flat() || isRoundAgain(a, *b)) {
         return missed(course_);
@@ -173,6 +187,7 @@ class Follower {
         stride_.learn(a, *b);  // what is shorter tells more rounding than curvature
       }
       putTurn(*b);
+      way_.note(b->toolEnd - last_.toolEnd);
       arrival_.put(last_, *b);
       if (auto bad = ranOffEnd()) {
         return bad;
@@ -180,8 +195,9 @@ class Follower {
     }
   }
 
-  /// Goes on in the direction behind a corner; false where there is none.
-  bool turnCorner(const std::optional<PathPoint>& tip) {
+  /// Goes on in the direction behind a corner, `tip` if that was reached; false where there is
+  /// none.
+  bool turnCorner(const PathPoint* tip) {
     const auto way = corners_.from(last_, tip);
     if (!way) {
       return false;
@@ -194,6 +210,12 @@ class Follower {
     return true;
   }
 
+  /// The next cut vector where the path crosses another one.
+  std::optional<PathPoint> straightAcross(double cap) {
+    const double longest = std::min({cap, state_.longestVector, longestAcross});
+    return corners_.across(last_, way_.general(last_.tangent), longest);
+  }
+
   /// True where the path has come back to its start as often as positions are counted, and a cut
   /// vector more: it is closed and never meets what was not met by then.
   bool isRoundAgain(const PathPoint& a, const PathPoint& b) {
@@ -201,6 +223,9 @@ class Follower {
       return true;
     }
     turned_ += (b.tangent - a.tangent).norm();  // at most the angle
+    if (turned_ <= std::numbers::pi) {
+      return false;
+    }
     const Vec3 chord = b.toolEnd - a.toolEnd;
     const Vec3 back = course_.start.toolEnd - a.toolEnd;
     const double share = std::clamp(back.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
@@ -208,8 +233,7 @@ class Follower {
     for (const Guide& g : course_.path.guides) {
       near += roundBands * (g.inner + g.outer);
     }
-    if (turned_ > std::numbers::pi && (back - share * chord).norm() <= near &&
-        chord.dot(course_.start.tangent) > 0.0) {
+    if ((back - share * chord).norm() <= near && chord.dot(course_.start.tangent) > 0.0) {
       turned_ = 0.0;
       ++rounds_;
     }
@@ -314,6 +338,8 @@ class Follower {
   double turned_ = 0.0;  ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;
   Corners corners_;
+  LastWay way_;
+  std::optional<PathPoint> across_;      ///< the end of a cut vector over a crossing of paths
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
 };
 
@@ -331,12 +357,11 @@ Result<FollowResult> follow(const State& state,
   if (!course) {
     return course.takeFailure();
   }
-  Follower first(state, request, *course, sink, limits, interrupted);
-  auto result = first.run();
-  if (result || !tellsNearest(result.failure()) || first.cutVectors() > closelyLimit) {
+  auto result = Follower(state, request, *course, sink, limits, interrupted).run();
+  if (result || !tellsNearest(result.failure())) {
     return result;
   }
-  // Once more, for the nearest approach that the message tells.
+  // Once more, for the nearest approach that the message tells: no longer than the motion took.
   auto again = planCourse(state, request);
   if (!again) {
     return result;

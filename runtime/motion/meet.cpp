@@ -70,8 +70,10 @@ std::optional<PathPoint> meet(Path& path,
   const auto onArc = [&](double s) -> std::optional<PathPoint> {
     return path.look(segment.at(s), segment.tangentAt(s));
   };
-  const auto onPath = [&](double s) {
-    return path.step(from, s * segment.direction.dot(from.tangent), path.rests(), 0.0);
+  const auto onPath = [&](double s) -> std::optional<PathPoint> {
+    PathPoint there;
+    const double along = s * segment.direction.dot(from.tangent);
+    return path.step(from, along, path.rests(), 0.0, there) ? std::optional(there) : std::nullopt;
   };
   const auto search = [&](auto place, const CheckWatch::Hit& sought) {
     const auto measure = [&](double s) -> std::optional<double> {

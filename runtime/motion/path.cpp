@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
-#include "runtime/certify/prove.h"
 #include "runtime/motion/settle.h"
 
 namespace arelem::motion {
@@ -91,10 +90,18 @@ std::optional<PathPoint> Path::standing(const Vec3& near,
                     : std::nullopt;
 }
 
-std::optional<PathPoint> Path::step(const PathPoint& from,
-                                    double along,
-                                    const std::array<double, 2>& gaps,
-                                    double accept) {
+namespace {
+/// The plane square to the path in which a step along it ends.
+Constraint acrossAt(const PathPoint& from, double along) {
+  return {from.tangent, from.toolEnd + along * from.tangent};
+}
+}  // namespace
+
+bool Path::step(const PathPoint& from,
+                double along,
+                const std::array<double, 2>& gaps,
+                double accept,
+                PathPoint& to) {
   // The path bends by -bend along each contact normal.
   const Vec3& n0 = from.contacts[0].normal;
   const Vec3& n1 = from.contacts[1].normal;
@@ -116,27 +123,45 @@ std::optional<PathPoint> Path::step(const PathPoint& from,
     const double steep = aside.squaredNorm() / (along * along);
     guess += (steep < 1.0 ? 1.0 + steep : 1.0) * aside;
   }
-  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
-                          Wanted{guides[1].field.get(), gaps[1]}};
-  const std::array across{Constraint{from.tangent, from.toolEnd + along * from.tangent}};
-  const Settled settled = settle(guess, axis, wanted, across, accept);
-  if (accept > 0.0) {
-    for (std::size_t i = 0; i < guides.size(); ++i) {
-      guides[i].error = (corrections[i] + settled.missed[i]) / (along * along * along);
+  to.toolEnd = guess;
+  to.axis = axis.at(guess);
+  double most = std::abs(acrossAt(from, along).missedAt(guess));
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    to.contacts[i] = guides[i].field->at(guess, to.axis);
+    const double missed = gaps[i] - to.contacts[i].gap;
+    most = std::max(most, std::abs(missed));
+    if (accept > 0.0) {
+      guides[i].error = (corrections[i] + missed) / (along * along * along);
     }
   }
-  const double reach = jumpShare * jumpShare * (guess - from.toolEnd).squaredNorm();
-  if (!settled.ok || (settled.toolEnd - guess).squaredNorm() > reach) {
-    return std::nullopt;
+  // Mostly the place that was foretold does.
+  const bool there = most <= std::max(roundingAt(guess), accept);
+  return (there || settleStep(from, along, gaps, accept, to)) && aimBehind(to, from);
+}
+
+/// Goes on from the place that was foretold, which is measured; false where that leads to another
+/// branch of the path.
+bool Path::settleStep(const PathPoint& from,
+                      double along,
+                      const std::array<double, 2>& gaps,
+                      double accept,
+                      PathPoint& at) {
+  const std::array across{acrossAt(from, along)};
+  const std::array wanted{Wanted{guides[0].field.get(), gaps[0]},
+                          Wanted{guides[1].field.get(), gaps[1]}};
+  Settled settled;
+  settled.toolEnd = at.toolEnd;
+  settled.axis = at.axis;
+  std::copy(at.contacts.begin(), at.contacts.end(), settled.contacts.begin());
+  settleOn(settled, axis, wanted, across, accept);
+  const double reach = jumpShare * jumpShare * (at.toolEnd - from.toolEnd).squaredNorm();
+  if (!settled.ok || (settled.toolEnd - at.toolEnd).squaredNorm() > reach) {
+    return false;
   }
-  PathPoint p;
-  p.toolEnd = settled.toolEnd;
-  p.axis = settled.axis;
-  p.contacts = {settled.contacts[0], settled.contacts[1]};
-  if (!aimBehind(p, from)) {
-    return std::nullopt;
-  }
-  return p;
+  at.toolEnd = settled.toolEnd;
+  at.axis = settled.axis;
+  std::copy_n(settled.contacts.begin(), at.contacts.size(), at.contacts.begin());
+  return true;
 }
 
 /// Where the new contact holds the tool back, the gap that held it before opens; where it lets the
@@ -160,225 +185,6 @@ std::optional<PathPoint> Path::roundCorner(const PathPoint& at) {
   // What goes back the way that it came goes round no corner.
   return turns && turned.tangent.dot(at.tangent) > -sameContact ? std::optional(turned)
                                                                 : std::nullopt;
-}
-
-namespace {
-/// The gap of one guide along a chord, by cubics between nodes: the ends, the middle, and as many
-/// more as it takes where the contact jumps or runs about the cutter.
-class ChordFit {
- public:
-  ChordFit(Field& field,
-           const PathPoint& a,
-           const PathPoint& b,
-           std::size_t guide,
-           double length,
-           const std::optional<certify::Chord>& turning)
-      : field_(field), a_(a), turning_(turning), length_(length) {
-    direction_ = (b.toolEnd - a.toolEnd) / length;
-    if (turning_) {
-      turn_ = turning_->turn() / length * turning_->pole();
-    }
-    first_ = node(0.0, a.contacts[guide], a.toolEnd);
-    last_ = node(length, b.contacts[guide], b.toolEnd);
-    ends_ = GapLine(first_, last_);
-  }
-
-  double run(double inner, double outer) {
-    inner_ = inner;
-    outer_ = outer;
-    smooth_ = std::min(smoothShare * (inner + outer), certify::slackOf(inner + outer));
-    const Node middle = measure(0.5 * length_);
-    middleSlope_ = middle.slope;
-    // Where the axis turns the middle alone tells little: as a normal turns next to the tip of a
-    // cone or at a knot of a curve, the gap may be foretold there and off beside it.
-    const bool smooth = foretold(first_, last_, middle, smooth_);
-    const int depth = smooth && !turning_ ? 0 : deepest;
-    isSmooth_ = smooth || foretold(first_, last_, middle, roughShare * (inner + outer));
-    consider(first_, middle, depth);
-    consider(middle, last_, depth);
-    return std::sqrt(squared_);
-  }
-
-  /// Where the chord is far too long: how far the gap leaves the line between its ends.
-  [[nodiscard]] std::optional<double> farOff() const {
-    return squared_ < farTooLong ? std::optional(swerve_) : std::nullopt;
-  }
-  [[nodiscard]] double middleSlope() const { return middleSlope_; }
-  [[nodiscard]] std::array<double, 2> endSlopes() const { return {first_.slope, last_.slope}; }
-  /// In the part that sets the factor.
-  [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
-  /// Whether the ends foretell the middle.
-  [[nodiscard]] bool isSmooth() const { return isSmooth_; }
-  /// The curvature next to the end, if it was looked at.
-  [[nodiscard]] const std::optional<double>& behind() const { return behind_; }
-
- private:
-  struct Node : GapNode {
-    Vec3 normal = Vec3::UnitZ();
-  };
-  /// Nodes that a cubic foretells but for this share of the band, and for no more than the
-  /// certificate allows beyond it, are smooth.
-  static constexpr double smoothShare = 2e-3;
-  /// What cubics foretell but for this share has the curvature that the slopes at nodes tell.
-  static constexpr double roughShare = 0.05;
-  /// Of kinks that no cubic foretells what is left of the band may be this share of it.
-  static constexpr double kinkShare = 1e-4;
-  static constexpr int deepest = 12;
-  /// Squares of factors below this are those of chords that are far too long: how much so need not
-  /// be known well, and kinks may leave this share of the band.
-  static constexpr double hopeless = 0.5;
-  static constexpr double hopelessShare = 0.02;
-  /// Squares of factors below this are those of chords that aim at the wrong edge of the band.
-  static constexpr double farTooLong = 0.1;
-
-  [[nodiscard]] Node node(double along, const tool::Contact& c, const Vec3& toolEnd) const {
-    const double slope =
-        turning_ ? slopeAlong(c, toolEnd, direction_, turn_) : c.normal.dot(direction_);
-    return {{along, c.gap, slope}, c.normal};
-  }
-  [[nodiscard]] Path::Ridge ridgeBetween(const Node& a, const Node& b) const {
-    const double along = crossing(a, b);
-    const double gap = a.gap + (along - a.along) * a.slope;
-    const Vec3 place = a_.toolEnd + along * direction_;
-    return {0, place, gap, a.slope - b.slope, {a.normal, b.normal}};
-  }
-  Node measure(double along) {
-    const double share = along / length_;
-    const Vec3 place = a_.toolEnd + along * direction_;
-    return node(along, field_.at(place, turning_ ? turning_->axis(share) : a_.axis), place);
-  }
-  void consider(const Node& a, const Node& b, int depth) {
-    const double length = b.along - a.along;
-    // Where the contact jumps right at an end, both slopes may agree though the gap goes otherwise.
-    const double astray = (b.gap - a.gap) / length - 0.5 * (a.slope + b.slope);
-    const double kink = length * (0.125 * std::abs(a.slope - b.slope) + 0.5 * std::abs(astray));
-    const double share = squared_ < hopeless ? hopelessShare : kinkShare;
-    if (depth == 0 || kink <= share * (inner_ + outer_)) {
-      const double squared = squaredFit(ends_, a, b, inner_, outer_);
-      if (squared < squared_) {
-        squared_ = squared;
-        swerve_ = swerve(ends_, a, b, inner_, outer_);
-        ridge_.reset();
-        if (depth > 0 && a.slope > b.slope) {
-          ridge_ = ridgeBetween(a, b);
-        }
-      }
-      if (b.along == last_.along) {
-        behind_ = (b.slope - a.slope) / (b.along - a.along);
-      }
-      return;
-    }
-    const Node between = measure(crossing(a, b));
-    const double over = between.gap - ends_.at(between.along);
-    const double room = outer_ - ends_.at(between.along);
-    if (room < hopeless * over && std::max(0.0, room) / over < squared_) {
-      squared_ = std::max(0.0, room) / over;
-      swerve_ = -over;
-    }
-    const int deeper = foretold(a, b, between, smooth_) ? 0 : depth - 1;
-    consider(a, between, deeper);
-    consider(between, b, deeper);
-  }
-
-  Field& field_;
-  const PathPoint& a_;
-  const std::optional<certify::Chord>& turning_;
-  double length_;
-  Vec3 direction_, turn_ = Vec3::Zero();
-  Node first_, last_;
-  GapLine ends_;
-  double inner_ = 0.0, outer_ = 0.0, smooth_ = 0.0, middleSlope_ = 0.0;
-  double squared_ = tolerance::farAway;  ///< square of the factor
-  double swerve_ = 0.0;                  ///< where that is
-  std::optional<Path::Ridge> ridge_;
-  std::optional<double> behind_;
-  bool isSmooth_ = true;
-};
-}  // namespace
-
-/// One look at the middle, which most chords that are too long do not stand; then the proof.
-double Path::fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b) {
-  const Guide& g = guides[guide];
-  // A start outside its band by the slack allowed there must not stop the motion.
-  const double inner = std::max({g.inner, -a.contacts[guide].gap, -b.contacts[guide].gap});
-  const double outer = std::max({g.outer, a.contacts[guide].gap, b.contacts[guide].gap});
-  const certify::Chord straight(a.toolEnd, b.toolEnd, a.axis, b.axis);
-  const double gap = g.field->at(straight.toolEnd(0.5), straight.axis(0.5)).gap;
-  Judgement judgement = judgeGap(gap, inner, outer);
-  if (judgement.miss == 0) {
-    judgement = g.field->judge(straight, inner, outer);
-  }
-  misses[guide] = judgement.miss;
-  return judgement.factor;
-}
-
-/// In the corner both contacts have the same gap, and the other guide keeps its own.
-double Path::alongRidge(const PathPoint& a, double to) const {
-  const Vec3& other = a.contacts[1 - ridge->guide].normal;
-  const auto& [n0, n1] = ridge->normals;
-  const double det = n0.dot(n1.cross(other));
-  const Vec3 way = std::abs(det) > tolerance::nullDirection
-                       ? Vec3((to - ridge->gap) / det * (n1.cross(other) + other.cross(n0)))
-                       : Vec3(Vec3::Zero());
-  return (ridge->place + way - a.toolEnd).dot(a.tangent);
-}
-
-double Path::fit(const PathPoint& a, const PathPoint& b) {
-  const Vec3 chord = b.toolEnd - a.toolEnd;
-  const double length = chord.norm();
-  const bool turning = a.axis != b.axis;
-  if (length <= 0.0 && !turning) {
-    return tolerance::farAway;
-  }
-  // A cut vector that only turns the axis is measured by the angle.
-  const double scale = length > 0.0 ? length : (b.axis - a.axis).norm();
-  // The proof takes the axis to turn evenly too.
-  std::optional<certify::Chord> evenly;
-  if (turning) {
-    evenly.emplace(a.toolEnd, b.toolEnd, a.axis, b.axis);
-  }
-  double factor = tolerance::farAway;
-  middle.end = b.toolEnd;
-  middle.straight = !turning;
-  misses = {0, 0};
-  swerves = {};
-  ridge.reset();
-  for (std::size_t i = 0; i < guides.size(); ++i) {
-    if (guides[i].field->flat() && !turning) {
-      continue;
-    }
-    if (guides[i].field->isFaceted()) {
-      factor = std::min(factor, fitFacets(i, a, b));
-      continue;
-    }
-    // A start outside its band by the slack allowed there must not stop the motion.
-    const double inner = std::max({guides[i].inner, -a.contacts[i].gap, -b.contacts[i].gap});
-    const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
-    ChordFit chordFit(*guides[i].field, a, b, i, scale, evenly);
-    const double fits = chordFit.run(inner, outer);
-    if (fits < factor) {
-      factor = fits;
-      ridge = chordFit.ridge();
-      if (ridge) {
-        ridge->guide = i;
-      }
-    }
-    if (const auto off = chordFit.farOff()) {
-      swerves[i] = 8.0 * *off / (scale * scale);
-    }
-    middle.smooth[i] = chordFit.isSmooth();
-    middle.behind[i] = chordFit.behind();
-    middle.slope[i] = chordFit.middleSlope();
-    middle.ends[i] = chordFit.endSlopes();
-  }
-  return factor;
-}
-
-double Path::fitWithTurn(const PathPoint& a, const PathPoint& b) {
-  const double factor = fit(a, b);
-  const double sine = axis.isFixed() ? 0.0 : a.axis.cross(b.axis).norm();
-  return sine > 0.0 ? std::min(factor, tolerance::axisTurn / std::atan2(sine, a.axis.dot(b.axis)))
-                    : factor;
 }
 
 Segment segmentBetween(const PathPoint& a, const PathPoint& b) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "runtime/motion/chord.h"
+#include "runtime/motion/field.h"
 #include "runtime/motion/segment.h"
 
 namespace arelem::motion {
@@ -125,12 +125,13 @@ class Path {
                                                   const Vec3* toolAxis);
   /// Turn of the axis per length of path.
   [[nodiscard]] Vec3 spinAt(const PathPoint& p);
-  /// The place at distance `along` from `from`, measured on its tangent, with the given gaps. None
-  /// where the path cannot be followed so far.
-  [[nodiscard]] std::optional<PathPoint> step(const PathPoint& from,
-                                              double along,
-                                              const std::array<double, 2>& gaps,
-                                              double accept);
+  /// The place `to` at distance `along` from `from`, measured on its tangent, with the given gaps.
+  /// False where the path cannot be followed so far.
+  [[nodiscard]] bool step(const PathPoint& from,
+                          double along,
+                          const std::array<double, 2>& gaps,
+                          double accept,
+                          PathPoint& to);
   /// The same place seen round a corner of the path: behind it another place of the cutter touches
   /// one of the surfaces. None where the path goes straight on, or nowhere.
   [[nodiscard]] std::optional<PathPoint> roundCorner(const PathPoint& at);
@@ -152,6 +153,15 @@ class Path {
   [[nodiscard]] double alongRidge(const PathPoint& a, double to) const;
 
  private:
+  [[nodiscard]] bool settleStep(const PathPoint& from,
+                                double along,
+                                const std::array<double, 2>& gaps,
+                                double accept,
+                                PathPoint& at);
+  /// `turning`: the cut vector, where the axis turns on it.
+  [[nodiscard]] double fitAlong(const PathPoint& a,
+                                const PathPoint& b,
+                                const certify::Chord* turning);
   [[nodiscard]] double fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b);
 };
 

@@ -39,9 +39,8 @@ constexpr double nearStart = 2.0;
 /// Gaps measured on whole and on even ways until these end: where nothing is found so far, there is
 /// hardly anything.
 constexpr std::uint64_t mostGaps = 10000;
-/// Residuals below this share of the coordinates' size are rounding.
-constexpr double relativeRest = 4e-16;
-constexpr double absoluteRest = 2e-15;
+/// What is left of a direction below this is rounding.
+constexpr double noDirection = 4e-16;
 /// Looking for the nearest place: trials, the damping that is given up, and steps that are none.
 constexpr int trialLimit = 400;
 constexpr double mostDamping = 1e12;
@@ -93,7 +92,7 @@ Equations equationsAt(const Settled& at,
     e.add(at.contacts[i].normal, wanted[i].target - at.contacts[i].gap);
   }
   for (const Constraint& c : constraints) {
-    e.add(c.normal, -c.normal.dot(at.toolEnd - c.through));
+    e.add(c.normal, c.missedAt(at.toolEnd));
   }
   return e;
 }
@@ -118,23 +117,30 @@ Settled settle(const Vec3& start,
                std::span<const Wanted> wanted,
                std::span<const Constraint> constraints,
                double accept) {
-  Settled out;
-  out.toolEnd = start;
+  Settled out = measured(start, axis, wanted);
+  settleOn(out, axis, wanted, constraints, accept);
+  return out;
+}
+
+void settleOn(Settled& out,
+              AxisRule& axis,
+              std::span<const Wanted> wanted,
+              std::span<const Constraint> constraints,
+              double accept) {
   Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
   double previous = 1e300, least = previous;
   int idle = 0, unsettled = 0;
   for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
-    look(out, axis, wanted);
-    Equations e = equationsAt(out, wanted, constraints);
-    if (out.iterations == 1) {
-      std::copy_n(e.rhs.begin(), wanted.size(), out.missed.begin());
+    if (out.iterations > 1) {
+      look(out, axis, wanted);
     }
+    Equations e = equationsAt(out, wanted, constraints);
     const double most = e.most;
-    const double rest = absoluteRest + relativeRest * out.toolEnd.cwiseAbs().maxCoeff();
+    const double rest = roundingAt(out.toolEnd);
     // Done at rounding level, or when Newton has stopped gaining there.
     if (most <= std::max(rest, accept) || (most <= 1e4 * rest && most >= 0.5 * previous)) {
       out.ok = true;
-      return out;
+      return;
     }
     idle = most < (1.0 - leastGain) * least ? 0 : idle + 1;
     least = std::min(least, most);
@@ -154,12 +160,11 @@ Settled settle(const Vec3& start,
     previous = most;
     const Vec3 step = solve(e.rows, e.rhs, e.count);
     if (!step.allFinite()) {
-      return out;
+      return;
     }
     out.toolEnd += step;
   }
   out.ok = out.worst <= 1e-9 * (1.0 + out.toolEnd.cwiseAbs().maxCoeff());
-  return out;
 }
 
 FirstStep firstStep(const Settled& from,
@@ -191,7 +196,7 @@ Eigen::Matrix3d freedom(std::span<const Constraint> constraints) {
   Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
   for (const Constraint& c : constraints) {
     const Vec3 n = free * c.normal;
-    if (n.norm() > relativeRest) {
+    if (n.norm() > noDirection) {
       free -= n * n.transpose() / n.squaredNorm();
     }
   }

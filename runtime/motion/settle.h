@@ -18,7 +18,15 @@ struct Wanted {
 struct Constraint {
   Vec3 normal = Vec3::Zero();
   Vec3 through = Vec3::Zero();
+
+  [[nodiscard]] double missedAt(const Vec3& place) const { return -normal.dot(place - through); }
 };
+
+/// Residuals at a place up to this are rounding.
+[[nodiscard]] inline double roundingAt(const Vec3& place) {
+  constexpr double relative = 4e-16, absolute = 2e-15;
+  return absolute + relative * place.cwiseAbs().maxCoeff();
+}
 
 struct Settled {
   bool ok = false;
@@ -28,7 +36,6 @@ struct Settled {
   std::size_t worstAt = 0;                ///< index into the wanted fields
   Vec3 axis = Vec3::UnitZ();              ///< tool axis at toolEnd
   std::array<tool::Contact, 3> contacts;  ///< of the wanted fields at toolEnd
-  std::array<double, 3> missed{};         ///< target - gap at the start
 };
 
 /// Newton from `start`. Where fewer than three equations are given each step is the shortest one,
@@ -39,6 +46,13 @@ struct Settled {
                              std::span<const Wanted> wanted,
                              std::span<const Constraint> constraints,
                              double accept = 0.0);
+
+/// The same from a place that is measured.
+void settleOn(Settled& at,
+              AxisRule& axis,
+              std::span<const Wanted> wanted,
+              std::span<const Constraint> constraints,
+              double accept);
 
 /// The conditions at a place, measured.
 [[nodiscard]] Settled measured(const Vec3& place, AxisRule& axis, std::span<const Wanted> wanted);

@@ -20,6 +20,8 @@ namespace arelem::motion {
 namespace {
 /// Share of the way to the first surface that a directed startup goes before it iterates.
 constexpr double approachShare = 0.75;
+/// Where a position without gaps is missed by so many bands, there is none within them either.
+constexpr double nearlyTouching = 10.0;
 
 class Starter {
  public:
@@ -192,6 +194,13 @@ class Starter {
     return std::all_of(goals_.begin(), goals_.end(),
                        [&](const StartupGoal& goal) { return isWithin(goal, toolEnd); });
   }
+  [[nodiscard]] double widestBand() const {
+    double widest = 0.0;
+    for (const StartupGoal& goal : goals_) {
+      widest = std::max(widest, state_.band(goal.role));
+    }
+    return widest;
+  }
   [[nodiscard]] bool isWithin(const StartupGoal& goal, const Vec3& toolEnd) {
     const double gap = goal.field->at(toolEnd, rule_.at(toolEnd)).gap;
     return gap >= -state_.inner[goal.role] - tolerance::sameSide &&
@@ -240,6 +249,9 @@ class Starter {
       found = other.ok ? other : found;
     }
     // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
+    if (!found.ok) {
+      rule_.startAnew();
+    }
     auto bad = rule_.fault(found.ok ? found.toolEnd : reached);
     if (bad && (found.ok || bad->row == diag::AxisImpossible.row)) {
       return *std::move(bad);
@@ -258,9 +270,11 @@ class Starter {
     reached = found.toolEnd;
     // From far away or across a kink a way may miss what there is; and where surfaces nearly touch
     // each other, only places within the tolerances may be any.
+    double missed = 0.0;
     for (const bool atRest : {false, true}) {
-      if (!found.ok) {
+      if (!found.ok && (!atRest || missed <= nearlyTouching * widestBand())) {
         const Settled near = closest(from, rule_, wanted(atRest, from), extra);
+        missed = near.worst;
         const auto goals = wanted(atRest, near.toolEnd);
         const Settled tried = nearestAround(near, from, rule_, goals, extra);
         found = tried.ok || !atRest ? tried : found;

@@ -90,9 +90,9 @@ bool StopFinder::mayBeBeyond() const {
 std::optional<Found> StopFinder::find(const PathPoint& a, const Segment& segment) {
   auto& watches = course_.watches;
   if (std::all_of(watches.begin(), watches.end(),
-                  [&](const CheckWatch& w) { return w.isFarFrom(segment); })) {
+                  [&](CheckWatch& w) { return w.isFarFrom(segment); })) {
     for (CheckWatch& w : watches) {
-      w.pass(segment);
+      w.pass();
     }
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ir/space/tolerance.h"
+#include "runtime/motion/chord.h"
 #include "runtime/motion/kept_share.h"
 #include "runtime/motion/tried.h"
 
@@ -108,9 +109,16 @@ double Stride::accepted() const {
   return accept;
 }
 
-std::optional<PathPoint> Stride::next(const PathPoint& a, double cap) {
-  const bool faceted = path_.guides[0].field->isFaceted() || path_.guides[1].field->isFaceted();
-  return faceted ? nextAlongMesh(a, cap) : nextAlongCurves(a, cap);
+const PathPoint* Stride::next(const PathPoint& a, double cap) {
+  if (!path_.guides[0].field->isFaceted() && !path_.guides[1].field->isFaceted()) {
+    return nextAlongCurves(a, cap) ? best_ : nullptr;
+  }
+  const auto found = nextAlongMesh(a, cap);
+  if (!found) {
+    return nullptr;
+  }
+  *best_ = *found;
+  return best_;
 }
 
 /// In a plane the whole tolerance is seen at once; else, and where that ends, lengths are tried.
@@ -158,13 +166,14 @@ std::optional<PathPoint> Stride::nextAlongFacets(const PathPoint& a, double cap)
   int turned = 0;       // how often the other edge of the band was aimed at
   bool corner = false;  // the shortest that fails cannot be followed
   for (int i = 0; i < tryLimit && length > tolerance::sameSide; ++i) {
-    auto b = path_.step(a, length, path_.vertexGaps(), accept);
-    const bool followed = b && b->tangent.dot(a.tangent) >= turnCosine;
-    const double factor = followed ? path_.fitWithTurn(a, *b) : 0.0;
+    const PathPoint& b = *trial_;
+    const bool followed = path_.step(a, length, path_.vertexGaps(), accept, *trial_) &&
+                          b.tangent.dot(a.tangent) >= turnCosine;
+    const double factor = followed ? path_.fitWithTurn(a, b) : 0.0;
     if (factor >= 1.0 - tolerance::coincidence) {
       tried.fits = length;
-      best = std::move(b);
-    } else if (followed && !best && turned < mostTurns && (turnAims() | learnTurn(a, *b))) {
+      best = b;
+    } else if (followed && !best && turned < mostTurns && (turnAims() | learnTurn(a, b))) {
       ++turned;
       continue;
     } else {
@@ -229,12 +238,14 @@ void Stride::shorten(Trials& t, double factor, double cap, const PathPoint& a, c
   }
 }
 
-std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap) {
-  auto found = longestAlongCurves(a, cap);
+bool Stride::nextAlongCurves(const PathPoint& a, double cap) {
+  if (longestAlongCurves(a, cap)) {
+    return true;
+  }
   bool turned = false;
   // Behind a corner the path may not lead from one edge of the band to the other: it keeps to that
   // which it is at.
-  for (std::size_t i = 0; i < path_.guides.size() && !found; ++i) {
+  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
     Guide& g = path_.guides[i];
     const bool outwards = 2.0 * a.contacts[i].gap > g.outer - g.inner;
     if (!g.flat() && !g.field->isFaceted() && (g.bend >= 0.0) != outwards) {
@@ -242,154 +253,71 @@ std::optional<PathPoint> Stride::nextAlongCurves(const PathPoint& a, double cap)
       turned = true;
     }
   }
-  return turned ? longestAlongCurves(a, cap) : found;
+  return turned && longestAlongCurves(a, cap);
 }
 
-std::optional<PathPoint> Stride::longestAlongCurves(const PathPoint& a, double cap) {
+bool Stride::longestAlongCurves(const PathPoint& a, double cap) {
   Trials t;
   t.length = std::min(planned(a), cap);
   const double accept = accepted();
-  std::optional<PathPoint> best;
-  double bestLength = 0.0;
-  Path::Middle middle;
+  double best = 0.0;       // how far a cut vector reaches that fits, if any
+  bool triedMore = false;  // longer ones than that
   int grown = 0;
   bool corner = false;  // lengths fail because the path cannot be followed so far
   for (; t.count < tryLimit && t.length > tolerance::sameSide; ++t.count) {
-    auto b = path_.step(a, t.length, aimedGaps(a, t.length), accept);
-    if (!b || b->tangent.dot(a.tangent) < turnCosine) {
+    const PathPoint& b = *trial_;
+    if (!path_.step(a, t.length, aimedGaps(a, t.length), accept, *trial_) ||
+        b.tangent.dot(a.tangent) < turnCosine) {
       t.length = t.tried.shorter(t.length);
       corner = true;
-      if (best && t.tried.fails() - t.tried.fits() <= nearCorner) {
+      if (best > 0.0 && t.tried.fails() - t.tried.fits() <= nearCorner) {
         break;
       }
       continue;
     }
-    const double factor = path_.fitWithTurn(a, *b);
+    const double factor = path_.fitWithTurn(a, b);
     if (factor < 1.0 - tolerance::coincidence) {
-      shorten(t, factor, cap, a, *b);
+      shorten(t, factor, cap, a, b);
       t.looked = true;
       corner = false;
-      if (best && (++grown > growLimit || t.tried.isNarrow())) {
+      if (best > 0.0 && (++grown > growLimit || t.tried.isNarrow())) {
         break;
       }
       continue;
     }
     t.looked = true;
-    const double reached = (b->toolEnd - a.toolEnd).norm();
+    const double reached = (b.toolEnd - a.toolEnd).norm();
     if (reached > longest_ * (1.0 + tolerance::coincidence) && !path_.flat()) {
       t.length *= longest_ / reached;  // the surfaces led aside
       continue;
     }
     // What ends by MAXDP and not by the band.
-    const double kept = factor > idle && t.length >= longest_ ? keptShare(path_, a, *b) : 1.0;
+    const double kept = factor > idle && t.length >= longest_ ? keptShare(path_, a, b) : 1.0;
     if (kept < 1.0) {
       t.length = t.tried.shorter(t.length, kept, t.count);
       continue;
     }
-    const bool better = !best || reached > bestLength;
+    const bool better = reached > best;
     if (better) {
-      best = std::move(b);
-      bestLength = reached;
+      std::swap(trial_, best_);
+      best = reached;
     }
     if (!better || factor < (t.toRidge ? ridgeFit : goodFit) || t.length >= cap * safety ||
         t.length >= longest_ || (++grown > growLimit && !corner)) {
       break;
     }
-    middle = path_.middle;
+    middle_ = path_.middle;
+    triedMore = true;
     t.length = std::min({t.tried.longer(t.length, factor), cap, longest_});
   }
   // Beside a corner a cut vector may change its gap, but does not get on.
-  if (!best || (best->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
-    return std::nullopt;
-  }
-  if (middle.end == best->toolEnd) {
-    path_.middle = middle;  // longer ones were tried
-  }
-  return best;
-}
-
-/// Slopes of a gap at both ends of a cut vector; none where it is straight.
-std::optional<std::array<double, 2>> Stride::slopes(std::size_t role,
-                                                    const PathPoint& a,
-                                                    const PathPoint& b) const {
-  const Vec3 chord = b.toolEnd - a.toolEnd;
-  const double length = chord.norm();
-  if (path_.guides[role].flat() || length <= 0.0) {
-    return std::nullopt;
-  }
-  if (path_.middle.straight && path_.middle.end == b.toolEnd && !path_.guides[role].field->flat()) {
-    return path_.middle.ends[role];
-  }
-  const Vec3 turn = a.axis != b.axis ? spin(a.axis, b.axis, length) : Vec3(Vec3::Zero());
-  return std::array{slopeAlong(a.contacts[role], a.toolEnd, chord / length, turn),
-                    slopeAlong(b.contacts[role], b.toolEnd, chord / length, turn)};
-}
-
-/// Takes the curvature of a chord at its start, and how it changes, from both halves, which have
-/// those of their middles; false where it is straight.
-bool Stride::learnCurvature(std::size_t role, const PathPoint& a, const PathPoint& b) {
-  const auto slope = slopes(role, a, b);
-  if (!slope) {
+  if (best == 0.0 || (best_->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
     return false;
   }
-  Guide& g = path_.guides[role];
-  const double length = (b.toolEnd - a.toolEnd).norm();
-  g.bend = meanCurvature(slope->front(), slope->back(), length);
-  g.trend = g.spread = 0.0;
-  g.aim = 0;
-  if (path_.middle.end == b.toolEnd && path_.middle.smooth[role] && g.bend != 0.0) {
-    const double change =
-        2.0 * (slope->back() + slope->front() - 2.0 * path_.middle.slope[role]) / length;
-    g.trend = 2.0 * change / length;
-    g.spread = length;
-    g.bend -= 0.5 * length * g.trend;
+  if (triedMore && middle_.end == best_->toolEnd) {
+    path_.middle = middle_;
   }
   return true;
-}
-
-/// Takes over the curvatures of a trial chord; true where the sign of one differs from what it was
-/// taken for. Those of facets tell nothing.
-bool Stride::learnTurn(const PathPoint& a, const PathPoint& b) {
-  bool turns = false;
-  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
-    Guide& g = path_.guides[i];
-    const double before = g.bend;
-    if (!g.field->isFaceted() && learnCurvature(i, a, b)) {
-      g.error = 0.0;
-      const double behind = g.bend + g.spread * g.trend;
-      turns = turns || (g.bend >= 0.0) != (before >= 0.0) || (behind >= 0.0) != (before >= 0.0);
-    }
-  }
-  return turns;
-}
-
-/// Aims at the edge of the band from which the trial chord swerves least; true where that is not
-/// the one it did.
-bool Stride::learnSwerve() {
-  bool turns = false;
-  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
-    Guide& g = path_.guides[i];
-    const auto& swerve = path_.swerves[i];
-    if (swerve && *swerve != 0.0 && g.aim == 0 && (g.bend >= 0.0) != (*swerve >= 0.0)) {
-      g.startAnew(*swerve);
-      turns = true;
-    }
-  }
-  return turns;
-}
-
-void Stride::learn(const PathPoint& a, const PathPoint& b) {
-  for (std::size_t i = 0; i < path_.guides.size(); ++i) {
-    Guide& g = path_.guides[i];
-    if (g.field->isFaceted() || !learnCurvature(i, a, b)) {
-      continue;
-    }
-    if (path_.middle.end == b.toolEnd && !path_.middle.smooth[i] && path_.middle.behind[i]) {
-      g.startAnew(*path_.middle.behind[i]);
-    } else {
-      g.bend += g.spread * g.trend;
-    }
-  }
 }
 
 }  // namespace arelem::motion

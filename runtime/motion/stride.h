@@ -9,15 +9,15 @@ class Stride {
   /// `longest` is MAXDP; it does not bind where both surfaces are planes.
   Stride(Path& path, double longest) : path_(path), longest_(longest), facets_(path) {}
 
-  /// The end of the next cut vector from `a`, not farther than `cap`. None where the path ends or
-  /// has a corner; a cut vector towards a corner ends in it.
-  [[nodiscard]] std::optional<PathPoint> next(const PathPoint& a, double cap);
+  /// The end of the next cut vector from `a`, not farther than `cap`; it stays until the next call.
+  /// Null where the path ends or has a corner; a cut vector towards a corner ends in it.
+  [[nodiscard]] const PathPoint* next(const PathPoint& a, double cap);
   /// Takes the curvatures of a finished cut vector as those of the next.
   void learn(const PathPoint& a, const PathPoint& b);
 
  private:
-  [[nodiscard]] std::optional<PathPoint> nextAlongCurves(const PathPoint& a, double cap);
-  [[nodiscard]] std::optional<PathPoint> longestAlongCurves(const PathPoint& a, double cap);
+  [[nodiscard]] bool nextAlongCurves(const PathPoint& a, double cap);
+  [[nodiscard]] bool longestAlongCurves(const PathPoint& a, double cap);
   [[nodiscard]] std::optional<PathPoint> nextAlongMesh(const PathPoint& a, double cap);
   [[nodiscard]] std::optional<PathPoint> nextAlongFacets(const PathPoint& a, double cap);
   /// How far from the gap aimed at a cut vector may end.
@@ -28,9 +28,10 @@ class Stride {
   struct Trials;
   void shorten(Trials& t, double factor, double cap, const PathPoint& a, const PathPoint& b);
   [[nodiscard]] double behindRidge(const PathPoint& a) const;
-  [[nodiscard]] std::optional<std::array<double, 2>> slopes(std::size_t role,
-                                                            const PathPoint& a,
-                                                            const PathPoint& b) const;
+  [[nodiscard]] std::array<double, 2> slopes(std::size_t role,
+                                             const PathPoint& a,
+                                             const PathPoint& b,
+                                             double length) const;
   bool turnAims();
   bool learnTurn(const PathPoint& a, const PathPoint& b);
   bool learnSwerve();
@@ -40,6 +41,11 @@ class Stride {
   double longest_;
   FacetStride facets_;
   double usual_ = 0.0;  ///< length of the last cut vector along facets
+  /// Ends of cut vectors: the one that is tried, and the best so far. They change places.
+  std::array<PathPoint, 2> ends_;
+  PathPoint* trial_ = &ends_[0];
+  PathPoint* best_ = &ends_[1];
+  Path::Middle middle_;  ///< of the best, where longer ones were tried
 };
 
 }  // namespace arelem::motion

@@ -90,13 +90,13 @@ class ContactDescent {
 
   /// The bottom, from a share of its length; 1 is its rim. Of a level one the corner's ball goes
   /// along, of which the cutter has what is below the side: a contact above that is one of the
-  /// side.
+  /// side, unless the ball's center, which the cutter has too, is in the surface.
   Contact onBottom(double along = 1.0) {
     if (cutter_.alpha > 0.0) {
       return onLine({0.0, 0.0}, cutter_.bottomEnd, 0.0, along);
     }
     const Contact c = onLine({0.0, cutter_.f}, {cutter_.e, cutter_.f}, cutter_.r, along);
-    return c.normal.dot(axis_) < cutter_.sinBeta ? onSide(0.0) : c;
+    return c.normal.dot(axis_) < cutter_.sinBeta && c.gap > -cutter_.r ? onSide(0.0) : c;
   }
   /// The side, from a share of its length.
   Contact onSide(double along) { return onLine(cutter_.sideStart, cutter_.sideEnd, 0.0, along); }

@@ -1,6 +1,8 @@
 #include "runtime/geometry/kinds/quadric.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <Eigen/Dense>
@@ -11,22 +13,20 @@ namespace arelem::surface {
 
 namespace {
 constexpr int newtonLimit = 40;
-constexpr int bisectionLimit = 200;
+constexpr int searchLimit = 200;
 /// An eigenvalue of at most this share of the largest is rounding.
 constexpr double rounding = 1e-14;
-/// Slack of the test for the nearest point, which is an equality on the medial axis.
-constexpr double medial = 1e-9;
 /// This near to the medial axis a place is on it, as a share of its coordinates.
 constexpr double amidst = 1e-14;
-/// A multiplier that changes by less than this share is found.
-constexpr double lastMultiplier = 1e-15;
+/// A share of what is solved for that changes by this much is found, like a foot below.
+constexpr double lastShare = 1e-8;
 /// Newton over the multiplier keeps this far from the ends of its interval, as a share of it.
 constexpr double nearEnd = 0.05;
 /// A foot that moves by this share of its coordinates is found: Newton's next step is the square of
 /// that.
 constexpr double lastMove = 1e-9;
-/// Moves below this that get no smaller are rounding.
-constexpr double settled = 1e-13;
+/// Limit of 1 / d^2, and how fast it is looked for where its interval is open.
+constexpr double mostPole = 1e60, farther = 16.0;
 /// Share of the gradient by which it may change for the surface to count as a graph.
 constexpr double graphShare = 0.5;
 }  // namespace
@@ -46,76 +46,14 @@ Quadric::Quadric(const Eigen::Matrix3d& matrix, const Vec3& linear, double const
   }
 }
 
-/// Newton on q - p + m grad F(q) = 0, F(q) = 0 from a point near the surface.
-Quadric::Candidate Quadric::refine(const Vec3& p, const Vec3& start) const {
-  Candidate c{false, start, 0.0};
-  const Vec3 first = gradient(start);
-  double before = tolerance::farAway;
-  c.multiplier = first.squaredNorm() > 0.0 ? (p - start).dot(first) / first.squaredNorm() : 0.0;
-  for (int i = 0; i < newtonLimit; ++i) {
-    const Vec3 slope = gradient(c.point);
-    Eigen::Matrix4d jacobian = Eigen::Matrix4d::Zero();
-    jacobian.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() + 2.0 * c.multiplier * matrix_;
-    jacobian.topRightCorner<3, 1>() = slope;
-    jacobian.bottomLeftCorner<1, 3>() = slope.transpose();
-    Eigen::Vector4d residual;
-    residual.head<3>() = c.point - p + c.multiplier * slope;
-    residual[3] = value(c.point);
-    const Eigen::Vector4d step = jacobian.partialPivLu().solve(residual);
-    if (!step.allFinite()) {
-      return c;
-    }
-    c.point -= step.head<3>();
-    c.multiplier -= step[3];
-    const double moved = step.head<3>().norm() / (1.0 + c.point.norm());
-    if (moved <= 1e-15 || (moved <= settled && moved >= 0.5 * before)) {
-      c.good = isNearest(c.multiplier);
-      return c;
-    }
-    before = moved;
-  }
-  return c;
-}
-
-bool Quadric::isNearest(double multiplier) const {
-  return 1.0 + 2.0 * multiplier * roots_[0] >= -medial &&
-         1.0 + 2.0 * multiplier * roots_[2] >= -medial;
-}
-
 namespace {
 /// F along the curve of feet q(m), in the basis of the eigenvectors.
 struct FootCurve {
   Vec3 place, roots, linear;
   double constant;
 
-  [[nodiscard]] Vec3 at(double m) const {
-    return (place - 2.0 * m * linear).cwiseQuotient(Vec3::Ones() + 2.0 * m * roots);
-  }
-  [[nodiscard]] double value(double m) const {
-    const Vec3 q = at(m);
-    return q.dot(roots.cwiseProduct(q)) + 2.0 * linear.dot(q) + constant;
-  }
-  /// The step of Newton on F there; not finite where F is level.
-  [[nodiscard]] double newton(double m, double there) const {
-    const Vec3 half = roots.cwiseProduct(at(m)) + linear;
-    return there / (4.0 * half.dot(half.cwiseQuotient(Vec3::Ones() + 2.0 * m * roots)));
-  }
-  /// The zero of F between two multipliers, at the first of which it has the sign of `rising`: by
-  /// Newton, and by halves where that leads out.
-  [[nodiscard]] double zeroBetween(double inner, double outer, bool rising) const {
-    double m = 0.5 * (inner + outer);
-    for (int k = 0; k < bisectionLimit; ++k) {
-      const double there = value(m);
-      ((there > 0.0) == rising ? inner : outer) = m;
-      const double next = m + newton(m, there);
-      const bool inside = next > std::min(inner, outer) && next < std::max(inner, outer);
-      const double last = m;
-      m = inside ? next : 0.5 * (inner + outer);
-      if (std::abs(m - last) <= lastMultiplier * std::abs(m) || m == inner || m == outer) {
-        break;
-      }
-    }
-    return m;
+  [[nodiscard]] double value(const Vec3& p) const {
+    return p.dot(roots.cwiseProduct(p) + 2.0 * linear) + constant;
   }
   /// Newton on F from a multiplier. Gives up near the ends of the interval in which the foot is the
   /// nearest.
@@ -141,14 +79,60 @@ struct FootCurve {
     }
     return std::nullopt;
   }
+  /// The nearest foot by the 1 + 2 m root of eigenvector i, towards the end of the interval of
+  /// multipliers in which it is the nearest. With d for that, F is level + pole / d^2 near the end,
+  /// and as smooth in y = 1 / d^2 elsewhere: Newton on y, and by halves where that leads out. None
+  /// where F keeps its sign.
+  [[nodiscard]] std::optional<Vec3> towardsEnd(int i, bool ends, double m) const {
+    const Vec3 ratio = roots / roots[i];
+    const Vec3 fixed = (roots[i] * Vec3::Ones() - roots) / roots[i];
+    const Vec3 slope = roots.cwiseProduct(place) + linear;
+    const bool rising = place.dot(slope + linear) + constant > 0.0;
+    double inner = 1.0;
+    double outer = ends ? std::numeric_limits<double>::infinity() : 0.0;
+    const auto isInside = [&](double y) {
+      return ends ? y > inner && y < outer : y < inner && y > outer;
+    };
+    const double guess = 1.0 + 2.0 * m * roots[i];
+    double y = 1.0 / (guess * guess);
+    y = guess > 0.0 && isInside(y) ? y : 1.0;
+    bool isFound = false;
+    for (int k = 0; k < searchLimit; ++k) {
+      const double d = 1.0 / std::sqrt(y);
+      const Vec3 share = (fixed + d * ratio).cwiseInverse();
+      const Vec3 half = slope.cwiseProduct(share);
+      const Vec3 foot = place - (d - 1.0) / roots[i] * half;
+      const double there = foot.dot(half + linear) + constant;
+      const double squared = half.squaredNorm();
+      if (isFound || !(squared > 0.0)) {
+        return squared > 0.0 ? Vec3(foot - 0.5 * there / squared * half) : foot;
+      }
+      ((there > 0.0) == rising ? inner : outer) = y;
+      const double next = y - there * roots[i] / (d * d * d * half.dot(half.cwiseProduct(share)));
+      const double last = y;
+      y = isInside(next) || next == y ? next : between(inner, outer);
+      isFound = std::abs(y - last) <= lastShare * y || !isInside(y);
+      if (!(y < mostPole && y > 1.0 / mostPole)) {
+        break;
+      }
+    }
+    return std::nullopt;
+  }
   /// Where the interval of multipliers ends without a zero, p lies on the medial axis: the foot
   /// leaves along eigenvector i, whose 1 + 2 m root is 0.
-  [[nodiscard]] std::optional<Vec3> onMedialAxis(int i, double m) const {
-    Vec3 q = at(m);
+  [[nodiscard]] std::optional<Vec3> onMedialAxis(int i) const {
+    const Vec3 scale = (roots[i] * Vec3::Ones() - roots) / roots[i];
+    Vec3 q = Vec3::Zero();
     double rest = constant;
     for (int j = 0; j < 3; ++j) {
       if (j != i) {
-        q[j] = std::isfinite(q[j]) ? q[j] : -linear[j] / roots[j];
+        const double along = roots[j] * place[j] + linear[j];
+        // p is not amidst of what is as round about eigenvectors i and j.
+        if (std::abs(scale[j]) <= rounding && !isAmidst(j)) {
+          return std::nullopt;
+        }
+        q[j] = std::abs(scale[j]) <= rounding ? -linear[j] / roots[j]
+                                              : place[j] + along / (scale[j] * roots[i]);
         rest += (roots[j] * q[j] + 2.0 * linear[j]) * q[j];
       }
     }
@@ -159,40 +143,40 @@ struct FootCurve {
     q[i] = (-linear[i] + std::sqrt(disc)) / roots[i];
     return q;
   }
-};
-}  // namespace
+  /// True where p is as near to both sides of the plane square to eigenvector i.
+  [[nodiscard]] bool isAmidst(int i) const {
+    return std::abs(place[i] + linear[i] / roots[i]) <= amidst * (1.0 + place.norm());
+  }
 
-/// The nearest point by the zero of F over the multiplier.
-Vec3 Quadric::search(const Vec3& p) const {
-  const FootCurve curve{axes_.transpose() * p, roots_, alongAxes_, constant_};
-  const bool rising = curve.value(0.0) > 0.0;  // then m > 0
-  const int i = rising ? 0 : 2;
-  const bool ends = rising ? roots_[0] < -flat_ : roots_[2] > flat_;
-  const double end = ends ? -0.5 / roots_[i] : 0.0;
-  const bool isAmidst = ends && std::abs(curve.place[i] - 2.0 * end * curve.linear[i]) <=
-                                    amidst * (1.0 + curve.place.norm());
-  if (const auto q = isAmidst ? curve.onMedialAxis(i, end) : std::nullopt) {
-    return axes_ * *q;
-  }
-  // From 0 towards the end until the sign changes.
-  const double first = std::abs(curve.newton(0.0, curve.value(0.0)));
-  const double least = std::isfinite(first) && first > 0.0 ? first : std::ldexp(1.0, -60);
-  double inner = 0.0;
-  double outer = 0.0;
-  for (int k = 0; k < bisectionLimit; ++k) {
-    inner = outer;
-    outer = ends ? end * (1.0 - std::ldexp(1.0, -1 - k)) : std::ldexp(rising ? least : -least, k);
-    if ((ends && outer == end) || (curve.value(outer) > 0.0) != rising) {
-      break;
+ private:
+  /// By halves, of numbers or of their size.
+  static double between(double a, double b) {
+    const double low = std::min(a, b);
+    const double high = std::max(a, b);
+    if (!(high < mostPole)) {
+      return farther * low;
     }
+    return low > 0.0 ? std::sqrt(low * high) : high / farther;
   }
-  if ((ends && outer == end) || (curve.value(outer) > 0.0) == rising) {
-    const auto q = ends ? curve.onMedialAxis(i, end) : std::nullopt;
-    // No real point: a quadric without a surface is met nowhere.
-    return q ? Vec3(axes_ * *q) : Vec3(p + tolerance::farAway * Vec3::UnitZ());
+};
+
+/// The nearest point, from a multiplier.
+Vec3 nearest(const FootCurve& curve, double flat, double multiplier) {
+  const bool rising = curve.value(curve.place) > 0.0;  // then m > 0
+  const int i = rising ? 0 : 2;
+  const bool ends = rising ? curve.roots[0] < -flat : curve.roots[2] > flat;
+  if (const auto q = ends && curve.isAmidst(i) ? curve.onMedialAxis(i) : std::nullopt) {
+    return *q;
   }
-  return axes_ * curve.at(curve.zeroBetween(inner, outer, rising));
+  const int by = ends ? i : 2 - i;
+  auto q = std::abs(curve.roots[by]) > flat ? curve.towardsEnd(by, ends, multiplier) : std::nullopt;
+  if (!q && ends) {
+    q = curve.onMedialAxis(i);
+  }
+  // No real point: a quadric without a surface is met nowhere.
+  return q ? *q : Vec3(curve.place + tolerance::farAway * Vec3::UnitZ());
 }
+}  // namespace
 
 Foot Quadric::foot(const Vec3& p, Hint& hint) const {
   const FootCurve curve{axes_.transpose() * p, roots_, alongAxes_, constant_};
@@ -206,13 +190,7 @@ Foot Quadric::foot(const Vec3& p, Hint& hint) const {
     multiplier = 0.5 * (up + fallen) / hint.half;
   }
   const auto found = curve.follow(multiplier);
-  if (found) {
-    hint.foot = *found;
-  } else {
-    const Vec3 near = search(p);
-    const Candidate refined = refine(p, near);
-    hint.foot = axes_.transpose() * (refined.good ? refined.point : near);
-  }
+  hint.foot = found ? *found : nearest(curve, flat_, multiplier);
   hint.valid = true;
   const Vec3 half = roots_.cwiseProduct(hint.foot) + alongAxes_;
   hint.half = half.norm();
@@ -237,8 +215,10 @@ Vec3 Quadric::turn(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) con
   if (!hint.valid || length <= 0.0) {
     return Vec3::Zero();
   }
-  // The place is 2 m |half| from its foot.
-  const Vec3 share = (Vec3::Ones() + foot.distance / length * roots_).cwiseInverse();
+  // The place is 2 m |half| from its foot. Amidst two feet the normal turns without end.
+  const Vec3 closing = Vec3::Ones() + foot.distance / length * roots_;
+  const Vec3 share =
+      closing.unaryExpr([](double c) { return 1.0 / (std::abs(c) > rounding ? c : rounding); });
   const Vec3& normal = hint.normal;
   const Vec3 along = axes_.transpose() * t;
   const Vec3 across = along - normal.dot(along) * normal;

@@ -11,8 +11,8 @@ namespace arelem::surface {
 ///
 /// The foot of p is q = (I + 2 m Q)^-1 (p - 2 m q) with F = 0; it is the nearest point of all if
 /// I + 2 m Q has no negative eigenvalue, as the Lagrange function is then convex. Newton from the
-/// hint gives a candidate; one that fails this test is replaced by the zero of F over the interval
-/// of m in which the test holds, where F falls with m.
+/// hint keeps to the m in which that holds; where it leads near their end, F is solved by the
+/// eigenvalue that vanishes there.
 class Quadric {
  public:
   struct Hint {
@@ -41,14 +41,6 @@ class Quadric {
   [[nodiscard]] bool isConvex() const { return roots_[0] >= -flat_; }
 
  private:
-  struct Candidate {
-    bool good = false;
-    Vec3 point = Vec3::Zero();
-    double multiplier = 0.0;
-  };
-  [[nodiscard]] Candidate refine(const Vec3& p, const Vec3& start) const;
-  [[nodiscard]] bool isNearest(double multiplier) const;
-  [[nodiscard]] Vec3 search(const Vec3& p) const;
   [[nodiscard]] std::optional<Bends> curvatures(const Vec3& at, double reach) const;
 
   Eigen::Matrix3d matrix_;
