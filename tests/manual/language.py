@@ -194,14 +194,7 @@ def post_words_page(tables):
     return "\n".join(text) + "\n"
 
 
-LATER = ["", "## Blocks of later systems", "",
-         "| statement | meaning |", "|---|---|",
-         "| `DO/ variable = first, last [, step]` ... `ENDDO` | repeats what stands between; `step` is 1, or negative to count down. Not at all "
-         "where `last` lies before `first` |",
-         "| `IF (condition) THEN` ... [`ELSEIF (condition) THEN` ...] [`ELSE` ...] `ENDIF` | does the first part whose condition holds |",
-         "| `.LT. .LE. .EQ. .NE. .GE. .GT. .AND. .OR. .NOT.` | conditions |",
-         "| `INCLUDE/ 'file'` | the statements of a file, sought beside the program and in the folders of `-I` |", "",
-         "Both kinds of blocks nest, and may stand in LOOPST, in macros and outside of both.", "",
+LATER = ["", "Both kinds of blocks nest, and may stand in LOOPST, in macros and outside of both.", "",
          "```apt", "N=0", "M=0", "DO/I=10,2,-2", "IF(I .GT. 6 .OR. I .EQ. 2) THEN", "N=N+1", "ELSE", "M=M+I", "ENDIF", "ENDDO", "FINI", "```", "",
          "| name | type | canonical numbers |", "|---|---|---|", "| N | SCALAR | 3 |", "| M | SCALAR | 10 |"]
 
@@ -218,6 +211,8 @@ def dialects_page(tables):
              "A line that begins like this (blanks do not count), with no `name =` before it:", "",
              "| begin | written by |", "|---|---|"]
     text += [f"| `{row['begin']}` | {row['writer']} |" for row in tables["clMarks"]]
+    text += ["", "## Blocks of later systems", "", "| statement | meaning |", "|---|---|"]
+    text += [f"| `{row['syntax']}` | {row['meaning']} |" for row in tables["blocks"]]
     return "\n".join(text + LATER) + "\n"
 
 
