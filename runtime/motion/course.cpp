@@ -55,9 +55,10 @@ class Planner {
       }
     }
     course_.onDrive = toolOn(driveRole);
-    for (const Role role : {partRole, driveRole}) {
-      guide(role).field = guideField(role, role == partRole ? toolOn(partRole) : course_.onDrive);
-    }
+    onPart_ = toolOn(partRole);
+    guide(partRole).field =
+        !onPart_ && touching_ ? std::move(touching_) : guideField(partRole, onPart_);
+    guide(driveRole).field = guideField(driveRole, course_.onDrive);
     return std::nullopt;
   }
 
@@ -67,7 +68,7 @@ class Planner {
       return wanted.takeFailure();
     }
     wanted_ = *wanted;
-    const AxisParty part = party(partRole, toolOn(partRole));
+    const AxisParty part = party(partRole, onPart_);
     auto axis = chooseAxis(state_, &part, party(driveRole, course_.onDrive), wanted_);
     if (!axis) {
       return axis.takeFailure();
@@ -102,7 +103,8 @@ class Planner {
     if (state_.partRelation) {
       return *state_.partRelation == Word::TLONPS;
     }
-    const double offset = guideField(partRole, false)->at(state_.toolEnd, state_.axis).gap;
+    touching_ = guideField(partRole, false);
+    const double offset = touching_->at(state_.toolEnd, state_.axis).gap;
     return std::abs(offset) > slack &&
            std::abs(footOn(course_.part.surface, state_.toolEnd).distance) <= slack;
   }
@@ -163,7 +165,7 @@ class Planner {
       }
       const Role role = i == 0 ? checkRole : secondCheckRole;
       const bool on = goal.condition == ir::Condition::on ||
-                      (tangent && (partner == partRole ? toolOn(partRole) : course_.onDrive));
+                      (tangent && (partner == partRole ? onPart_ : course_.onDrive));
       const Tool tool{on ? nullptr : &*state_.cutter, on ? 0.0 : state_.thick[role]};
       if (!(state_.band(role) > 0.0)) {
         return fail(diag::NoBand, state_.band(role));
@@ -251,6 +253,7 @@ class Planner {
     }
     start.face(*direction);
     warnWrongSide();
+    warnOnByDefault();
     for (CheckWatch& w : course_.watches) {
       const double away = footOn(w.surface().surface, state_.toolEnd).distance;
       if (auto bad = tooFarOut(state_, checkRole, std::abs(away))) {
@@ -277,6 +280,20 @@ class Planner {
     }
   }
 
+  /// Contours of lines without TLLFT or TLRGT run beside their lines up to where a check surface is
+  /// implied: there the rule takes the tool onto the next one.
+  void warnOnByDefault() {
+    if (course_.onDrive || cutterFor(state_, driveRole)->maxRadius() == 0.0) {
+      return;
+    }
+    for (const CheckGoal& goal : request_.checks) {
+      if (goal.onByDefault) {
+        course_.warnings.push_back(
+            fail(diag::OnByDefault, goal.surface.name, course_.drive.name));
+      }
+    }
+  }
+
   void warnWrongSide() {
     if (!state_.driveRelation || course_.onDrive ||
         cutterFor(state_, driveRole)->maxRadius() == 0.0) {
@@ -299,7 +316,9 @@ class Planner {
   const State& state_;
   const FollowRequest& request_;
   Course course_;
-  Vec3 wanted_ = Vec3::UnitX();  ///< direction of the GO word
+  bool onPart_ = false;              ///< the tool end, not the cutter, is at the part surface
+  std::unique_ptr<Field> touching_;  ///< of the cutter and the part surface, if that was looked at
+  Vec3 wanted_ = Vec3::UnitX();      ///< direction of the GO word
 };
 }  // namespace
 

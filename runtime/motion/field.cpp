@@ -35,7 +35,9 @@ thread_local std::uint64_t measured = 0;
 
 /// Cut vectors along a mesh are proven to keep their band within this: half of what the certificate
 /// allows for rounding. Part unit.
-double facetedSlack(double band) { return 0.5 * certify::slackOf(band); }
+double facetedSlack(double band) {
+  return 0.5 * certify::slackOf(band);
+}
 
 constexpr double shortest = 0.5;
 constexpr double longest = 0.95;
@@ -100,9 +102,14 @@ class CutterField final : public Field {
         thick_(thick) {}
   tool::Contact at(const Vec3& toolEnd, const Vec3& axis) override {
     ++measured;
-    tool::Contact c = tool::contact(surface_, side_, cutter_, toolEnd, axis, search_);
-    c.gap -= thick_;
-    return c;
+    if constexpr (hasFaces<S>) {
+      // A motion is planned by looks at one place, which take long.
+      if (!last_ || toolEnd != last_->toolEnd || axis != last_->axis) {
+        last_ = Looked{toolEnd, axis, contact(toolEnd, axis)};
+      }
+      return last_->contact;
+    }
+    return contact(toolEnd, axis);
   }
   Judgement judge(const certify::Chord& chord, double inner, double outer) override {
     if constexpr (hasFaces<S>) {
@@ -126,6 +133,17 @@ class CutterField final : public Field {
   }
 
  private:
+  tool::Contact contact(const Vec3& toolEnd, const Vec3& axis) {
+    tool::Contact c = tool::contact(surface_, side_, cutter_, toolEnd, axis, search_);
+    c.gap -= thick_;
+    return c;
+  }
+
+  struct Looked {
+    Vec3 toolEnd, axis;
+    tool::Contact contact;
+  };
+  std::optional<Looked> last_;
   S surface_;
   double side_;
   tool::Profile cutter_;

@@ -74,12 +74,12 @@ Settled slid(Settled at,
 }  // namespace
 
 Settled nearer(const Settled& found,
-               const Vec3& from,
+               const Settled& start,
                AxisRule& axis,
                std::span<const Wanted> wanted,
                std::span<const Constraint> constraints) {
   const bool isFree = wanted.size() + constraints.size() < 3;
-  const Settled start = measured(from, axis, wanted);
+  const Vec3& from = start.toolEnd;
   const auto [step, atLeast] = firstStep(start, wanted, constraints);
   const double way = found.ok ? (found.toolEnd - from).norm() : farWay * atLeast;
   if (way <= leastWay * atLeast || (found.ok && way <= straightWay * atLeast &&

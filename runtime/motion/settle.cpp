@@ -97,18 +97,25 @@ Equations equationsAt(const Settled& at,
   return e;
 }
 
-/// Axis and contacts where the tool is, and how far it is from what is wanted.
-void look(Settled& out, AxisRule& axis, std::span<const Wanted> wanted) {
-  out.axis = axis.at(out.toolEnd);
+/// How far a place is from what is wanted.
+void compare(Settled& out, std::span<const Wanted> wanted) {
   out.worst = 0.0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    out.contacts[i] = wanted[i].field->at(out.toolEnd, out.axis);
     const double rest = std::abs(wanted[i].target - out.contacts[i].gap);
     if (rest >= out.worst) {
       out.worst = rest;
       out.worstAt = i;
     }
   }
+}
+
+/// Axis and contacts where the tool is, and how far it is from what is wanted.
+void look(Settled& out, AxisRule& axis, std::span<const Wanted> wanted) {
+  out.axis = axis.at(out.toolEnd);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    out.contacts[i] = wanted[i].field->at(out.toolEnd, out.axis);
+  }
+  compare(out, wanted);
 }
 }  // namespace
 
@@ -130,6 +137,8 @@ void settleOn(Settled& out,
   Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
   double previous = 1e300, least = previous;
   int idle = 0, unsettled = 0;
+  out.ok = false;
+  compare(out, wanted);
   for (out.iterations = 1; out.iterations <= iterationLimit; ++out.iterations) {
     if (out.iterations > 1) {
       look(out, axis, wanted);
@@ -248,12 +257,11 @@ Settled closest(const Vec3& start,
   return here;
 }
 
-Settled settleEvenly(const Vec3& start,
+Settled settleEvenly(const Settled& first,
                      AxisRule& axis,
                      std::span<const Wanted> wanted,
                      std::span<const Constraint> constraints) {
-  Settled here = measured(start, axis, wanted);
-  const Settled first = here;
+  Settled here = first;
   std::vector<Wanted> goals(wanted.begin(), wanted.end());
   std::vector<Constraint> planes(constraints.begin(), constraints.end());
   const auto setGoals = [&](double left) {
@@ -261,14 +269,15 @@ Settled settleEvenly(const Vec3& start,
       goals[i].target = wanted[i].target + left * (first.contacts[i].gap - wanted[i].target);
     }
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      planes[i].through = constraints[i].through + left * (start - constraints[i].through);
+      planes[i].through = constraints[i].through + left * (first.toolEnd - constraints[i].through);
     }
   };
   double left = 1.0;
   for (double share = longestShare; left > 0.0 && share >= shortestShare;) {
     const double next = std::max(0.0, left - share);
     setGoals(next);
-    const Settled there = settle(here.toolEnd, axis, goals, planes, shrunkEnough * first.worst);
+    Settled there = here;
+    settleOn(there, axis, goals, planes, shrunkEnough * first.worst);
     if (there.ok && isNeighbor(here, there, wanted.size(), (left - next) * first.worst)) {
       here = there;
       left = next;
@@ -281,7 +290,8 @@ Settled settleEvenly(const Vec3& start,
     here.ok = false;
     return here;
   }
-  return settle(here.toolEnd, axis, wanted, constraints);
+  settleOn(here, axis, wanted, constraints, 0.0);
+  return here;
 }
 
 Settled settleInTurn(const Vec3& start,
@@ -294,7 +304,8 @@ Settled settleInTurn(const Vec3& start,
   Vec3 turned = held;
   for (int turns = 0; turns < turnLimit; ++turns) {
     AxisRule fixed(turned);
-    const Settled there = settleEvenly(out.toolEnd, fixed, wanted, constraints);
+    const Settled there =
+        settleEvenly(measured(out.toolEnd, fixed, wanted), fixed, wanted, constraints);
     if (!there.ok) {
       return out;
     }
@@ -333,9 +344,7 @@ Settled settleNear(const Vec3& start,
                    std::span<const Wanted> wanted,
                    std::span<const Constraint> constraints) {
   Settled found = settle(start, axis, wanted, constraints);
-  if (found.ok && (found.toolEnd - start).norm() > distance) {
-    found.ok = false;
-  }
+  found.ok = found.ok && (found.toolEnd - start).norm() <= distance;
   return found;
 }
 }  // namespace
@@ -373,7 +382,7 @@ Settled nearestAround(const Settled& near,
         const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
         const Vec3 start = near.toolEnd + distance * (frame * way);
         const Settled found =
-            evenly ? settleEvenly(start, axis, wanted, constraints)
+            evenly ? settleEvenly(measured(start, axis, wanted), axis, wanted, constraints)
                    : settleNear(start, nearStart * distance, axis, wanted, constraints);
         const double away = (found.toolEnd - from).norm();
         // Mirror images are equally far: the first one stays.

@@ -79,9 +79,10 @@ struct FirstStep {
                                   std::span<const Wanted> wanted,
                                   std::span<const Constraint> constraints);
 
-/// The same from far away: all that is missed shrinks evenly, so that the tool comes to the place
-/// to which it can be led, and not to one behind a surface. Not ok where no such way is found.
-[[nodiscard]] Settled settleEvenly(const Vec3& start,
+/// The same from far away, where that is measured: all that is missed shrinks evenly, so that the
+/// tool comes to the place to which it can be led, and not to one behind a surface. Not ok where no
+/// such way is found.
+[[nodiscard]] Settled settleEvenly(const Settled& start,
                                    AxisRule& axis,
                                    std::span<const Wanted> wanted,
                                    std::span<const Constraint> constraints);

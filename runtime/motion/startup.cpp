@@ -230,13 +230,6 @@ class Starter {
     return list;
   }
 
-  Settled firstTry(const Vec3& from, std::span<const Constraint> extra) {
-    const auto goals = wanted(false, from);
-    return !rule_.isFixed() ? settleInTurn(from, state_.axis, rule_, goals, extra)
-           : exact_         ? settle(from, rule_, goals, extra)
-                            : settleEvenly(from, rule_, goals, extra);
-  }
-
   Result<Standing> runGo() {
     const Vec3 led = approach();
     Vec3 reached = led;
@@ -266,13 +259,21 @@ class Starter {
   /// The position to which the conditions lead from a place; `reached` is where the first way ends.
   Settled search(const Vec3& from, Vec3& reached) {
     const auto extra = constraints(from);
-    Settled found = firstTry(from, extra);
+    const auto wished = wanted(false, from);
+    const bool evenly = rule_.isFixed() && !exact_;
+    Settled start = evenly ? measured(from, rule_, wished) : Settled{};
+    Settled found = evenly ? settleEvenly(start, rule_, wished, extra)
+                    : exact_ && rule_.isFixed()
+                        ? settle(from, rule_, wished, extra)
+                        : settleInTurn(from, state_.axis, rule_, wished, extra);
     reached = found.toolEnd;
+    bool isFirst = true;
     // From far away or across a kink a way may miss what there is; and where surfaces nearly touch
     // each other, only places within the tolerances may be any.
     double missed = 0.0;
     for (const bool atRest : {false, true}) {
       if (!found.ok && (!atRest || missed <= nearlyTouching * widestBand())) {
+        isFirst = false;
         const Settled near = closest(from, rule_, wanted(atRest, from), extra);
         missed = near.worst;
         const auto goals = wanted(atRest, near.toolEnd);
@@ -280,8 +281,10 @@ class Starter {
         found = tried.ok || !atRest ? tried : found;
       }
     }
-    if (!exact_ && rule_.isFixed() && !allPlanes()) {
-      found = nearer(found, from, rule_, wanted(false, from), extra);
+    if (evenly && !allPlanes()) {
+      const auto goals = wanted(false, from);
+      start = isFirst ? start : measured(from, rule_, goals);  // by fields that are new
+      found = nearer(found, start, rule_, goals, extra);
     }
     if (found.ok && !exact_) {
       const Settled rest = settle(found.toolEnd, rule_, wanted(true, found.toolEnd), extra);
