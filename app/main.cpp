@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "app/exit_code.h"
 #include "app/messages.h"
+#include "app/nearest.h"
 #include "app/version.h"
 #include <poll.h>
 #include <unistd.h>
@@ -44,6 +45,15 @@ auto commandNamed(const auto& all, const std::string& name) {
   return std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.name == name; });
 }
 
+/// The command that was meant by a word that is none, or "".
+std::string commandMeant(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Command& command : commands()) {
+    names.emplace_back(command.name);
+  }
+  return nearest(word, names);
+}
+
 /// Flags and `--option=value` may stand before the command. Other options may not: a word behind
 /// them may be their value.
 void commandFirst(std::vector<std::string>& words) {
@@ -76,6 +86,18 @@ int run(std::vector<std::string> words, InterruptWatch& interrupt) {
   const auto all = commands();
   const auto named = commandNamed(all, first);
   if (named == all.end()) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(first, unknown)) {
+      if (first == "help") {
+        printHelp(std::cout);
+        return static_cast<int>(ExitCode::ok);
+      }
+      if (const std::string meant = commandMeant(first); !meant.empty()) {
+        printUsageError("", "there is neither a file nor a command `" + first +
+                                "`; did you mean `" + meant + "`?");
+        return static_cast<int>(ExitCode::inputUnreadable);
+      }
+    }
     return runCompile({std::move(words), interrupt});
   }
   words.erase(words.begin());

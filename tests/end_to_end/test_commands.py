@@ -67,7 +67,18 @@ class WrongUse(ArelemCase):
 
     def test_mistyped_command_is_taken_for_a_file(self):
         self.assertExit(3, "chekc")
-        self.assertIn("chekc", self.err)
+        self.assertIn("neither a file nor a command `chekc`; did you mean `check`?", self.err)
+        self.assertExit(3, "compil", "a.apt")
+        self.assertIn("did you mean `compile`?", self.err)
+        self.assertExit(3, "b.apt")
+        self.assertIn("cannot read `b.apt`", self.err)
+        self.write("chekc", GOOD)
+        self.assertExit(0, "chekc")
+        self.assertIn("FINI", self.out)
+
+    def test_help_without_dashes(self):
+        self.assertExit(0, "help")
+        self.assertIn("usage: arelem FILE...", self.out)
 
 
 class Check(ArelemCase):
