@@ -16,9 +16,9 @@ constexpr double cornerMissed = 1e-7;
 /// How far ahead of where a path ends its other axis is looked for, in bands.
 constexpr double aheadBands = 10.0;
 
-/// Over a crossing of paths: the shortest cut vector that is tried, and the largest turn, as a
-/// cosine.
-constexpr double shortestAcross = 1e-5;
+/// Over a crossing of paths: the shortest cut vector that is tried, in bands, and the largest turn,
+/// as a cosine.
+constexpr double shortestAcross = 0.01;
 constexpr double straight = 0.87;
 
 bool isAt(const std::optional<Vec3>& corner, const PathPoint& place, double band) {
@@ -68,7 +68,7 @@ std::optional<PathPoint> Corners::across(const PathPoint& last,
   std::optional<PathPoint> best;
   double bestLength = 0.0;
   for (const auto& gaps : choices) {
-    for (double length = shortestAcross; length <= longest; length *= 2.0) {
+    for (double length = shortestAcross * path_.band(); length <= longest; length *= 2.0) {
       auto p = length > bestLength ? straightOn(last, length * direction, gaps) : std::nullopt;
       if (p) {
         best = std::move(p);

@@ -13,13 +13,13 @@ namespace arelem::motion {
 class LastWay {
  public:
   void note(const Vec3& way) { ways_[count_++ % ways_.size()] = way; }
-  /// The direction of the longest one; `otherwise` where there is none.
-  [[nodiscard]] Vec3 general(const Vec3& otherwise) const {
+  /// The direction of the longest one, if there is any.
+  [[nodiscard]] std::optional<Vec3> general() const {
     const auto shorter = [](const Vec3& a, const Vec3& b) {
       return a.squaredNorm() < b.squaredNorm();
     };
     const Vec3& longest = *std::max_element(ways_.begin(), ways_.end(), shorter);
-    return longest.isZero(0.0) ? otherwise : Vec3(longest.normalized());
+    return longest.isZero(0.0) ? std::nullopt : std::optional<Vec3>(longest.normalized());
   }
 
  private:

@@ -213,7 +213,9 @@ class Follower {
   /// The next cut vector where the path crosses another one.
   std::optional<PathPoint> straightAcross(double cap) {
     const double longest = std::min({cap, state_.longestVector, longestAcross});
-    return corners_.across(last_, way_.general(last_.tangent), longest);
+    // Surfaces that are parallel where the motion begins leave it no one way.
+    const auto direction = way_.general();
+    return direction ? corners_.across(last_, *direction, longest) : std::nullopt;
   }
 
   /// True where the path has come back to its start as often as positions are counted, and a cut
