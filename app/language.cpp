@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include <fmt/ranges.h>
 
+#include "frontend/block_forms.h"
 #include "frontend/complete/complete.h"
 #include "frontend/dialect.h"
 #include "ir/define/matcher.h"
@@ -120,6 +121,12 @@ void printTables() {
     }
   }
   {
+    JsonRows rows("blocks");
+    for (const frontend::BlockForm& form : frontend::blockForms()) {
+      rows.row({{"syntax", std::string(form.syntax)}, {"meaning", std::string(form.meaning)}});
+    }
+  }
+  {
     JsonRows rows("clMarks");
     for (const frontend::ClMark& mark : frontend::clMarks()) {
       rows.row({{"begin", std::string(mark.begin)}, {"writer", std::string(mark.writer)}});
@@ -156,6 +163,20 @@ bool printNoun(std::ostream& out, std::string_view noun) {
   return any;
 }
 
+/// Whether the syntax has the word, and not only within another one.
+bool hasWord(std::string_view syntax, std::string_view word) {
+  const auto joins = [&](std::size_t i) {
+    return i < syntax.size() && std::isalnum(static_cast<unsigned char>(syntax[i])) != 0;
+  };
+  for (std::size_t i = syntax.find(word); i != std::string_view::npos;
+       i = syntax.find(word, i + 1)) {
+    if (!(i > 0 && joins(i - 1)) && !joins(i + word.size())) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Statements whose syntax contains the word.
 bool printFeatures(std::ostream& out, std::string_view word) {
   bool any = false;
@@ -169,9 +190,15 @@ bool printFeatures(std::ostream& out, std::string_view word) {
     }
   }
   for (const ir::FeatureRow& feature : ir::featureTable()) {
-    if (feature.syntax.find(word) != std::string_view::npos) {
+    if (hasWord(feature.syntax, word)) {
       out << fmt::format("{:7} {}\n        {}\n", publicId(feature.idText), feature.syntax,
                          feature.meaning);
+      any = true;
+    }
+  }
+  for (const frontend::BlockForm& form : frontend::blockForms()) {
+    if (hasWord(form.syntax, word)) {
+      out << fmt::format("        {}\n        {}\n", form.syntax, form.meaning);
       any = true;
     }
   }

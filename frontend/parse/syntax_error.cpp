@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "frontend/block_forms.h"
 #include "frontend/parse/parse.h"
 #include "ir/diag/frontend.h"
 #include "ir/diag/limits.h"
@@ -90,6 +91,9 @@ Diagnostic explainSyntaxError(std::span<const Token> tokens,
     return diagnose(bad.span, diag::IfFormat);
   }
   Diagnostic d = diagnose(bad.span, diag::Misplaced, shown(bad));
+  if (tokens.front().kind == doWord) {
+    d.help = fmt::format("the form is {}", doForm());
+  }
   return expected.empty() ? d : std::move(d).note("here may stand: " + expected);
 }
 

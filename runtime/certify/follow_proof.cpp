@@ -8,6 +8,10 @@
 namespace arelem::certify {
 
 namespace {
+/// Cut vectors end anywhere in both bands, whose surfaces may meet at a small angle: a way of no
+/// more bands than this may lead across the path, and does not tell from where the tool came.
+constexpr double bandsAcross = 10.0;
+
 double bandOf(const GuideTask& task) {
   return task.allowed.inner + task.allowed.outer;
 }
@@ -23,7 +27,7 @@ FollowProof::FollowProof(MotionCheck& check,
       first_(first),
       drive_(driveTask(drive), first),
       part_(partTask(), first),
-      end_(first, std::max(bandOf(drive_.task()), bandOf(part_.task()))),
+      end_(first, bandsAcross * std::max(bandOf(drive_.task()), bandOf(part_.task()))),
       interrupted_(interrupted) {}
 
 GuideTask FollowProof::driveTask(const Named& drive) const {

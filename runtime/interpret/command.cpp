@@ -37,6 +37,10 @@ void units(State& state, const ir::Command& command) {
     if (const Word* unit = std::get_if<Word>(&command.arguments[0].value);
         unit != nullptr &&
         (*unit == Word::MM || *unit == Word::CM || *unit == Word::INCHES || *unit == Word::FEET)) {
+      if (state.carried.unit && *state.carried.unit != *unit) {
+        state.report(diagnose(state.statement->span, diag::UnitChanged, spell(*unit),
+                              spell(*state.carried.unit)));
+      }
       state.context.millimeters = millimetersOf(*unit);
       state.carried.toldOfUnits = state.carried.toldOfUnits && state.carried.unit == *unit;
       state.carried.unit = *unit;

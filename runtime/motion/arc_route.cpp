@@ -63,16 +63,16 @@ ArcPlan ArcRoute::plan(const PathPoint& end) const {
   const double angle = std::atan2(to.y(), to.x()) - startAngle_;
   const double turn = 2.0 * std::numbers::pi;
   const double total = angle + turn * std::round((roughly - angle) / turn);
-  // Share of the band, counted from its small radius, that lies below the start.
+  // How much of the band, counted from its small radius, lies below the start: less than nothing,
+  // or more than all of it, where the start is outside, as it may be a little.
   const Guide& drive = course_.driveGuide();
   const double gap = course_.start.contacts[1].gap;
   const double band = drive.inner + drive.outer;
   const double below = outward_ > 0.0 ? gap + drive.inner : drive.outer - gap;
-  const double share = std::clamp(below / band, 0.0, 1.0);
   ArcPlan plan;
-  plan.radius = startRadius_ + band * (1.0 - share);
+  plan.radius = startRadius_ + band - below;
   plan.driveGap = gap + outward_ * (plan.radius - startRadius_);
-  const double small = std::max(startRadius_ - band * share, 0.0);
+  const double small = std::max(startRadius_ - below, 0.0);
   const double limit = std::acos(std::min(small / plan.radius, 1.0));
   double steps = limit > 0.0 ? std::floor(std::abs(total) / limit) + 1.0 : 2.0;
   steps = std::max(2.0, 2.0 * std::ceil(steps / 2.0));

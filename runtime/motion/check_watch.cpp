@@ -45,6 +45,7 @@ CheckWatch::CheckWatch(const NamedSurface& surface,
       pointTool_(tool.cutter == nullptr),
       pace_(surface.surface, tool.cutter),
       thickPassesTool_(tool.cutter != nullptr && tool.thick < -tool.cutter->maxRadius()),
+      toolRadius_(tool.cutter == nullptr ? 0.0 : tool.cutter->maxRadius() + tool.thick),
       arm_(tool.cutter == nullptr ? 0.0 : std::hypot(tool.cutter->maxRadius(), tool.cutter->h)) {
   plus_ = makeField(surface.surface, 1.0, tool);
   minus_ = makeField(surface.surface, -1.0, tool);
@@ -295,7 +296,7 @@ CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, 
     const tool::Contact c = field->at(at, axis);
     const bool agrees = c.normal.dot(guideNormal) > agreeing;
     const double out = std::abs(c.gap) - reach();
-    (agrees ? nearestFacing_ : nearest_).take(std::abs(c.gap), at);
+    (agrees ? nearestFacing_ : nearest_).take(c.gap, at);
     if (out <= 0.0) {
       look.near = true;
       if (agrees) {

@@ -96,6 +96,8 @@ class CheckWatch {
   /// do so anywhere.
   [[nodiscard]] double nearest() const { return approach().distance; }
   [[nodiscard]] const Vec3& nearestPlace() const { return approach().place; }
+  /// Of a tangency: true where the tool is inside the check surface there.
+  [[nodiscard]] bool nearestOverlaps() const { return approach().overlaps; }
   /// Looking closely for a tangency: the gap, negative for an overlap, and place where the surfaces
   /// are parallel and touch least badly; none where they are parallel nowhere.
   struct Parallel {
@@ -117,6 +119,8 @@ class CheckWatch {
   /// True where a negative THICK is deeper than the tool is wide: then it is never clear of both
   /// sides of the surface, and has no position TO or PAST it.
   [[nodiscard]] bool thickPassesTool() const { return thickPassesTool_; }
+  /// The largest radius of the tool with THICK; 0 where its end counts alone.
+  [[nodiscard]] double toolRadius() const { return toolRadius_; }
 
   /// What changes from segment to segment; can be put back to try a segment again.
   struct Progress {
@@ -207,10 +211,11 @@ class CheckWatch {
   /// A distance from the surface, and where it was.
   struct Approach {
     double distance = std::numeric_limits<double>::infinity();
+    bool overlaps = false;
     Vec3 place = Vec3::Zero();
-    void take(double other, const Vec3& where) {
-      if (other < distance) {
-        *this = {other, where};
+    void take(double gap, const Vec3& where) {
+      if (std::abs(gap) < distance) {
+        *this = {std::abs(gap), gap < 0.0, where};
       }
     }
   };
@@ -232,6 +237,7 @@ class CheckWatch {
   bool pointTool_;
   CheckPace pace_;
   bool thickPassesTool_;
+  double toolRadius_;
   double arm_;  ///< from the tool end to the farthest point of the tool
   std::unique_ptr<Field> plus_, minus_;
   Progress now_;

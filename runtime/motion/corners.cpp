@@ -6,9 +6,9 @@
 namespace arelem::motion {
 
 namespace {
-/// Corners of a path are farther apart than this: where they are not, the contact flutters. Part
-/// unit.
-constexpr double cornersApart = 1e-4;
+/// Corners of a path are farther apart than this: where they are not, the contact flutters. A
+/// share of the band.
+constexpr double cornersApart = 0.03;
 
 /// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
 constexpr double cornerMissed = 1e-7;
@@ -16,21 +16,13 @@ constexpr double cornerMissed = 1e-7;
 /// How far ahead of where a path ends its other axis is looked for, in bands.
 constexpr double aheadBands = 10.0;
 
-double bandOf(const Path& path) {
-  double band = 0.0;
-  for (const Guide& g : path.guides) {
-    band = std::max(band, g.inner + g.outer);
-  }
-  return band;
-}
-
 /// Over a crossing of paths: the shortest cut vector that is tried, and the largest turn, as a
 /// cosine.
 constexpr double shortestAcross = 1e-5;
 constexpr double straight = 0.87;
 
-bool isAt(const std::optional<Vec3>& corner, const PathPoint& place) {
-  return corner && (*corner - place.toolEnd).norm() <= cornersApart;
+bool isAt(const std::optional<Vec3>& corner, const PathPoint& place, double band) {
+  return corner && (*corner - place.toolEnd).norm() <= cornersApart * band;
 }
 }  // namespace
 
@@ -47,7 +39,7 @@ std::optional<Corners::Way> Corners::from(const PathPoint& last, const PathPoint
 /// the band: the tip is gone to.
 std::optional<Corners::Way> Corners::turned(const PathPoint& last, const PathPoint* tip) {
   const PathPoint& at = tip != nullptr ? *tip : last;
-  const auto round = isAt(turn_, at) ? std::nullopt : path_.roundCorner(at);
+  const auto round = isAt(turn_, at, path_.band()) ? std::nullopt : path_.roundCorner(at);
   if (!round) {
     return std::nullopt;
   }
@@ -93,12 +85,12 @@ std::optional<PathPoint> Corners::across(const PathPoint& last,
 /// One place of the cutter gives an axis with which another touches, and that one an axis with
 /// which it goes on touching: no axes between them hold the rule, and the tool turns where it is.
 std::optional<Corners::Way> Corners::leapt(const PathPoint& last) {
-  if (path_.axis.isFixed() || isAt(leap_, last)) {
+  if (path_.axis.isFixed() || isAt(leap_, last, path_.band())) {
     return std::nullopt;
   }
   leap_ = last.toolEnd;
   // The other axis is that with which the tool would go on.
-  const Vec3 ahead = last.toolEnd + aheadBands * bandOf(path_) * last.tangent;
+  const Vec3 ahead = last.toolEnd + aheadBands * path_.band() * last.tangent;
   const Vec3 beyond = path_.axis.at(ahead);
   path_.axis.stand(ahead, beyond);
   std::vector<PathPoint> ends = turnOntoPath(path_, last, last.tangent);

@@ -253,6 +253,7 @@ class Planner {
     }
     start.face(*direction);
     warnWrongSide();
+    warnOnByDefault();
     for (CheckWatch& w : course_.watches) {
       const double away = footOn(w.surface().surface, state_.toolEnd).distance;
       if (auto bad = tooFarOut(state_, checkRole, std::abs(away))) {
@@ -276,6 +277,20 @@ class Planner {
       // A circle keeps the radius on which the tool stands (spec 4.8).
       Guide& drive = guide(driveRole);
       drive.rest = std::clamp(course_.start.contacts[1].gap, -drive.inner, drive.outer);
+    }
+  }
+
+  /// Contours of lines without TLLFT or TLRGT run beside their lines up to where a check surface is
+  /// implied: there the rule takes the tool onto the next one.
+  void warnOnByDefault() {
+    if (course_.onDrive || cutterFor(state_, driveRole)->maxRadius() == 0.0) {
+      return;
+    }
+    for (const CheckGoal& goal : request_.checks) {
+      if (goal.onByDefault) {
+        course_.warnings.push_back(
+            fail(diag::OnByDefault, goal.surface.name, course_.drive.name));
+      }
     }
   }
 

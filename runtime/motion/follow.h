@@ -13,6 +13,7 @@ struct CheckGoal {
   NamedSurface surface;
   ir::Condition condition = ir::Condition::to;
   int nth = 1;
+  bool onByDefault = false;  ///< implied, and ON because no tool position word was given
 };
 
 struct FollowRequest {

@@ -23,6 +23,7 @@ Result<CheckGoal> impliedBy(const runtime::Follow& next, const std::optional<Wor
     goal.condition = ir::Condition::tanto;
   } else if (!relation || *relation == Word::TLON || *relation == Word::TLNDON) {
     goal.condition = ir::Condition::on;
+    goal.onByDefault = !relation;
   } else {
     goal.condition = (*relation == Word::TLLFT) == left ? ir::Condition::to : ir::Condition::past;
   }
@@ -61,7 +62,7 @@ Result<std::vector<CheckGoal>> checkGoals(const std::vector<runtime::Action>& ac
     }
     const auto condition =
         c.use.condition == ir::Condition::automatic ? ir::Condition::to : c.use.condition;
-    goals.push_back({*std::move(surface), condition, c.nth});
+    goals.push_back({*std::move(surface), condition, c.nth, false});
   }
   if (follow.checks.empty()) {
     auto implied = impliedCheck(actions, index, relation);

@@ -24,6 +24,36 @@ std::string atTheStart(const CheckWatch& w) {
       w.band());
 }
 
+/// Of a fillet that is too narrow for the tool: where drive and check surface touch the latter is
+/// hollow. They come together by steps to and fro between them.
+std::optional<Failure> doesNotFit(const Course& course, const CheckWatch& w, const Vec3& toolEnd) {
+  constexpr int steps = 100;
+  constexpr double parallelCosine = 0.99;
+  if (w.usesPart() || !(w.toolRadius() > 0.0)) {
+    return std::nullopt;
+  }
+  const surface::AnySurface& drive = course.drive.surface;
+  const surface::AnySurface& check = w.surface().surface;
+  const tool::Contact guide = course.path.guides[driveRole].field->at(toolEnd, course.start.axis);
+  Vec3 place = guide.point;
+  for (int i = 0; i < steps; ++i) {
+    const surface::Foot on = footOn(check, place);
+    place -= on.distance * on.normal;
+    const surface::Foot back = footOn(drive, place);
+    place -= back.distance * back.normal;
+  }
+  const surface::Foot there = footOn(check, place);
+  const double cosine = there.normal.dot(guide.normal);
+  const double hollow = hollowRadius(check, cosine < 0.0 ? -1.0 : 1.0, place);
+  const double over = w.toolRadius() - hollow;
+  if (std::abs(cosine) < parallelCosine || over <= std::max(w.band(), std::abs(there.distance))) {
+    return std::nullopt;
+  }
+  const Vec3 p = told(place);
+  return fail(diag::CutterDoesNotFit, w.toolRadius(), w.surface().name, hollow, over, p.x(), p.y(),
+              p.z());
+}
+
 /// Of a plane that is parallel to a plane that guides the tool: that stays as far from it as it is.
 bool keepsAway(const Course& course, const CheckWatch& w) {
   const auto* check = std::get_if<surface::Plane>(&w.surface().surface);
@@ -46,6 +76,28 @@ std::string_view neverNearer(const Course& course, const CheckWatch& w) {
              : "the tool is nowhere nearer to it than at the start";
 }
 
+/// Why no tangency was met.
+Failure noTangency(const Course& course, const CheckWatch& w) {
+  const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
+  const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
+  const Vec3 where = told(w.parallel() ? w.parallel()->place : w.nearestPlace());
+  const bool cross = !w.parallel() && gap <= w.band();
+  const bool overlaps = w.parallel() ? gap < 0.0 : w.nearestOverlaps();
+  if (auto narrow = cross ? std::nullopt : doesNotFit(course, w, where)) {
+    return *std::move(narrow);
+  }
+  Failure none = fail(diag::NoTangency, partner, w.surface().name, w.band(),
+                      cross      ? "cross without being parallel, off"
+                      : overlaps ? "overlap"
+                                 : "miss each other",
+                      std::abs(told(gap)), where.x(), where.y(), where.z());
+  const double away = (where - course.start.toolEnd).norm();
+  if (cross && away > endless) {
+    return std::move(none).withHelp("they come nearer to each other without end");
+  }
+  return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
+}
+
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -54,20 +106,7 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
     return fail(diag::CheckNeverLeft, w.surface().name, condition, w.band());
   }
   if (w.isTangent()) {
-    const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
-    const double gap = w.parallel() ? w.parallel()->gap : w.nearest();
-    const Vec3 where = told(w.parallel() ? w.parallel()->place : p);
-    const bool cross = !w.parallel() && gap <= w.band();
-    Failure none = fail(diag::NoTangency, partner, w.surface().name, w.band(),
-                        cross       ? "cross without being parallel, off"
-                        : gap < 0.0 ? "overlap"
-                                    : "miss each other",
-                        std::abs(told(gap)), where.x(), where.y(), where.z());
-    const double away = (where - course.start.toolEnd).norm();
-    if (cross && away > endless) {
-      return std::move(none).withHelp("they come nearer to each other without end");
-    }
-    return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
+    return noTangency(course, w);
   }
   if (w.touchedAny()) {
     const Vec3 last = told(w.lastContact());
@@ -125,9 +164,12 @@ Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) 
   }
   const Vec3 p = told(last.toolEnd);
   const CheckWatch& w = course.watches.front();
-  const Vec3 q = told(w.nearestPlace());
-  return fail(diag::CutVectorLimit, cutVectors, p.x(), p.y(), p.z(), w.surface().name,
-              told(w.nearest()), q.x(), q.y(), q.z());
+  // Of a tangency what counts is where the surfaces are parallel: the tool may cross elsewhere.
+  const double nearest = w.parallel() ? std::abs(w.parallel()->gap) : w.nearest();
+  const Vec3 q = told(w.parallel() ? w.parallel()->place : w.nearestPlace());
+  Failure limit = fail(diag::CutVectorLimit, cutVectors, p.x(), p.y(), p.z(), w.surface().name,
+                       told(nearest), q.x(), q.y(), q.z());
+  return w.isTangent() ? std::move(limit).note(missedOne(course, w).message) : limit;
 }
 
 Failure lost(Course& course, const PathPoint& last) {

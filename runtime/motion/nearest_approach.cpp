@@ -103,11 +103,11 @@ double CheckWatch::missOfTangency(const Segment& s, double u, Field& guide) {
   double other = tolerance::farAway;
   for (Field* field : {plus_.get(), minus_.get()}) {
     const tool::Contact c = field->at(at, axis);
-    double& least = c.normal.dot(guideNormal) > agreeing ? miss : other;
+    const bool agrees = c.normal.dot(guideNormal) > agreeing;
+    double& least = agrees ? miss : other;
     least = std::min(least, std::abs(c.gap));
+    (agrees ? nearestFacing_ : nearest_).take(c.gap, at);
   }
-  nearestFacing_.take(miss, at);
-  nearest_.take(other, at);
   return nearestFacing_.distance < tolerance::farAway ? miss : other;
 }
 

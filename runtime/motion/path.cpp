@@ -12,8 +12,8 @@ namespace {
 /// A place that is farther from the prediction than this share of the step is on another branch of
 /// the path.
 constexpr double jumpShare = 2.0;
-/// How far ahead the contact behind a corner is looked for. Part unit.
-constexpr double aheadOfCorner = 1e-4;
+/// How far ahead the contact behind a corner is looked for, as a share of the band.
+constexpr double aheadOfCorner = 0.03;
 /// Cosine of the turn up to which a path through a crossing of two goes straight on.
 constexpr double straightOn = 0.87;
 /// Contact normals whose cosine is above this are those of one smooth path.
@@ -167,7 +167,8 @@ bool Path::settleStep(const PathPoint& from,
 /// Where the new contact holds the tool back, the gap that held it before opens; where it lets the
 /// tool go (a rim that leaves an edge), that gap closes behind the corner.
 std::optional<PathPoint> Path::roundCorner(const PathPoint& at) {
-  const Vec3 ahead = at.toolEnd + aheadOfCorner * at.tangent;
+  const Vec3 way = aheadOfCorner * band() * at.tangent;
+  const Vec3 ahead = at.toolEnd + way;
   const Vec3 axisAhead = axis.at(ahead);
   PathPoint turned = at;
   Vec3 towards = Vec3::Zero();
@@ -178,7 +179,7 @@ std::optional<PathPoint> Path::roundCorner(const PathPoint& at) {
     }
     towards += next.gap <= at.contacts[i].gap ? at.contacts[i].normal : -at.contacts[i].normal;
     next.gap = at.contacts[i].gap;
-    next.point -= aheadOfCorner * at.tangent;
+    next.point -= way;
     turned.contacts[i] = next;
   }
   const bool turns = !towards.isZero(0.0) && aim(turned, towards);

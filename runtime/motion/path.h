@@ -113,6 +113,10 @@ class Path {
   /// comes nearer on the way is not the one that is seen.
   std::array<std::optional<double>, 2> swerves;
 
+  /// The wider one of both bands: the measure for lengths next to corners.
+  [[nodiscard]] double band() const {
+    return std::max(guides[0].inner + guides[0].outer, guides[1].inner + guides[1].outer);
+  }
   /// Contacts and tangent at a tool position; the tangent goes with `towards`.
   [[nodiscard]] PathPoint look(const Vec3& toolEnd, const Vec3& towards);
   /// The same with an axis of one's own.

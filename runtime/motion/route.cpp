@@ -74,14 +74,15 @@ double probe(double band) {
   return 0.01 * std::sqrt(band);
 }
 
-/// Contact normals that turn towards the tool by this over the probe are those of a hollow; what
-/// turns less, but does, is met between both edges of the band, so that where a surface goes over
-/// from the one to the other the stop does too.
-constexpr double hollowTurn = 1e-7;
+/// Contact normals that turn towards the tool by this over a length as the band's are those of a
+/// hollow; what turns less, but does, is met between both edges of the band, so that where a
+/// surface goes over from the one to the other the stop does too. No length of its own: in other
+/// units the stop is the same.
+constexpr double hollowTurn = 6e-7;
 
 double restOf(double curvature, double inner, double outer) {
   const double band = inner + outer;
-  const double inwards = std::clamp(-curvature * probe(band) / hollowTurn, 0.0, 1.0);
+  const double inwards = std::clamp(-curvature * band / hollowTurn, 0.0, 1.0);
   return outer - band * (edgeShare + inwards * (1.0 - 2.0 * edgeShare));
 }
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/space/motion_tolerance.h"
 #include "ir/space/tolerance.h"
 #include "runtime/motion/meet.h"
 #include "runtime/motion/route.h"
@@ -51,7 +52,8 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
   auto end = atRest(a, segment, met, near);
   // A chord may cross what the path proper only touches.
   const bool tangent = course_.watches[met.check].isTangent();
-  if (end && !segment.isArc() && ((met.hit.touch && !tangent) || !isContact(met, *end))) {
+  const bool strays = tangent ? end && !mayBegin(met, *end) : met.hit.touch;
+  if (end && !segment.isArc() && (strays || !isContact(met, *end))) {
     end = closer(a, segment, met, *end);
   }
   return end;
@@ -80,6 +82,15 @@ bool StopFinder::isWithin(const PathPoint& a, const Met& met) const {
   const Role role = roleOf(met);
   const double gap = met.hit.field->at(a.toolEnd, a.axis).gap;
   return -state_.inner[role] <= gap && gap <= state_.outer[role];
+}
+
+/// True where a motion along the check surface may begin: a tangency has one tolerance for both
+/// sides, but the motion behind it has two.
+bool StopFinder::mayBegin(const Met& met, const PathPoint& end) const {
+  const Role role = roleOf(met);
+  const double gap = met.hit.field->at(end.toolEnd, end.axis).gap;
+  const double slack = tolerance::startShare * state_.band(role) + tolerance::startLength;
+  return -state_.inner[role] - slack <= gap && gap <= state_.outer[role] + slack;
 }
 
 bool StopFinder::mayBeBeyond() const {

@@ -55,6 +55,7 @@ class StopFinder {
   std::optional<PathPoint> stop(const PathPoint& a, const Segment& segment, const Met& met);
   Vec3 withoutTolerances(const PathPoint& a, const Segment& segment, const Met& met);
   bool isContact(const Met& met, const PathPoint& end);
+  [[nodiscard]] bool mayBegin(const Met& met, const PathPoint& end) const;
   std::optional<PathPoint> atRest(const PathPoint& a,
                                   const Segment& segment,
                                   const Met& met,

@@ -5,7 +5,6 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/motion/chord.h"
-#include "runtime/motion/kept_share.h"
 #include "runtime/motion/tried.h"
 
 namespace arelem::motion {
@@ -292,7 +291,7 @@ bool Stride::longestAlongCurves(const PathPoint& a, double cap) {
       continue;
     }
     // What ends by MAXDP and not by the band.
-    const double kept = factor > idle && t.length >= longest_ ? keptShare(path_, a, b) : 1.0;
+    const double kept = factor > idle && t.length >= longest_ ? keptShare_.of(path_, a, b) : 1.0;
     if (kept < 1.0) {
       t.length = t.tried.shorter(t.length, kept, t.count);
       continue;

@@ -1,5 +1,6 @@
 #pragma once
 #include "runtime/motion/facets/facet_stride.h"
+#include "runtime/motion/kept_share.h"
 
 namespace arelem::motion {
 
@@ -40,6 +41,7 @@ class Stride {
   Path& path_;
   double longest_;
   FacetStride facets_;
+  KeptShare keptShare_;
   double usual_ = 0.0;  ///< length of the last cut vector along facets
   /// Ends of cut vectors: the one that is tried, and the best so far. They change places.
   std::array<PathPoint, 2> ends_;

@@ -168,9 +168,6 @@ class ContactDescent {
   double bend(const Sample& s, const Vec3& t) {
     return side_ * surface_.bend(s.at, s.foot, t, search_.hint);
   }
-  double bend(const Sample& s, const Vec3& a, const Vec3& b) {
-    return 0.25 * (bend(s, a + b) - bend(s, a - b));
-  }
   [[nodiscard]] Vec3 place(ProfilePoint q) const {
     return te_ + q.rho * search_.toward + q.z * axis_;
   }
@@ -221,7 +218,10 @@ class ContactDescent {
       if (std::abs(slope) <= levelSlope && curvature < -settledTurn) {
         angle = kick;
       }
-      bracket.note(turned, slope);
+      if (bracket.note(turned, side_ * last_.foot.distance, q.rho * slope, last_.gradient)) {
+        last_.gradient = bracket.meanNormal();
+        break;
+      }
       const double next = bracket.keep(turned + std::clamp(angle, -largestTurn, largestTurn), i);
       angle = next - turned;
       turned = next;
@@ -273,7 +273,7 @@ class ContactDescent {
       const double mixed = a.turn1.dot(e2);
       a.curvature << a.turn1.dot(e1), mixed, mixed, a.turn2.dot(e2);
     } else {
-      const double mixed = bend(last_, e1, e2);
+      const double mixed = 0.25 * (bend(last_, e1 + e2) - bend(last_, e1 - e2));
       a.curvature << bend(last_, e1), mixed, mixed, bend(last_, e2);
     }
     return a;
@@ -357,7 +357,7 @@ class ContactDescent {
     double slopeBefore = 0.0;
     Contact best;
     for (int i = 0; i < limit; ++i) {
-      const ProfilePoint q = at(a, b, along);
+      const ProfilePoint q{a.rho + along * (b.rho - a.rho), a.z + along * (b.z - a.z)};
       best = alongCircle(q, ball);
       if (q.rho == 0.0 && std::abs(last_.gradient.dot(axis_)) < axial) {
         turnTo(-last_.gradient);  // a tip is left to where the distance falls
@@ -368,7 +368,10 @@ class ContactDescent {
       if (atEnd || std::abs(slope) <= levelSlope * length) {
         break;
       }
-      bracket.note(along, slope);
+      if (bracket.note(along, best.gap, slope, last_.gradient)) {
+        last_.gradient = bracket.meanNormal();
+        return result(ball);
+      }
       const double secant = i > 0 && along != before ? (slope - slopeBefore) / (along - before)
                                                      : bend(last_, direction);
       const double step =
@@ -382,9 +385,6 @@ class ContactDescent {
       }
     }
     return best;
-  }
-  static ProfilePoint at(ProfilePoint a, ProfilePoint b, double s) {
-    return {a.rho + s * (b.rho - a.rho), a.z + s * (b.z - a.z)};
   }
 
   const S& surface_;

@@ -80,7 +80,7 @@ BAD = {
     "a hollow narrower than the stand-off": (surface("CYLNDR/0,0,0,0,1,0,150", "VLINES,LIMITS,0,180,0,400,REVERS"), "E0389",
                                              ["stands off 200 mm", "radius of 150 mm"]),
     # guns
-    "one axis of an ellipse": (gun("ELLIPS,40,SPEED,600"), "E0304", ["GUN lacks a parameter", "`a` would fit", "ELLIPS, a, b"]),
+    "one axis of an ellipse": (gun("ELLIPS,40,SPEED,600"), "E0304", ["GUN lacks a parameter", "`b` would fit", "ELLIPS, a, b"]),
     "three numbers of an ellipse": (gun("ELLIPS,40,30,50,SPEED,600"), "E0305", ["parameter 4 of GUN", "one too many"]),
     "a table without its last film": (gun("TABLE,0,1,5,SPEED,600"), "E0305", ["parameter 4 of GUN", "{place, film}"]),
     "a table of one place": (gun("TABLE,0,1,SPEED,600"), "E0352", ["1 points", "at least 2"]),

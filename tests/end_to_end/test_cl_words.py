@@ -117,6 +117,10 @@ class Words(ArelemCase):
         for word, shown in (("LETTER", "LETTER/ x, y, size"), ("rapid", "rapid traverse"), ("SPINDL", "SPINDL/"), ("CLW", "modifier")):
             self.assertExit(0, "language", word)
             self.assertIn(shown, self.out)
+        for word, shown, hidden in (("DO", "ENDDO", "DOTF"), ("then", "ENDIF", "label1"), ("ON", "PRINT/ {ON", "CANON, n")):
+            self.assertExit(0, "language", word)
+            self.assertIn(shown, self.out)
+            self.assertNotIn(hidden, self.out)
         self.assertExit(2, "language", "LETTERR")
         self.assertIn("did you mean `LETTER`", self.err)
 

@@ -57,7 +57,6 @@ WHY = {
     "E0212": "a name that is a word of the language (STOP): APT IV let names be words",
     "E0248": "SYN of WEIGHT, a word of the sculptured surfaces",
     "E0276": "a name that an unsupported statement would have defined, in a place where only a surface may stand",
-    "E0277": "the name STOP again, which stays a word",
     "E0402": "an element of an array that an unsupported statement would have filled",
     "E0415": "a second definition of a name, in a macro that is called twice: APT IV took it, APT360 and we want CANON/ON",
     "E0442": "TLAXIS/PARLEL with numbers for the height on a ruled surface, a form of APT IV",

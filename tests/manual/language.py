@@ -194,6 +194,11 @@ def post_words_page(tables):
     return "\n".join(text) + "\n"
 
 
+LATER = ["", "Both kinds of blocks nest, and may stand in LOOPST, in macros and outside of both.", "",
+         "```apt", "N=0", "M=0", "DO/I=10,2,-2", "IF(I .GT. 6 .OR. I .EQ. 2) THEN", "N=N+1", "ELSE", "M=M+I", "ENDIF", "ENDDO", "FINI", "```", "",
+         "| name | type | canonical numbers |", "|---|---|---|", "| N | SCALAR | 3 |", "| M | SCALAR | 10 |"]
+
+
 def dialects_page(tables):
     names = ["auto", "apt360", "apt4", "cl", "native"]
     text = [GENERATED, "", "# Dialects", "",
@@ -206,7 +211,9 @@ def dialects_page(tables):
              "A line that begins like this (blanks do not count), with no `name =` before it:", "",
              "| begin | written by |", "|---|---|"]
     text += [f"| `{row['begin']}` | {row['writer']} |" for row in tables["clMarks"]]
-    return "\n".join(text) + "\n"
+    text += ["", "## Blocks of later systems", "", "| statement | meaning |", "|---|---|"]
+    text += [f"| `{row['syntax']}` | {row['meaning']} |" for row in tables["blocks"]]
+    return "\n".join(text + LATER) + "\n"
 
 
 def limits_page(limits):

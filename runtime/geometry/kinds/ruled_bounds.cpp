@@ -130,6 +130,15 @@ void Ruled::Sheet::makeRows() {
   }
   strips_.assign(rows_.begin(), rows_.end());
   blockStrips_.assign(blocks_.begin(), blocks_.end());
+  const auto byEights = [](const std::vector<Strip>& strips) {
+    std::vector<Eight> eights((strips.size() + rowsOfABlock - 1) / rowsOfABlock);
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+      eights[i / rowsOfABlock].set(i % rowsOfABlock, strips[i]);
+    }
+    return eights;
+  };
+  eights_ = byEights(strips_);
+  blockEights_ = byEights(blockStrips_);
   around_ = std::make_unique<Surroundings[]>(blocks_.size() * cellsOfARow);
 }
 

@@ -142,28 +142,33 @@ class Ruled::Sheet::Lows {
 /// Rows of which no place can be nearer than the best are left out; of the others those whose
 /// ruling in the middle is nearer than that of the rows beside them are where feet may be.
 Ruled::Sheet::Lows Ruled::Sheet::lows(const Vec3& p, double upper) const {
-  std::array<double, mostBlocks> least;
+  std::array<Eight::Numbers, mostBlocks / rowsOfABlock> bounds;
   const std::size_t count = blockStrips_.size();
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    least[i] = blockStrips_[i].leastFrom(blockStrips_[i].lineTo(p));
-    first = least[i] < least[first] ? i : first;
+  for (std::size_t i = 0; i < blockEights_.size(); ++i) {
+    blockEights_[i].leastFrom(p, bounds[i]);
   }
+  const auto least = [&](std::size_t block) {
+    return bounds[block / rowsOfABlock][block % rowsOfABlock];
+  };
+  Eight::Numbers g, away;
   if (upper == unbounded && count > 0) {
-    for (std::size_t i = first * rowsOfABlock; i < (first + 1) * rowsOfABlock; ++i) {
-      upper = std::min(upper, strips_[i].properLineTo(p).away);
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < count; ++i) {
+      first = least(i) < least(first) ? i : first;
     }
+    eights_[first].properLinesTo(p, g, away);
+    upper = *std::min_element(away.begin(), away.end());
   }
   Lows found;
   for (std::size_t block = 0; block < count; ++block) {
-    if (least[block] > upper) {
+    if (least(block) > upper) {
       found.take({});
       continue;
     }
-    for (std::size_t i = block * rowsOfABlock; i < (block + 1) * rowsOfABlock; ++i) {
-      const Strip::Line line = strips_[i].properLineTo(p);
-      found.take({&strips_[i], line});
-      upper = std::min(upper, line.away);
+    eights_[block].properLinesTo(p, g, away);
+    for (std::size_t i = 0; i < rowsOfABlock; ++i) {
+      found.take({&strips_[block * rowsOfABlock + i], {g[i], away[i]}});
+      upper = std::min(upper, away[i]);
     }
   }
   return found;

@@ -105,12 +105,6 @@ class Ruled::Sheet {
       const double g = rest.dot(along) * perSquared;
       return {g, (rest - g * along).norm()};
     }
-    /// The same on the proper part of that ruling.
-    [[nodiscard]] Line properLineTo(const Vec3& p) const {
-      const Line line = lineTo(p);
-      const double g = std::clamp(line.g, proper.low, proper.high);
-      return g == line.g ? line : Line{g, (p - from - g * along).norm()};
-    }
     /// How far the places at g of the others may be from that of the ruling in the middle.
     [[nodiscard]] double spreadAt(double g) const {
       return std::min(first + std::abs(g) * twist, second + std::abs(1.0 - g) * twist);
@@ -120,6 +114,18 @@ class Ruled::Sheet {
       return kept > 0.0 ? line.away * kept - spreadAt(line.g)
                         : -std::numeric_limits<double>::infinity();
     }
+  };
+  /// Eight strips, number by number: several are looked at with one instruction.
+  struct Eight {
+    using Numbers = std::array<double, rowsOfABlock>;
+    std::array<Numbers, 3> from{}, along{};
+    Numbers first{}, second{}, twist{}, perSquared{}, kept{}, low{}, high{};
+
+    void set(std::size_t i, const Strip& strip);
+    /// Of each, Strip::lineTo on the proper part of the ruling.
+    void properLinesTo(const Vec3& p, Numbers& g, Numbers& away) const;
+    /// Of each, Strip::leastFrom of Strip::lineTo.
+    void leastFrom(const Vec3& p, Numbers& least) const;
   };
   /// What is known of them.
   struct Row : Strip {
@@ -233,6 +239,7 @@ class Ruled::Sheet {
   std::array<CurvePlace, 2> atLow_, atHigh_;
   std::vector<Row> rows_, blocks_;
   std::vector<Strip> strips_, blockStrips_;  ///< of them, close together
+  std::vector<Eight> eights_, blockEights_;  ///< of these
   std::unique_ptr<Surroundings[]> around_;   ///< of the cells of blocks, as they are asked for
 };
 

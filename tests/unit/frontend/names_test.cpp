@@ -126,6 +126,12 @@ TEST(Names, AnExponentWithoutAPointIsExplained) {
             "a number with an exponent has a decimal point: 1.E300");
 }
 
+TEST(Names, DoWithALabelHasTheFormOfDo) {
+  const auto c = compileText("DO/10,I=1,5\nA=I\n10)B=I\nFINI\n");
+  EXPECT_EQ(c->sink.all().front().help,
+            "the form is DO/ variable = first, last [, step] ... ENDDO");
+}
+
 TEST(Names, AWordAndANameWithoutTheirComma) {
   const auto helpOf = [](const std::string& statement) {
     return compileText("L1=LINE/0,0,1,0\n" + statement + "\nFINI\n")->sink.all().back().help;

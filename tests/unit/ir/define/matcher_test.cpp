@@ -228,9 +228,9 @@ TEST(Mismatch, TrustsAWordThatBeginsAForm) {
   // Another word would cost less than the second half axis; ELLIPS says that an ellipse is meant.
   const Mismatch m = mismatchOf(W::GUN, {w(W::ELLIPS), s(), w(W::SPEED), s()});
   EXPECT_EQ(m.kind, Mismatch::Kind::missing);
-  EXPECT_EQ(m.position, 1U);  // before or behind the number: the first is told
+  EXPECT_EQ(m.position, 2U);  // before or behind the number: the last is told
   EXPECT_EQ(m.nearest.front(), FormId::GN_01);
-  EXPECT_THAT(m.expected, ElementsAre("a"));
+  EXPECT_THAT(m.expected, ElementsAre("b"));
 }
 
 TEST(Mismatch, NamesASurplusParameter) {
