@@ -22,16 +22,18 @@ class Bracket {
 
   /// Where the value has that slope, and the distance that normal. True where it jumps from slope
   /// to slope, and nothing is to be gained between the ends.
-  bool note(double at, double value, double slope, const Vec3& normal) {
+  [[gnu::noinline]] bool note(double at, double value, double slope, const Vec3& normal) {
     const double widthBefore = width();
-    const double jumpBefore = jump();
+    const double jumpBefore = isClosed() ? jump() : 0.0;
     End& end = slope < 0.0 ? low_ : high_;
-    end = {at, value, slope, normal};
-    const bool isNarrower = widthBefore < open && width() < narrower * widthBefore;
-    if (isNarrower) {
+    end.at = at;
+    end.value = value;
+    end.slope = slope;
+    end.normal = normal;
+    if (widthBefore < open && width() < narrower * widthBefore) {
       jumps_ = jump() > asSteep * jumpBefore ? jumps_ + 1 : 0;
     }
-    return isSettled();
+    return jumps_ >= certain && isSettled();
   }
   /// The place proposed, or one between the ends where that leaves the bracket or takes too long.
   [[nodiscard]] double keep(double proposed, int iteration) {
@@ -50,9 +52,11 @@ class Bracket {
   }
 
  private:
+  /// All but the place is known where that is finite.
   struct End {
     double at, value, slope;
     Vec3 normal;
+    explicit End(double place) : at(place) {}
   };
   /// Iterations after which it is halved whatever Newton says.
   static constexpr int patience = 12;
@@ -72,9 +76,6 @@ class Bracket {
   [[nodiscard]] double width() const { return high_.at - low_.at; }
   [[nodiscard]] double jump() const { return high_.slope - low_.slope; }
   [[nodiscard]] bool isSettled() const {
-    if (jumps_ < certain) {
-      return false;
-    }
     const double gain = std::min(low_.value, high_.value) - (low_.value + low_.slope * way());
     return width() <= closest ||
            (width() <= close && gain <= unseenGain * (1.0 + std::abs(low_.value)));
@@ -86,7 +87,7 @@ class Bracket {
 
   /// Rounds of the crossing, a place beyond it on the other side, and the middle where both did not
   /// halve the bracket.
-  [[nodiscard]] double nearJump() {
+  [[gnu::noinline]] double nearJump() {
     const double across = width();
     const double aside = std::max(beyond * std::min(before_, 1.0), leastBeyond) * before_;
     const bool isLow = low_.at == crossing_;
@@ -107,7 +108,7 @@ class Bracket {
     return crossing_;
   }
 
-  End low_{-open, 0.0, 0.0, Vec3::Zero()}, high_{open, 0.0, 0.0, Vec3::Zero()};
+  End low_{-open}, high_{open};
   int onwards_ = 0;  ///< positive: steps that went on to that side, else to the other
   int jumps_ = 0;    ///< times that the slope changed no less in a narrower bracket
   int turn_ = 0;     ///< of the round

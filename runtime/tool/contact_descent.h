@@ -201,10 +201,10 @@ class ContactDescent {
       const Vec3 turning = turnOf(last_, tangent);
       const double bent = q.rho * turning.dot(tangent);
       const double curvature = bent + pull;
-      const bool newton = curvature > 0.1 * std::abs(pull) && curvature > 0.0;
+      const bool newton = curvature > 0.1 * std::abs(pull) && curvature > 0.0;  // NaN amidst
       double angle =
           newton ? -slope / curvature
-                 : bracket.paced(-slope / std::max(std::abs(pull) + std::abs(curvature), 1e-3));
+                 : bracket.paced(-slope / std::max(1e-3, std::abs(pull) + std::abs(curvature)));
       const double steps = std::abs(angle) * (1.0 + std::abs(bent));
       if constexpr (surface::Turning<S>) {
         if (newton && q.rho * steps * steps * std::abs(angle) <= unseenStep &&
@@ -294,7 +294,7 @@ class ContactDescent {
       const double det = ridged.determinant();
       // Newton that leaves the disc again and again looks for what no curvature foretells: the tip
       // of a cone, an edge.
-      if (det <= 0.0 || ridged(0, 0) <= 0.0 || clipped > mostClipped) {
+      if (!(det > 0.0) || ridged(0, 0) <= 0.0 || clipped > mostClipped) {
         return false;
       }
       const double p1 = slope.x() + ridge * offset.dot(e1);
