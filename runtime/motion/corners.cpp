@@ -8,7 +8,7 @@ namespace arelem::motion {
 namespace {
 /// Corners of a path are farther apart than this: where they are not, the contact flutters. A
 /// share of the band.
-constexpr double cornersApart = 0.03;
+constexpr double cornersApart = 0.01;
 
 /// Cut vectors that end before a corner by more than this have one more up to it. Part unit.
 constexpr double cornerMissed = 1e-7;

@@ -13,7 +13,7 @@ namespace {
 /// the path.
 constexpr double jumpShare = 2.0;
 /// How far ahead the contact behind a corner is looked for, as a share of the band.
-constexpr double aheadOfCorner = 0.03;
+constexpr double aheadOfCorner = 0.01;
 /// Cosine of the turn up to which a path through a crossing of two goes straight on.
 constexpr double straightOn = 0.87;
 /// Contact normals whose cosine is above this are those of one smooth path.
