@@ -120,6 +120,24 @@ class Follower {
 
   // ---- chord by chord ---------------------------------------------------------------------------
 
+  enum class AtStop { there, again, later };
+
+  /// To a stop on a segment from where the tool is. Again: with the cap, shorter now. Later: where
+  /// the axis leapt on the way, the segment is the share of the way to a stop behind it.
+  AtStop goTo(const Found& found, const Segment& segment, double& cap) {
+    const double before = cap;
+    if (const auto stop = arrival_.fittingStop(last_, segment, found, cap)) {
+      putTurn(*stop);
+      if (!arrival_.arrive(last_, *stop, segment, found.met, cap)) {
+        return AtStop::again;
+      }
+      result_.check = found.met.check;
+      return AtStop::there;
+    }
+    stops_.restore();
+    return cap < sameCap * before ? AtStop::again : AtStop::later;
+  }
+
   /// Walks the path until a check surface is met.
   std::optional<Failure> runChords() {
     if (course_.turnsFirst && !turnAxis()) {
@@ -165,20 +183,13 @@ class Follower {
         if (!found->end) {
           return lost();
         }
-        const double before = cap;
-        if (const auto stop = arrival_.fittingStop(a, segment, *found, cap)) {
-          putTurn(*stop);
-          if (!arrival_.arrive(last_, *stop, segment, found->met, cap)) {
-            continue;
-          }
-          result_.check = found->met.check;
+        const AtStop at = goTo(*found, segment, cap);
+        if (at == AtStop::there) {
           return std::nullopt;
         }
-        stops_.restore();
-        if (cap < sameCap * before) {
+        if (at == AtStop::again) {
           continue;
         }
-        // The axis leapt on the way: this cut vector is the share of the way to the stop behind it.
       }
       if (course_.path.flat() || isRoundAgain(a, *b)) {
         return missed(course_);
