@@ -46,6 +46,8 @@ class Bracket {
     const bool outside = proposed <= low_.at || proposed >= high_.at;
     return outside || iteration > patience ? 0.5 * (low_.at + high_.at) : proposed;
   }
+  /// The end with the lesser value: the one noted last may be the other.
+  [[nodiscard]] double lesser() const { return low_.value <= high_.value ? low_.at : high_.at; }
   /// The mean of both normals that has no slope: what the least value changes by as the tool moves.
   [[nodiscard]] Vec3 meanNormal() const {
     return (high_.slope * low_.normal - low_.slope * high_.normal) / jump();

@@ -7,6 +7,7 @@
 #include "runtime/tool/bracket.h"
 #include "runtime/tool/contact.h"
 #include "runtime/tool/small_turn.h"
+#include "runtime/tool/turns.h"
 
 /// Descents to a local minimum of side * distance over a piece of the cutter. Private to
 /// runtime/tool.
@@ -211,7 +212,7 @@ class ContactDescent {
             q.rho * std::abs(angle) <= surface::sameForm(surface_, last_.at) &&
             (std::abs(bent) <= sharp || steps <= settledNormal)) {
           finishCircle(q.rho, angle, slope, turning, tangent);
-          noteTurns(-1.0 / curvature * turning, turnedBefore);
+          noteTurns(search_, te_, -1.0 / curvature * turning, turnedBefore);
           break;
         }
       }
@@ -219,6 +220,10 @@ class ContactDescent {
         angle = kick;
       }
       if (bracket.note(turned, side_ * last_.foot.distance, q.rho * slope, last_.gradient)) {
+        if (bracket.lesser() != turned) {
+          turnBy(bracket.lesser() - turned);
+          last_ = sample(place(q));
+        }
         last_.gradient = bracket.meanNormal();
         break;
       }
@@ -245,19 +250,6 @@ class ContactDescent {
     last_.gradient += rho * angle * turning;
     last_.gradient = unitOf(last_.gradient);
     last_.foot.normal = side_ * last_.gradient;
-  }
-
-  /// How the contact turns about the axis as the tool goes on, and how that changes on the way.
-  void noteTurns(const Vec3& turns, const Vec3& before) {
-    const Vec3 way = te_ - search_.towardAt;
-    const double squared = way.squaredNorm();
-    if (squared > smallMove * smallMove) {
-      const bool known = !before.isZero(0.0);
-      search_.turnsAlong = way;
-      search_.turnsChange = known ? Vec3(1.0 / squared * (turns - before)) : Vec3(Vec3::Zero());
-    }
-    search_.towardAt = te_;
-    search_.towardTurns = turns;
   }
 
   /// The curvature of side * distance over the plane of a level bottom.
@@ -357,7 +349,7 @@ class ContactDescent {
     double slopeBefore = 0.0;
     Contact best;
     for (int i = 0; i < limit; ++i) {
-      const ProfilePoint q{a.rho + along * (b.rho - a.rho), a.z + along * (b.z - a.z)};
+      const ProfilePoint q = at(a, b, along);
       best = alongCircle(q, ball);
       if (q.rho == 0.0 && std::abs(last_.gradient.dot(axis_)) < axial) {
         turnTo(-last_.gradient);  // a tip is left to where the distance falls
@@ -369,6 +361,9 @@ class ContactDescent {
         break;
       }
       if (bracket.note(along, best.gap, slope, last_.gradient)) {
+        if (bracket.lesser() != along) {
+          alongCircle(at(a, b, bracket.lesser()), ball);
+        }
         last_.gradient = bracket.meanNormal();
         return result(ball);
       }
@@ -385,6 +380,9 @@ class ContactDescent {
       }
     }
     return best;
+  }
+  static ProfilePoint at(ProfilePoint a, ProfilePoint b, double s) {
+    return {a.rho + s * (b.rho - a.rho), a.z + s * (b.z - a.z)};
   }
 
   const S& surface_;
