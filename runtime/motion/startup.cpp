@@ -281,9 +281,10 @@ class Starter {
         found = tried.ok || !atRest ? tried : found;
       }
     }
-    if (evenly && !allPlanes()) {
+    const bool follows = !rule_.isFixed() && !exact_ && found.ok;
+    if ((evenly || follows) && !allPlanes()) {
       const auto goals = wanted(false, from);
-      start = isFirst ? start : measured(from, rule_, goals);  // by fields that are new
+      start = isFirst && evenly ? start : measured(from, rule_, goals);  // by fields that are new
       found = nearer(found, start, rule_, goals, extra);
     }
     if (found.ok && !exact_) {
