@@ -308,8 +308,7 @@ class ContactDescent {
           last_.foot.distance +=
               side_ * (slope.dot(step) + 0.5 * step.dot(across.curvature * step));
           last_.gradient = (last_.gradient + turned).normalized();
-          last_.foot.normal = side_ * last_.gradient;
-          return true;
+          break;
         }
       }
       offset = next;
@@ -318,6 +317,8 @@ class ContactDescent {
         break;
       }
     }
+    last_.gradient = levelled(last_.gradient, axis_);
+    last_.foot.normal = side_ * last_.gradient;
     return true;
   }
 

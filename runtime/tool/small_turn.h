@@ -52,4 +52,12 @@ struct Turn {
   return unitOf(v, v.squaredNorm());
 }
 
+/// The normal at a contact inside a level bottom: a search that is kept near the axis where the
+/// surface is flat ends this far beside that. Tool axes that are to follow normals would creep.
+[[nodiscard]] inline Vec3 levelled(const Vec3& normal, const Vec3& axis) {
+  constexpr double beside = 2e-9;
+  const double up = std::copysign(1.0, normal.dot(axis));
+  return (normal - up * axis).squaredNorm() <= beside * beside ? Vec3(up * axis) : normal;
+}
+
 }  // namespace arelem::tool
