@@ -19,6 +19,8 @@ constexpr double agreeing = 0.5;
 /// How far ahead the slope of a gap tells how it bends, as a share of the root of its band: a touch
 /// passes through the band in a length of that order.
 constexpr double aheadShare = 0.05;
+/// Locations that a path's end remembers: it is looked there for where the tool came from.
+constexpr std::size_t remembered = 16;
 
 using State = Verdict::State;
 
@@ -38,6 +40,10 @@ void PathEnd::moveTo(const Location& next) {
     known_ = true;
   }
   place_ = next;
+  if (recent_.size() == remembered) {
+    recent_.erase(recent_.begin());
+  }
+  recent_.push_back(next);
 }
 
 Vec3 PathEnd::towards(const Vec3& offset, const Vec3& line) const {
@@ -211,6 +217,42 @@ bool MotionCheck::isTouch(const Modal& modal,
   return bend > 0.0 && t.low - 0.5 * slope * slope / bend >= -allowed.inner - allowed.slack;
 }
 
+/// The direction at the end does not tell this where the path turns sharply or glances along the
+/// surface. TO is met from the clear, PAST from the violation: the gap was there when it last was
+/// out of its band, and no cut vector since left it to the other side.
+bool MotionCheck::cameFrom(const PathEnd& at,
+                           const surface::AnySurface& check,
+                           const Relation& relation,
+                           ir::Condition condition,
+                           const Allowed& allowed,
+                           const Touch& t) {
+  if (excess(t, allowed) > 0.0) {
+    return false;
+  }
+  const bool clear = condition == ir::Condition::to;
+  Allowed since{allowed.inner, tolerance::farAway, allowed.slack, false};
+  Allowed before{-allowed.outer, tolerance::farAway, -allowed.slack, false};
+  if (!clear) {
+    since = {tolerance::farAway, allowed.outer, allowed.slack, false};
+    before = {tolerance::farAway, -allowed.inner, -allowed.slack, false};
+  }
+  const auto probe = makeProbe(check, relation);
+  const std::vector<Location>& path = at.recent();
+  for (std::size_t i = path.size() - 1; i > 0; --i) {
+    const Location& a = path[i - 1];
+    const Location& b = path[i];
+    probe->take(Chord(a.toolEnd, b.toolEnd, a.axis, b.axis));
+    Node first = probe->at(0.0);
+    if (!prove(*probe, since, first).good()) {
+      return false;
+    }
+    if (excess(touch(check, relation, a, before), before) == 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
                                             const Goal& goal,
                                             std::size_t index,
@@ -249,10 +291,12 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
   const double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
   const auto fits = [&](std::size_t side) {
     const Touch& t = sides[side];
-    return guideNormal
-               ? t.normal.dot(*guideNormal) >= agreeing
-               : sign * t.normal.dot(at.towards(t.offset)) >= -glancing ||
-                     isTouch(modal, drive, at, goal.surface.surface, relations[side], c.allowed, t);
+    return guideNormal ? t.normal.dot(*guideNormal) >= agreeing
+                       : sign * t.normal.dot(at.towards(t.offset)) >= -glancing ||
+                             isTouch(modal, drive, at, goal.surface.surface, relations[side],
+                                     c.allowed, t) ||
+                             cameFrom(at, goal.surface.surface, relations[side], goal.condition,
+                                      c.allowed, t);
   };
   const bool first =
       fits(0) == fits(1) ? std::abs(sides[0].high) <= std::abs(sides[1].high) : fits(0);

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "runtime/certify/certificate.h"
 
 namespace arelem::certify {
@@ -13,10 +15,13 @@ struct Goal {
 /// of it to the other, whatever the path does: the last stretch that is longer tells.
 class PathEnd {
  public:
-  PathEnd(const Location& first, double band) : place_(first), from_(first), band_(band) {}
+  PathEnd(const Location& first, double band)
+      : place_(first), from_(first), band_(band), recent_{first} {}
 
   void moveTo(const Location& next);
   [[nodiscard]] const Location& place() const { return place_; }
+  /// The last locations of the path, that of its end behind the others.
+  [[nodiscard]] const std::vector<Location>& recent() const { return recent_; }
   /// Of the way by which the tool end came there.
   [[nodiscard]] double length() const { return stretch_.length(); }
   /// Direction in which the point of the tool at `offset` from the tool end came: where the axis
@@ -29,6 +34,7 @@ class PathEnd {
   Location from_;  ///< where the present stretch begins
   Chord stretch_;
   double band_;
+  std::vector<Location> recent_;
   bool known_ = false;  ///< a stretch longer than the band is behind
 };
 
@@ -97,6 +103,14 @@ class MotionCheck {
                              const Relation& relation,
                              const Allowed& allowed,
                              const Touch& t) const;
+  /// Whether the tool came into the band of a check surface from where the condition, TO or PAST,
+  /// lets it come, and never was beyond it since.
+  [[nodiscard]] static bool cameFrom(const PathEnd& at,
+                                     const surface::AnySurface& check,
+                                     const Relation& relation,
+                                     ir::Condition condition,
+                                     const Allowed& allowed,
+                                     const Touch& t);
   [[nodiscard]] Allowed allowedFor(const Modal& modal, Role role) const;
 
   const Options& options_;
