@@ -135,7 +135,11 @@ class Follower {
       return AtStop::there;
     }
     stops_.restore();
-    return cap < sameCap * before ? AtStop::again : AtStop::later;
+    if (cap < sameCap * before) {
+      return AtStop::again;
+    }
+    stops_.forgetFree();
+    return AtStop::later;
   }
 
   /// Walks the path until a check surface is met.
