@@ -1,6 +1,8 @@
 #include "app/decimals_seen.h"
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace arelem::app {
 

@@ -72,17 +72,7 @@ void printForms() {
   }
 }
 
-void printTables() {
-  printForms();
-  {
-    JsonRows rows("features");
-    for (const ir::FeatureRow& feature : ir::featureTable()) {
-      rows.row({{"group", std::string(feature.group)},
-                {"id", std::string(feature.idText)},
-                {"syntax", std::string(feature.syntax)},
-                {"meaning", std::string(feature.meaning)}});
-    }
-  }
+void printWords() {
   {
     JsonRows rows("words");
     for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i) {
@@ -109,6 +99,20 @@ void printTables() {
                 {"meaning", std::string(form.meaning)}});
     }
   }
+}
+
+void printTables() {
+  printForms();
+  {
+    JsonRows rows("features");
+    for (const ir::FeatureRow& feature : ir::featureTable()) {
+      rows.row({{"group", std::string(feature.group)},
+                {"id", std::string(feature.idText)},
+                {"syntax", std::string(feature.syntax)},
+                {"meaning", std::string(feature.meaning)}});
+    }
+  }
+  printWords();
   {
     JsonRows rows("dialects");
     for (const frontend::DialectRow& d : frontend::dialectTable()) {

@@ -89,6 +89,9 @@ int run(std::vector<std::string> words, InterruptWatch& interrupt) {
     std::error_code unknown;
     if (!std::filesystem::exists(first, unknown)) {
       if (first == "help") {
+        if (words.size() > 1 && commandNamed(all, words[1]) != all.end()) {
+          return run({words[1], "--help"}, interrupt);
+        }
         printHelp(std::cout);
         return static_cast<int>(ExitCode::ok);
       }

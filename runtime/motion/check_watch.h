@@ -140,6 +140,8 @@ class CheckWatch {
   void ignoreTouches(double until) { ignoredUntil_ = until; }
   [[nodiscard]] const Progress& progress() const { return now_; }
   void restore(const Progress& progress) { now_ = progress; }
+  /// Looks at the next segment from its start on.
+  void forgetFree() { now_.free = now_.farther = 0.0; }
 
  private:
   /// Cosine of the angle within which contact normals count as agreeing at a tangency.

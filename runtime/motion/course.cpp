@@ -204,7 +204,7 @@ class Planner {
   /// What to write where the tool is in the tolerance of the other word: ON or in contact.
   std::string_view asTheOtherWord(Role role, double slack) {
     const Guide& g = guide(role);
-    const bool on = role == driveRole ? course_.onDrive : toolOn(partRole);
+    const bool on = role == driveRole ? course_.onDrive : onPart_;
     const double gap = on ? guideField(role, false)->at(state_.toolEnd, state_.axis).gap
                           : std::abs(footOn(surfaceOf(role).surface, state_.toolEnd).distance);
     if (gap > g.outer + slack || gap < -g.inner - slack) {
@@ -288,8 +288,7 @@ class Planner {
     }
     for (const CheckGoal& goal : request_.checks) {
       if (goal.onByDefault) {
-        course_.warnings.push_back(
-            fail(diag::OnByDefault, goal.surface.name, course_.drive.name));
+        course_.warnings.push_back(fail(diag::OnByDefault, goal.surface.name, course_.drive.name));
       }
     }
   }

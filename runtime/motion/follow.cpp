@@ -135,7 +135,11 @@ class Follower {
       return AtStop::there;
     }
     stops_.restore();
-    return cap < sameCap * before ? AtStop::again : AtStop::later;
+    if (cap < sameCap * before) {
+      return AtStop::again;
+    }
+    stops_.forgetFree();
+    return AtStop::later;
   }
 
   /// Walks the path until a check surface is met.
@@ -191,19 +195,24 @@ class Follower {
           continue;
         }
       }
-      if (course_.path.flat() || isRoundAgain(a, *b)) {
-        return missed(course_);
-      }
-      if (segment.length > tolerance::coincidence) {
-        stride_.learn(a, *b);  // what is shorter tells more rounding than curvature
-      }
-      putTurn(*b);
-      way_.note(b->toolEnd - last_.toolEnd);
-      arrival_.put(last_, *b);
-      if (auto bad = ranOffEnd()) {
+      if (auto bad = goOn(*b, segment.length)) {
         return bad;
       }
     }
+  }
+
+  /// The whole cut vector, on which no check surface is met.
+  std::optional<Failure> goOn(const PathPoint& to, double length) {
+    if (course_.path.flat() || isRoundAgain(last_, to)) {
+      return missed(course_);
+    }
+    if (length > tolerance::coincidence) {
+      stride_.learn(last_, to);  // what is shorter tells more rounding than curvature
+    }
+    putTurn(to);
+    way_.note(to.toolEnd - last_.toolEnd);
+    arrival_.put(last_, to);
+    return ranOffEnd();
   }
 
   /// Goes on in the direction behind a corner, `tip` if that was reached; false where there is

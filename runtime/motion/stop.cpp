@@ -208,6 +208,12 @@ void StopFinder::keep() {
   }
 }
 
+void StopFinder::forgetFree() {
+  for (CheckWatch& w : course_.watches) {
+    w.forgetFree();
+  }
+}
+
 void StopFinder::restore(const std::vector<CheckWatch::Progress>& kept) {
   for (std::size_t i = 0; i < course_.watches.size(); ++i) {
     course_.watches[i].restore(kept[i]);

@@ -44,6 +44,8 @@ class StopFinder {
 
   /// Puts the watches back to where they were before the last segment, to try it again.
   void restore() { restore(kept_); }
+  /// Where the tool goes on over that segment all the same, what was free before it need not be.
+  void forgetFree();
   /// Remembers how they were before the last segment, and puts them back to that later.
   void remember() { remembered_ = kept_; }
   void recall() { restore(remembered_); }

@@ -309,8 +309,12 @@ bool Stride::longestAlongCurves(const PathPoint& a, double cap) {
     triedMore = true;
     t.length = std::min({t.tried.longer(t.length, factor), cap, longest_});
   }
-  // Beside a corner a cut vector may change its gap, but does not get on.
-  if (best == 0.0 || (best_->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
+  return best > 0.0 && takeBest(a, triedMore);
+}
+
+/// Beside a corner a cut vector may change its gap, but does not get on: false there.
+bool Stride::takeBest(const PathPoint& a, bool triedMore) {
+  if ((best_->toolEnd - a.toolEnd).dot(a.tangent) <= 2.0 * nearCorner) {
     return false;
   }
   if (triedMore && middle_.end == best_->toolEnd) {

@@ -9,6 +9,8 @@ class Stride {
  public:
   /// `longest` is MAXDP; it does not bind where both surfaces are planes.
   Stride(Path& path, double longest) : path_(path), longest_(longest), facets_(path) {}
+  Stride(const Stride&) = delete;  ///< it points into itself
+  Stride& operator=(const Stride&) = delete;
 
   /// The end of the next cut vector from `a`, not farther than `cap`; it stays until the next call.
   /// Null where the path ends or has a corner; a cut vector towards a corner ends in it.
@@ -19,6 +21,7 @@ class Stride {
  private:
   [[nodiscard]] bool nextAlongCurves(const PathPoint& a, double cap);
   [[nodiscard]] bool longestAlongCurves(const PathPoint& a, double cap);
+  [[nodiscard]] bool takeBest(const PathPoint& a, bool triedMore);
   [[nodiscard]] std::optional<PathPoint> nextAlongMesh(const PathPoint& a, double cap);
   [[nodiscard]] std::optional<PathPoint> nextAlongFacets(const PathPoint& a, double cap);
   /// How far from the gap aimed at a cut vector may end.

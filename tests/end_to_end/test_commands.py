@@ -79,6 +79,10 @@ class WrongUse(ArelemCase):
     def test_help_without_dashes(self):
         self.assertExit(0, "help")
         self.assertIn("usage: arelem FILE...", self.out)
+        self.assertExit(0, "check", "--help")
+        expected = self.out
+        self.assertExit(0, "help", "check")
+        self.assertEqual(self.out, expected)
 
 
 class Check(ArelemCase):

@@ -142,6 +142,7 @@ class Ruled::Sheet::Lows {
 /// Rows of which no place can be nearer than the best are left out; of the others those whose
 /// ruling in the middle is nearer than that of the rows beside them are where feet may be.
 Ruled::Sheet::Lows Ruled::Sheet::lows(const Vec3& p, double upper) const {
+  static_assert(mostBlocks % rowsOfABlock == 0);
   std::array<Eight::Numbers, mostBlocks / rowsOfABlock> bounds;
   const std::size_t count = blockStrips_.size();
   for (std::size_t i = 0; i < blockEights_.size(); ++i) {
