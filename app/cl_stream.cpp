@@ -12,6 +12,7 @@
 #include "ir/diag/frontend.h"
 #include "ir/diag/interpret.h"
 #include "ir/diag/render_text.h"
+#include "runtime/interpret/ignored.h"
 #include "runtime/path/curve_needs.h"
 #include "runtime/path/feed_override.h"
 #include "runtime/path/movnrb.h"
@@ -130,8 +131,7 @@ class ClReading::Reader {
   /// Messages in the order in which a reading at once tells them.
   bool finish() {
     for (const runtime::Ignored& known : ignored_) {
-      told_.push_back(texts_.inWhole(
-          diagnose(known.first, diag::NoEffect, known.what, known.why, known.times)));
+      told_.push_back(texts_.inWhole(noEffect(known)));
     }
     told_.insert(told_.end(), late_.begin(), late_.end());
     if (told_.empty()) {
@@ -169,8 +169,7 @@ class ClReading::Reader {
         continue;
       }
       ignored_.push_back(here);
-      piece.messages.push_back(
-          diagnose(here.first, diag::NoEffect, here.what, here.why, here.times));
+      piece.messages.push_back(noEffect(here));
     }
     return check(piece.messages);
   }

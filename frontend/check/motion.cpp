@@ -95,7 +95,8 @@ bool Motion::checkLocate(Word word, const Span& at, const std::vector<ir::Argume
     const bool fits = delta ? numbers >= 1 && numbers <= 4
                             : numbers >= 2 && numbers <= 10 && numbers != 5 && numbers != 8;
     if (!fits) {
-      context_.report(diagnose(at, diag::MotionCount, spell(word), numbers));
+      context_.report(
+          diagnose(at, diag::MotionCount, spell(word), numbers, numbers == 1 ? "" : "s"));
     }
     return fits;
   }

@@ -5,6 +5,7 @@
 #include "ir/diag/interpret.h"
 #include "ir/diag/limits.h"
 #include "runtime/interpret/expression.h"
+#include "runtime/interpret/ignored.h"
 
 namespace arelem::runtime::interpret {
 
@@ -129,9 +130,14 @@ void State::ignore(std::string what, std::string why) {
   out.ignored.push_back({std::move(what), std::move(why), statement->span, 1});
 }
 
+Diagnostic noEffect(const Ignored& ignored) {
+  return diagnose(ignored.first, diag::NoEffect, ignored.what, ignored.why, ignored.times,
+                  ignored.times == 1 ? "" : "s");
+}
+
 void State::reportIgnored() {
   for (const Ignored& known : out.ignored) {
-    sink_.accept(diagnose(known.first, diag::NoEffect, known.what, known.why, known.times));
+    sink_.accept(noEffect(known));
   }
 }
 
