@@ -131,7 +131,7 @@ class ClReading::Reader {
   /// Messages in the order in which a reading at once tells them.
   bool finish() {
     for (const runtime::Ignored& known : ignored_) {
-      told_.push_back(texts_.inWhole(noEffect(known)));
+      told_.push_back(texts_.inWhole(runtime::noEffect(known)));
     }
     told_.insert(told_.end(), late_.begin(), late_.end());
     if (told_.empty()) {
@@ -169,7 +169,7 @@ class ClReading::Reader {
         continue;
       }
       ignored_.push_back(here);
-      piece.messages.push_back(noEffect(here));
+      piece.messages.push_back(runtime::noEffect(here));
     }
     return check(piece.messages);
   }

@@ -7,6 +7,13 @@
 #include "runtime/interpret/expression.h"
 #include "runtime/interpret/ignored.h"
 
+namespace arelem::runtime {
+Diagnostic noEffect(const Ignored& ignored) {
+  return diagnose(ignored.first, diag::NoEffect, ignored.what, ignored.why, ignored.times,
+                  ignored.times == 1 ? "" : "s");
+}
+}  // namespace arelem::runtime
+
 namespace arelem::runtime::interpret {
 
 State::State(const ir::Program& p, const Options& o, DiagnosticSink& sink, Evaluation& evaluation)
@@ -128,11 +135,6 @@ void State::ignore(std::string what, std::string why) {
     }
   }
   out.ignored.push_back({std::move(what), std::move(why), statement->span, 1});
-}
-
-Diagnostic noEffect(const Ignored& ignored) {
-  return diagnose(ignored.first, diag::NoEffect, ignored.what, ignored.why, ignored.times,
-                  ignored.times == 1 ? "" : "s");
 }
 
 void State::reportIgnored() {
