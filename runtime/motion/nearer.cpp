@@ -88,7 +88,9 @@ Settled nearer(const Settled& found,
   }
   const Eigen::Matrix3d frame = frameOf(start, wanted.size());
   Settled best = found;
-  double least = found.ok ? way - tolerance::coincidence : tolerance::farAway;
+  // An axis that follows may have a choice where the conditions leave none to the place.
+  const double enough = axis.isFixed() ? way - tolerance::coincidence : sameChoice * way;
+  double least = found.ok ? enough : tolerance::farAway;
   if (isFree && found.ok) {
     const Settled nearest = slid(found, from, axis, wanted, constraints);
     const double away = (nearest.toolEnd - from).norm();
