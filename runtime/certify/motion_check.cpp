@@ -218,8 +218,9 @@ bool MotionCheck::isTouch(const Modal& modal,
 }
 
 /// The direction at the end does not tell this where the path turns sharply or glances along the
-/// surface. TO is met from the clear, PAST from the violation: the gap was there when it last was
-/// out of its band, and no cut vector since left it to the other side.
+/// surface, or seems to tell the contrary. TO is met from the clear, PAST from the violation: the
+/// gap was there when it last was out of its band, and no cut vector since left it to the other
+/// side.
 bool MotionCheck::cameFrom(const PathEnd& at,
                            const surface::AnySurface& check,
                            const Relation& relation,
@@ -288,18 +289,29 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     guideNormal = touchesPart ? touchOf(modal, modal.partSurface().surface, partRole, end).normal
                               : touchOf(modal, drive, driveRole, end).normal;
   }
-  const double sign = goal.condition == ir::Condition::to ? -1.0 : 1.0;
+  const bool comesNearer = goal.condition == ir::Condition::to;
+  const ir::Condition other = comesNearer ? ir::Condition::past : ir::Condition::to;
+  const double sign = comesNearer ? -1.0 : 1.0;
+  const auto came = [&](std::size_t side, ir::Condition condition) {
+    return cameFrom(at, goal.surface.surface, relations[side], condition, c.allowed, sides[side]);
+  };
   const auto fits = [&](std::size_t side) {
     const Touch& t = sides[side];
-    return guideNormal ? t.normal.dot(*guideNormal) >= agreeing
-                       : sign * t.normal.dot(at.towards(t.offset)) >= -glancing ||
-                             isTouch(modal, drive, at, goal.surface.surface, relations[side],
-                                     c.allowed, t) ||
-                             cameFrom(at, goal.surface.surface, relations[side], goal.condition,
-                                      c.allowed, t);
+    if (guideNormal) {
+      return t.normal.dot(*guideNormal) >= agreeing;
+    }
+    const bool leads = sign * t.normal.dot(at.towards(t.offset)) >= -glancing;
+    return (leads ? !came(side, other) : came(side, goal.condition)) ||
+           isTouch(modal, drive, at, goal.surface.surface, relations[side], c.allowed, t);
   };
-  const bool first =
-      fits(0) == fits(1) ? std::abs(sides[0].high) <= std::abs(sides[1].high) : fits(0);
+  // The nearer one where the path does not tell, but none that it met in the other sense.
+  const std::array fit{fits(0), fits(1)};
+  bool first = std::abs(sides[0].high) <= std::abs(sides[1].high);
+  if (fit[0] != fit[1]) {
+    first = fit[0];
+  } else if (!fit[0] && !guideNormal && came(first ? 0 : 1, other)) {
+    first = !first;
+  }
   c.touch = sides[first ? 0 : 1];
   return c;
 }
