@@ -88,9 +88,7 @@ Settled nearer(const Settled& found,
   }
   const Eigen::Matrix3d frame = frameOf(start, wanted.size());
   Settled best = found;
-  // An axis that follows may have a choice where the conditions leave none to the place.
-  const double enough = axis.isFixed() ? way - tolerance::coincidence : sameChoice * way;
-  double least = found.ok ? enough : tolerance::farAway;
+  double least = found.ok ? way - tolerance::coincidence : tolerance::farAway;
   if (isFree && found.ok) {
     const Settled nearest = slid(found, from, axis, wanted, constraints);
     const double away = (nearest.toolEnd - from).norm();

@@ -281,10 +281,9 @@ class Starter {
         found = tried.ok || !atRest ? tried : found;
       }
     }
-    const bool follows = !rule_.isFixed() && !exact_ && found.ok;
-    if ((evenly || follows) && !allPlanes()) {
+    if (evenly && !allPlanes()) {
       const auto goals = wanted(false, from);
-      start = isFirst && evenly ? start : measured(from, rule_, goals);  // by fields that are new
+      start = isFirst ? start : measured(from, rule_, goals);  // by fields that are new
       found = nearer(found, start, rule_, goals, extra);
     }
     if (found.ok && !exact_) {
