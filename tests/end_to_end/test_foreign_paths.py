@@ -6,8 +6,31 @@ import unittest
 from arelem_run import ArelemCase
 from test_certify import SPHERE
 
+# The path turns sharply within the check surface and leaves it with a short cut vector.
+SHARP = """CUTTER/0.5,0.112030029296875,0.137969970703125,0.112030029296875,0,0,4
+INTOL/0
+OUTTOL/0.01
+MAXDP/1
+PS1=TORUS/-0.88037109375,-8.0107421875,-2.91845703125,0,0.040185546875000006,1,7.8583984375,3
+DS1=TORUS/-0.55859375,-11.746337890625,-0.1494140625,0.06630859375,-0.03544921875,1,9.010498046875,2.5
+CS1=PLANE/0.9746320007082999,-0.19092888607625488,-0.1167845180536215,3.869498436405853
+FROM/-7.15,2.55,6.25
+GO/PAST,DS1,TO,PS1,ON,(PLANE/1,0,0,-4.25)
+INDIRV/1,0,0
+TLLFT,GOFWD/DS1,PAST,CS1
+FINI
+"""
+
 
 class ForeignPaths(ArelemCase):
+    def test_a_stop_behind_a_sharp_turn_is_of_one_side(self):
+        self.write("w.apt", SHARP)
+        self.assertExit(0, "compile", "w.apt", "-o", "w.jsonl")
+        self.assertExit(0, "verify", "w.apt", "w.jsonl")
+        self.write("w.apt", SHARP.replace("PAST,CS1", "TO,CS1"))
+        self.assertExit(5, "verify", "w.apt", "w.jsonl")
+        self.assertIn("w.apt:11:1: error[E0907]: the motion ends -0.9514 from the position TO check surface `CS1`", self.err)
+
     def test_a_stop_that_was_moved_is_told_as_such_in_plain_text(self):
         """Without statement numbers a motion goes on to its check surface; where the path leaves its surfaces before, for good, it
         ended there."""
