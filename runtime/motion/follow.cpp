@@ -135,9 +135,6 @@ class Follower {
       return AtStop::there;
     }
     stops_.restore();
-    // Aside of its path a cut vector may be longer than it was to be.
-    const bool tooLong = segment.length * sameCap > before && before > tolerance::coincidence;
-    cap = tooLong ? std::min(cap, 0.5 * before) : cap;
     if (cap < sameCap * before) {
       return AtStop::again;
     }
