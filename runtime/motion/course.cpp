@@ -245,7 +245,9 @@ class Planner {
     const Vec3 axis = course_.path.axis.at(state_.toolEnd);
     course_.turnsFirst = (axis - state_.axis).norm() > tolerance::nullDirection;
     PathPoint& start = course_.start;
-    start = course_.path.look(state_.toolEnd, wanted_);
+    // A tool that is to turn first goes where the contacts lead that it has.
+    start = course_.turnsFirst ? course_.path.lookWith(state_.toolEnd, state_.axis, wanted_)
+                               : course_.path.look(state_.toolEnd, wanted_);
     auto direction = startDirection(request_.heading, wanted_, start.contacts[0].normal,
                                     start.contacts[1].normal, state_.toolEnd);
     if (!direction) {
