@@ -78,20 +78,22 @@ double meetingSine(const Work& work, std::string_view name, const Run& run, cons
 /// Compares the motion of a scene with that of the scene moved.
 class Comparison {
  public:
-  Comparison(const Scene& scene, const Work& work, std::vector<std::string>& wrong)
+  Comparison(const Scene& scene, const Work& work, std::vector<Fault>& wrong)
       : scene_(scene), work_(work), wrong_(wrong) {}
 
   void compare(const Motion& drawn, const Motion& moved) {
     if (reasons(drawn.codes) != reasons(moved.codes)) {
-      wrong_.push_back(fmt::format("moved: {} instead of {}", listed(moved), listed(drawn)));
+      wrong_.push_back(
+          {Concern::refusal, fmt::format("moved: {} instead of {}", listed(moved), listed(drawn))});
       return;
     }
     if (!drawn.codes.empty()) {
       return;
     }
     if (drawn.runs.size() != moved.runs.size()) {
-      wrong_.push_back(fmt::format("moved: {} statements put out locations instead of {}",
-                                   moved.runs.size(), drawn.runs.size()));
+      wrong_.push_back(
+          {Concern::path, fmt::format("moved: {} statements put out locations instead of {}",
+                                      moved.runs.size(), drawn.runs.size())});
       return;
     }
     for (std::size_t i = 0; i < drawn.runs.size(); ++i) {
@@ -113,15 +115,15 @@ class Comparison {
     const double apart = (scene_.move.before(moved.places.back()) - drawn.places.back()).norm();
     if (apart > allowed) {
       wrong_.push_back(
-          fmt::format("moved: the stop of statement {} is {:.3g} from where it should "
-                      "be; {:.3g} is allowed",
-                      drawn.isn, apart, allowed));
+          {Concern::path, fmt::format("moved: the stop of statement {} is {:.3g} from where it "
+                                      "should be; {:.3g} is allowed",
+                                      drawn.isn, apart, allowed)});
     }
   }
 
   const Scene& scene_;
   const Work& work_;
-  std::vector<std::string>& wrong_;
+  std::vector<Fault>& wrong_;
   double carried_ = 0.0;
 };
 }  // namespace
@@ -149,6 +151,11 @@ bool isExplained(std::string_view code) {
   return std::ranges::find(explained, code) != explained.end();
 }
 
+const Fault* Finding::worst() const {
+  const auto found = std::ranges::find(wrong, Concern::path, &Fault::concern);
+  return found != wrong.end() ? &*found : wrong.empty() ? nullptr : &wrong.front();
+}
+
 Finding tryScene(const Scene& scene, const Folder& folder) {
   Finding finding;
   finding.id = scene.id;
@@ -157,10 +164,12 @@ Finding tryScene(const Scene& scene, const Folder& folder) {
   const Motion drawn = drawnWork.run(true);
   finding.outcome = drawn.outcome();
   if (std::ranges::any_of(drawn.codes, [](const std::string& c) { return !isExplained(c); })) {
-    finding.wrong.push_back(drawn.message);
+    finding.wrong.push_back({Concern::refusal, drawn.message});
   }
   if (drawn.codes.empty()) {
-    finding.wrong = drawn.unproven;
+    for (const std::string& text : drawn.unproven) {
+      finding.wrong.push_back({Concern::path, text});
+    }
   }
   // Every fourth refusal is looked into: that takes as long as a motion.
   constexpr std::uint64_t reviewed = 4;
@@ -168,7 +177,7 @@ Finding tryScene(const Scene& scene, const Folder& folder) {
     const Review independent = review(scene, drawnWork, drawn);
     finding.confirmed = independent.confirmed;
     if (!independent.objection.empty()) {
-      finding.wrong.push_back(drawn.message + "; but " + independent.objection);
+      finding.wrong.push_back({Concern::refusal, drawn.message + "; but " + independent.objection});
     }
   }
   writeFiles(scene, scene.move, folder.path());
