@@ -12,6 +12,7 @@
 
 #include "runtime/geometry/kinds.h"
 #include "tests/random/refusal.h"
+#include "tests/random/stand.h"
 
 namespace arelem::scenes {
 
@@ -114,6 +115,9 @@ class Comparison {
     const double allowed = carried_ + 1e-8;
     const double apart = (scene_.move.before(moved.places.back()) - drawn.places.back()).norm();
     if (apart > allowed) {
+      const Stand stop{drawn.places.back(), drawn.axes.back()};
+      const Stand other{scene_.move.before(moved.places.back()), scene_.move.turn.transpose() * moved.axes.back()};
+      (void)isOneStop(scene_, work_, index > startups && scene_.extra == Extra::implied ? "CS2" : "CS1", stopShare, stop, other);
       wrong_.push_back(
           {Concern::path, fmt::format("moved: the stop of statement {} is {:.3g} from where it "
                                       "should be; {:.3g} is allowed",
