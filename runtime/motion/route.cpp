@@ -69,9 +69,10 @@ double curvatureAlong(
 }
 
 namespace {
-/// Distance over which curvature is measured: a small share of the chords that the band allows.
+/// Distance over which curvature is measured: a share of the band, so that in other units it is as
+/// far from knots and from where another place of the cutter touches.
 double probe(double band) {
-  return 0.01 * std::sqrt(band);
+  return 0.2 * band;
 }
 
 /// Contact normals that turn towards the tool by this over a length as the band's are those of a
