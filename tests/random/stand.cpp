@@ -16,12 +16,12 @@ using motion::Field;
 
 /// Places between both stops where gaps are measured.
 constexpr int places = 16;
-/// The way between stops has more of them in the middle where it bows: fewer than three surfaces
-/// leave a way.
+/// Fewer surfaces than this leave the tool a way.
 constexpr std::size_t guiding = 3;
+/// A gap beyond the band by this share of it is of another surface than those that the tool keeps.
+constexpr double beyond = 0.01;
 
-/// One of the gaps that a tool has to a surface: of the cutter or the ring on it, on either side,
-/// or of the tool end.
+/// One of the gaps that a tool has to a surface: of the cutter, on either side, or of its end.
 struct Touch {
   std::unique_ptr<Field> field;
   double gap = 0.0;  ///< at the stop
@@ -45,15 +45,16 @@ std::optional<Touch> touchAt(const Scene& scene,
   std::optional<Touch> nearest;
   for (const tool::Profile* cutter : cutters) {
     for (const double side : {1.0, -1.0}) {
-      Touch touch{motion::makeField(*found, side, motion::Tool{cutter, cutter != nullptr ? thick : 0.0})};
+      Touch touch{
+          motion::makeField(*found, side, motion::Tool{cutter, cutter != nullptr ? thick : 0.0})};
       touch.gap = touch.field->at(stop.place, stop.axis).gap;
       if (!nearest || std::abs(touch.gap) < std::abs(nearest->gap)) {
         nearest = std::move(touch);
       }
     }
   }
-  return nearest && std::abs(nearest->gap) <= 1.01 * scene.band() ? std::move(nearest)
-                                                                  : std::nullopt;
+  return nearest && std::abs(nearest->gap) <= (1.0 + beyond) * scene.band() ? std::move(nearest)
+                                                                            : std::nullopt;
 }
 }  // namespace
 
@@ -77,20 +78,14 @@ bool isOneStop(const Scene& scene,
       continue;
     }
     ++touched;
-    const double most = (names[i] == check ? share : 1.0) * scene.band();
-    if (getenv("DBG")) fprintf(stderr, "%s gap %.5g at other %.5g band %g:", std::string(names[i]).c_str(), touch->gap, touch->field->at(other.place, other.axis).gap, scene.band());
-    bool ok = true;
+    const double most = (names[i].starts_with(check) ? share : 1.0) * scene.band();
     for (int k = 1; k <= places; ++k) {
       const double s = static_cast<double>(k) / places;
       const Vec3 place = stop.place + s * (other.place - stop.place);
       const Vec3 axis = (stop.axis + s * (other.axis - stop.axis)).normalized();
-      const double gap = touch->field->at(place, axis).gap;
-      if (getenv("DBG")) fprintf(stderr, " %.4g", gap);
-      ok = ok && std::abs(gap - touch->gap) <= most;
-    }
-    if (getenv("DBG")) fprintf(stderr, " ok %d\n", ok);
-    if (!ok && !getenv("DBG")) {
-      return false;
+      if (std::abs(touch->field->at(place, axis).gap - touch->gap) > most) {
+        return false;
+      }
     }
   }
   return touched >= guiding;

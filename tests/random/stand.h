@@ -11,7 +11,7 @@ namespace arelem::scenes {
 /// `share` of it. Then both are where the tolerance has the stop, however far they lie apart: where
 /// a path meets its check surface flatly, or its two surfaces each other, that may be many bands.
 /// `stop` is the end of a run of the scene as it was drawn, `other` is that of the scene moved,
-/// moved back; `check` names the check surface.
+/// moved back; names of check surfaces begin with `check`.
 struct Stand {
   Vec3 place, axis;
 };

@@ -36,7 +36,8 @@ constexpr std::array<std::string_view, 15> explained{
     "E0546",  // N,INTOF: the path meets the check surface more seldom than N times
 };
 /// Stops of moved scenes may lie apart by this share of the band over the sine at which they are
-/// met.
+/// met, and farther where the gap to the check surface changes by no more than this share between
+/// them: where the path bends along the check surface the sine at one place says little.
 constexpr double stopShare = 0.5;
 
 /// What is said of a startup that has no position depends on where the search for it ended.
@@ -116,8 +117,14 @@ class Comparison {
     const double apart = (scene_.move.before(moved.places.back()) - drawn.places.back()).norm();
     if (apart > allowed) {
       const Stand stop{drawn.places.back(), drawn.axes.back()};
-      const Stand other{scene_.move.before(moved.places.back()), scene_.move.turn.transpose() * moved.axes.back()};
-      (void)isOneStop(scene_, work_, index > startups && scene_.extra == Extra::implied ? "CS2" : "CS1", stopShare, stop, other);
+      const Stand other{scene_.move.before(moved.places.back()),
+                        scene_.move.turn.transpose() * moved.axes.back()};
+      const bool behindImplied = index > startups && scene_.extra == Extra::implied;
+      if (index >= startups &&
+          isOneStop(scene_, work_, behindImplied ? "CS2" : "CS", stopShare, stop, other)) {
+        carried_ = apart;
+        return;
+      }
       wrong_.push_back(
           {Concern::path, fmt::format("moved: the stop of statement {} is {:.3g} from where it "
                                       "should be; {:.3g} is allowed",
