@@ -89,7 +89,7 @@ class Comparison {
     const std::size_t before = wrong_.size();
     compareResults(drawn, moved);
     if (wrong_.size() > before && drawn.runs.size() >= startups && moved.runs.size() >= startups) {
-      compareStartups(drawn.runs[startups - 1], moved.runs[startups - 1]);
+      compareStartups(drawn.runs[startups - 1], moved.runs[startups - 1], wrong_[before].concern);
     }
   }
 
@@ -117,15 +117,15 @@ class Comparison {
   }
 
   /// A startup may have several positions and axes: what follows from another one differs.
-  void compareStartups(const Run& drawn, const Run& moved) {
+  void compareStartups(const Run& drawn, const Run& moved, Concern concern) {
     const double apart = (scene_.move.before(moved.places.back()) - drawn.places.back()).norm();
     const double turned =
         (scene_.move.turn.transpose() * moved.axes.back() - drawn.axes.back()).norm();
     if (apart > sameStartup || turned > sameStartup) {
       wrong_.push_back(
-          fmt::format("moved: the startup is {:.3g} from where it should be, its axis "
-                      "turned by {:.3g}",
-                      apart, turned));
+          {concern, fmt::format("moved: the startup is {:.3g} from where it should be, its axis "
+                                "turned by {:.3g}",
+                                apart, turned)});
     }
   }
 
