@@ -114,7 +114,7 @@ class Planner {
     const NamedSurface& s = surfaceOf(role);
     if (on) {
       AxisRule axis(state_.axis);
-      return onField(s.surface, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
+      return onField(s.surface, role, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
     }
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
     if (std::holds_alternative<surface::Mesh>(s.surface) && !tool.cutter->isPoint() &&
@@ -266,8 +266,8 @@ class Planner {
 
   void setRests() {
     for (Guide& g : course_.path.guides) {
-      g.rest =
-          restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact);
+      g.rest = restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact,
+                       course_.start.tangent);
       g.startAnew(g.flat() ? 0.0
                            : curvatureAlong(*g.field, state_.toolEnd, course_.path.axis,
                                             course_.start.tangent,

@@ -80,30 +80,39 @@ double probe(double band) {
 /// units the stop is the same.
 constexpr double hollowTurn = 6e-7;
 
-double restOf(double curvature, double inner, double outer) {
-  const double band = inner + outer;
-  const double inwards = std::clamp(-curvature * band / hollowTurn, 0.0, 1.0);
-  return outer - band * (edgeShare + inwards * (1.0 - 2.0 * edgeShare));
+/// The sum of both curvatures says how a surface bends, but that along the path how a saddle does:
+/// chords lie on the other side of that. Where the path is next to level it is the sum again.
+double restOf(double sum, double alongPath, double inner, double outer) {
+  const double turn = (inner + outer) / hollowTurn;
+  const double bends = std::min(std::abs(alongPath) * turn, 1.0);
+  const double inwards =
+      bends * (alongPath < 0.0 ? 1.0 : 0.0) + (1.0 - bends) * std::clamp(-sum * turn, 0.0, 1.0);
+  return outer - (inner + outer) * (edgeShare + inwards * (1.0 - 2.0 * edgeShare));
 }
 }  // namespace
 
-double restGap(
-    Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact) {
+double restGap(Field& field,
+               const Vec3& toolEnd,
+               AxisRule& axis,
+               double inner,
+               double outer,
+               bool exact,
+               const Vec3& path) {
   if (exact || field.flat()) {
     return 0.0;
   }
   if (field.isFaceted()) {
-    return restOf(0.0, inner, outer);
+    return restOf(0.0, 0.0, inner, outer);
   }
   const double step = probe(inner + outer);
+  const auto along = [&](const Vec3& t) { return curvatureAlong(field, toolEnd, axis, t, step); };
   const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
   const Vec3 t = normal.unitOrthogonal();
-  return restOf(curvatureAlong(field, toolEnd, axis, t, step) +
-                    curvatureAlong(field, toolEnd, axis, normal.cross(t), step),
-                inner, outer);
+  return restOf(along(t) + along(normal.cross(t)), path.isZero() ? 0.0 : along(path), inner, outer);
 }
 
 std::unique_ptr<Field> onField(const surface::AnySurface& surface,
+                               Role role,
                                const Vec3& toolEnd,
                                AxisRule& axis,
                                double inner,
@@ -119,8 +128,10 @@ std::unique_ptr<Field> onField(const surface::AnySurface& surface,
   const auto within = [&](double gap) {
     return gap >= -inner - tolerance::sameSide && gap <= outer + tolerance::sameSide;
   };
-  const bool bulges = bend >= -levelTurn / step;
-  const bool takePlus = within(c.gap) == within(-c.gap) ? bulges : within(c.gap);
+  const double above = role == partRole ? c.normal.dot(a) : 0.0;
+  const bool outside =
+      std::abs(above) > tolerance::nullDirection ? above > 0.0 : bend >= -levelTurn / step;
+  const bool takePlus = within(c.gap) == within(-c.gap) ? outside : within(c.gap);
   return takePlus ? std::move(plus) : std::move(minus);
 }
 

@@ -173,15 +173,17 @@ class Starter {
   }
 
   std::vector<Wanted> wanted(bool atRest, const Vec3& near) {
+    const Vec3 path = atRest && !exact_ ? pathOf(goals_, near, rule_.at(near)) : Vec3(Vec3::Zero());
     std::vector<Wanted> list;
     for (StartupGoal& goal : goals_) {
       if (atRest && goal.condition == ir::Condition::on) {
         // The side from which the motions that follow will see it.
-        goal.field = onField(goal.surface.surface, near, rule_, state_.inner[goal.role],
+        goal.field = onField(goal.surface.surface, goal.role, near, rule_, state_.inner[goal.role],
                              state_.outer[goal.role]);
       }
       const double target = atRest ? restGap(*goal.field, near, rule_, state_.inner[goal.role],
-                                             state_.outer[goal.role], exact_)
+                                             state_.outer[goal.role], exact_,
+                                             goal.role == checkRole ? Vec3(Vec3::Zero()) : path)
                                    : 0.0;
       list.push_back({goal.field.get(), target});
     }

@@ -45,8 +45,9 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
                                           const Met& met) {
   const Vec3 near = withoutTolerances(a, segment, met);
   if (!course_.isArc()) {
+    const Vec3 path = course_.path.look(near, a.tangent).tangent;
     for (Guide& g : course_.path.guides) {
-      g.rest = restGap(*g.field, near, course_.path.axis, g.inner, g.outer, course_.exact);
+      g.rest = restGap(*g.field, near, course_.path.axis, g.inner, g.outer, course_.exact, path);
     }
   }
   auto end = atRest(a, segment, met, near);
@@ -178,7 +179,7 @@ std::optional<PathPoint> StopFinder::atRest(const PathPoint& a,
   const double rest = met.hit.touch
                           ? 0.0
                           : restGap(*met.hit.field, near, course_.path.axis, state_.inner[role],
-                                    state_.outer[role], course_.exact);
+                                    state_.outer[role], course_.exact, Vec3::Zero());
   return meet(course_.path, a, segment, course_.watches[met.check], met.hit, rest);
 }
 
