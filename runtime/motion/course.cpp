@@ -114,7 +114,7 @@ class Planner {
     const NamedSurface& s = surfaceOf(role);
     if (on) {
       AxisRule axis(state_.axis);
-      return onField(s.surface, role, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
+      return onField(s.surface, state_.toolEnd, axis, state_.inner[role], state_.outer[role]);
     }
     const Tool tool{cutterFor(state_, role), state_.thick[role]};
     if (std::holds_alternative<surface::Mesh>(s.surface) && !tool.cutter->isPoint() &&
@@ -273,10 +273,11 @@ class Planner {
                                             course_.start.tangent,
                                             probeShare * std::sqrt(g.inner + g.outer)));
     }
-    if (course_.isArc()) {
-      // A circle keeps the radius on which the tool stands (spec 4.8).
+    const double gap = course_.start.contacts[1].gap;
+    if (course_.isArc() || (course_.exact && std::abs(gap) > tolerance::sameSide)) {
+      // A circle keeps the radius on which the tool stands (spec 4.8), a line the distance.
       Guide& drive = guide(driveRole);
-      drive.rest = std::clamp(course_.start.contacts[1].gap, -drive.inner, drive.outer);
+      drive.rest = std::clamp(gap, -drive.inner, drive.outer);
     }
   }
 

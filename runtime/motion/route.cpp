@@ -33,7 +33,10 @@ bool isPlaneRoute(const State& state,
                   const NamedSurface& part,
                   const NamedSurface* check) {
   const auto* plane = std::get_if<surface::Plane>(&part.surface);
-  return !state.multax && !state.alwaysIterate && isVertical(state.axis) &&
+  const bool stock = check != nullptr
+                         ? state.thick[checkRole] != 0.0
+                         : state.thick[partRole] != 0.0 || state.thick[driveRole] != 0.0;
+  return !stock && !state.multax && !state.alwaysIterate && isVertical(state.axis) &&
          (!state.cutter || state.cutter->beta == 0.0) && plane != nullptr &&
          std::abs(plane->normal.z()) > tolerance::nullDirection && isUpright(drive) &&
          (check == nullptr || isUpright(*check));
@@ -111,8 +114,11 @@ double restGap(Field& field,
   return restOf(along(t) + along(normal.cross(t)), path.isZero() ? 0.0 : along(path), inner, outer);
 }
 
+double sideSeenOn(const Vec3& normal, const Vec3& axis, double present) {
+  return present * normal.dot(axis) > tolerance::nullDirection ? present : -present;
+}
+
 std::unique_ptr<Field> onField(const surface::AnySurface& surface,
-                               Role role,
                                const Vec3& toolEnd,
                                AxisRule& axis,
                                double inner,
@@ -122,17 +128,21 @@ std::unique_ptr<Field> onField(const surface::AnySurface& surface,
   const Vec3 a = axis.at(toolEnd);
   const tool::Contact c = plus->at(toolEnd, a);
   const double step = probe(inner + outer);
-  const Vec3 t = c.normal.unitOrthogonal();
-  const double bend = curvatureAlong(*plus, toolEnd, axis, t, step) +
-                      curvatureAlong(*plus, toolEnd, axis, c.normal.cross(t), step);
   const auto within = [&](double gap) {
     return gap >= -inner - tolerance::sameSide && gap <= outer + tolerance::sameSide;
   };
-  const double above = role == partRole ? c.normal.dot(a) : 0.0;
-  const bool outside =
-      std::abs(above) > tolerance::nullDirection ? above > 0.0 : bend >= -levelTurn / step;
-  const bool takePlus = within(c.gap) == within(-c.gap) ? outside : within(c.gap);
-  return takePlus ? std::move(plus) : std::move(minus);
+  if (within(c.gap) != within(-c.gap)) {
+    return within(c.gap) ? std::move(plus) : std::move(minus);
+  }
+  const bool isUpright = std::abs(c.normal.dot(a)) <= tolerance::nullDirection;
+  if (!isUpright || std::abs(c.gap) > tolerance::sameSide) {
+    const double side = sideSeenOn(c.normal, a, c.gap < 0.0 ? -1.0 : 1.0);
+    return side > 0.0 ? std::move(plus) : std::move(minus);
+  }
+  const Vec3 t = c.normal.unitOrthogonal();
+  const double bend = curvatureAlong(*plus, toolEnd, axis, t, step) +
+                      curvatureAlong(*plus, toolEnd, axis, c.normal.cross(t), step);
+  return bend >= -levelTurn / step ? std::move(plus) : std::move(minus);
 }
 
 Result<NamedSurface> named(const EntityPtr& entity) {

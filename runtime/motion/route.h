@@ -30,12 +30,14 @@ namespace arelem::motion {
 [[nodiscard]] double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step);
 
-/// The field of the tool end ON a surface: a part surface is seen from the side on which the tool
-/// stands, others (and part surfaces along the tool axis) from that towards which they bulge at
-/// `toolEnd`, so that the band's outer edge is the free one; from the other side where only that
-/// puts the tool end within [-inner, outer].
+/// The side (1 or -1) from which the tool end ON a surface sees its band, where it comes from the
+/// side `present`: that behind a wall, as if it went through, and the upper one of what lies below.
+[[nodiscard]] double sideSeenOn(const Vec3& normal, const Vec3& axis, double present);
+
+/// The field of the tool end ON a surface, seen from the side from which it lies within
+/// [-inner, outer]; where both do, as sideSeenOn says, and where it stands on a wall itself from
+/// that towards which this bulges, so that the band's outer edge is the free one.
 [[nodiscard]] std::unique_ptr<Field> onField(const surface::AnySurface& surface,
-                                             Role role,
                                              const Vec3& toolEnd,
                                              AxisRule& axis,
                                              double inner,
