@@ -287,17 +287,18 @@ class Planner {
 
   void setRests() {
     for (Guide& g : course_.path.guides) {
-      g.rest =
-          restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact);
+      g.rest = restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact,
+                       course_.start.tangent);
       g.startAnew(g.flat() ? 0.0
                            : curvatureAlong(*g.field, state_.toolEnd, course_.path.axis,
                                             course_.start.tangent,
                                             probeShare * std::sqrt(g.inner + g.outer)));
     }
-    if (course_.isArc()) {
-      // A circle keeps the radius on which the tool stands (spec 4.8).
+    const double gap = course_.start.contacts[1].gap;
+    if (course_.isArc() || (course_.exact && std::abs(gap) > tolerance::sameSide)) {
+      // A circle keeps the radius on which the tool stands (spec 4.8), a line the distance.
       Guide& drive = guide(driveRole);
-      drive.rest = std::clamp(course_.start.contacts[1].gap, -drive.inner, drive.outer);
+      drive.rest = std::clamp(gap, -drive.inner, drive.outer);
     }
   }
 
