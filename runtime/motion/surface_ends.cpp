@@ -66,9 +66,8 @@ std::optional<Failure> SurfaceEnds::passedAt(const PathPoint& last) {
                     "` and is beside it there");
     }
   }
-  for (const auto& [surface, contact] :
-       {std::pair{&course_.part, &last.contacts[partRole]},
-        std::pair{&course_.drive, &last.contacts[driveRole]}}) {
+  for (const auto& [surface, contact] : {std::pair{&course_.part, &last.contacts[partRole]},
+                                         std::pair{&course_.drive, &last.contacts[driveRole]}}) {
     if (!surface::mayEnd(surface->surface)) {
       continue;
     }
