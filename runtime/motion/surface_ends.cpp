@@ -48,7 +48,7 @@ SurfaceEnds::Lean SurfaceEnds::leanOf(const tool::Contact& contact, Open& open) 
   const Lean lean{contact.normal.dot(shape.normalAt(triangle, open.hint.feature).normalized())};
   const auto place = static_cast<std::size_t>(open.hint.feature);
   if (open.hint.feature == geometry::Feature::face) {
-    return lean;
+    return {lean.cosine, true};  // behind it the tool has come round a border
   }
   const auto& corners = shape.mesh.triangles[triangle];
   const std::size_t first = (place - 1) % 3;
@@ -60,7 +60,7 @@ std::optional<Failure> SurfaceEnds::passedAt(const PathPoint& last) {
   const Vec3 p = told(last.toolEnd);
   for (Open& open : open_) {
     const Lean lean = leanOf(last.contacts[open.guide], open);
-    if (lean.atBorder && open.side * lean.cosine <= beside) {
+    if (lean.mayBeOver && open.side * lean.cosine <= beside) {
       return fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z())
           .withHelp("the tool has gone over the border of the mesh `" + open.surface->name +
                     "` and is beside it there");

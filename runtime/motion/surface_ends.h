@@ -24,11 +24,11 @@ class SurfaceEnds {
     double side;  ///< of the mesh, on which the motion begins
     surface::Mesh::Hint hint{};
   };
-  /// The cosine between the normal of a contact and that of the mesh there, and whether it is at
-  /// the border.
+  /// The cosine between the normal of a contact and that of the mesh there, and whether it may be
+  /// over the border.
   struct Lean {
     double cosine = 0.0;
-    bool atBorder = false;
+    bool mayBeOver = false;
   };
   static Lean leanOf(const tool::Contact& contact, Open& open);
 
