@@ -203,8 +203,8 @@ class CutterProbe final : public Probe {
     // The reach towards a fixed plane is the greatest of circular motions: over a chord it bulges
     // by at most turn^2 reach h^2 / 8.
     const double bulge = 0.125 * chord_.turn() * chord_.turn() * reach_ * h * h;
-    const double byA = std::min(planes_.below(a, a), planes_.below(a, b));
-    const double byB = std::min(planes_.below(b, a), planes_.below(b, b));
+    const double byA = std::min(planes_.best(a, a), planes_.best(a, b));
+    const double byB = std::min(planes_.best(b, a), planes_.best(b, b));
     return {std::max(byA, byB) - bulge, highest(a, b)};
   }
 
