@@ -101,8 +101,8 @@ class SupportPlanes {
   static constexpr int tipSections = 60;
 
   /// By a mean of planes through the vertex of a cone, all of which support it.
-  [[nodiscard]] double byMean(const Vec3& mean, const Node& there) const
-      requires std::is_same_v<S, surface::Cone> {
+  [[nodiscard]] double byMean(const Vec3& mean,
+                              const Node& there) const requires std::is_same_v<S, surface::Cone> {
     const double length = mean.norm();
     return mean.dot(there.toolEnd - surface_.vertex) -
            length * tool::reach(cutter_, mean.dot(there.axis) / length) - thick_;
