@@ -39,6 +39,8 @@ constexpr std::array<std::string_view, 15> explained{
 /// met, and farther where the gap to the check surface changes by no more than this share between
 /// them: where the path bends along the check surface the sine at one place says little.
 constexpr double stopShare = 0.5;
+/// How far apart places and axes of a startup are that count as one.
+constexpr double sameStartup = 1e-6;
 
 /// What is said of a startup that has no position depends on where the search for it ended.
 std::vector<std::string> reasons(std::vector<std::string> codes) {
@@ -84,6 +86,17 @@ class Comparison {
       : scene_(scene), work_(work), wrong_(wrong) {}
 
   void compare(const Motion& drawn, const Motion& moved) {
+    const std::size_t before = wrong_.size();
+    compareResults(drawn, moved);
+    if (wrong_.size() > before && drawn.runs.size() >= startups && moved.runs.size() >= startups) {
+      compareStartups(drawn.runs[startups - 1], moved.runs[startups - 1], wrong_[before].concern);
+    }
+  }
+
+ private:
+  static constexpr std::size_t startups = 2;  // FROM and GO meet no check surface
+
+  void compareResults(const Motion& drawn, const Motion& moved) {
     if (reasons(drawn.codes) != reasons(moved.codes)) {
       wrong_.push_back(
           {Concern::refusal, fmt::format("moved: {} instead of {}", listed(moved), listed(drawn))});
@@ -103,9 +116,20 @@ class Comparison {
     }
   }
 
- private:
+  /// A startup may have several positions and axes: what follows from another one differs.
+  void compareStartups(const Run& drawn, const Run& moved, Concern concern) {
+    const double apart = (scene_.move.before(moved.places.back()) - drawn.places.back()).norm();
+    const double turned =
+        (scene_.move.turn.transpose() * moved.axes.back() - drawn.axes.back()).norm();
+    if (apart > sameStartup || turned > sameStartup) {
+      wrong_.push_back(
+          {concern, fmt::format("moved: the startup is {:.3g} from where it should be, its axis "
+                                "turned by {:.3g}",
+                                apart, turned)});
+    }
+  }
+
   void compareRun(std::size_t index, const Run& drawn, const Run& moved, const Vec3& before) {
-    constexpr std::size_t startups = 2;  // FROM and GO meet no check surface
     const double sine = index < startups
                             ? 1.0
                             : std::max(std::min(meetingSine(work_, "CS1", drawn, before),
