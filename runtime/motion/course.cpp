@@ -137,9 +137,28 @@ class Planner {
       apart = outside(role, gapFar) - outside(role, gapNear);
     }
     if (std::abs(apart) <= tolerance::sameSide) {
-      return sideAlongAxis(s) == likely ? std::move(near) : std::move(far);
+      return undecidedSide(role, s) == likely ? std::move(near) : std::move(far);
     }
     return apart > 0.0 ? std::move(near) : std::move(far);
+  }
+
+  /// The side of a tool without size that keeps the tolerance on both: at the drive surface that of
+  /// TLLFT or TLRGT, else that towards the axis, if there is one.
+  [[nodiscard]] double undecidedSide(Role role, const NamedSurface& s) const {
+    const Vec3 normal = footOn(s.surface, state_.toolEnd).normal;
+    const bool byWord =
+        role == driveRole && state_.driveRelation &&
+        (*state_.driveRelation == Word::TLLFT || *state_.driveRelation == Word::TLRGT);
+    const auto way =
+        byWord ? wantedDirection(request_.heading, state_.forward, state_.lastAcross, state_.axis)
+               : Result<Vec3>(Vec3(Vec3::Zero()));
+    if (way) {
+      const double left = normal.dot(state_.axis.cross(*way));
+      if (std::abs(left) > tolerance::nullDirection) {
+        return (left > 0.0) == (*state_.driveRelation == Word::TLLFT) ? 1.0 : -1.0;
+      }
+    }
+    return normal.dot(state_.axis) < -tolerance::nullDirection ? -1.0 : 1.0;
   }
 
   /// How far a gap is outside the band.
@@ -245,7 +264,9 @@ class Planner {
     const Vec3 axis = course_.path.axis.at(state_.toolEnd);
     course_.turnsFirst = (axis - state_.axis).norm() > tolerance::nullDirection;
     PathPoint& start = course_.start;
-    start = course_.path.look(state_.toolEnd, wanted_);
+    // A tool that is to turn first goes where the contacts lead that it has.
+    start = course_.turnsFirst ? course_.path.lookWith(state_.toolEnd, state_.axis, wanted_)
+                               : course_.path.look(state_.toolEnd, wanted_);
     auto direction = startDirection(request_.heading, wanted_, start.contacts[0].normal,
                                     start.contacts[1].normal, state_.toolEnd);
     if (!direction) {

@@ -12,7 +12,7 @@ struct Course {
   Path path;
   NamedSurface part, drive;
   std::vector<CheckWatch> watches;  ///< in the order of the request
-  PathPoint start;                  ///< with the axis of the motion's rule
+  PathPoint start;                  ///< where the tool comes to the motion, with its axis there
   bool turnsFirst = false;          ///< the tool comes with an axis that is not the rule's
   bool exact = false;               ///< plane route: stops are exact
   bool onDrive = false;             ///< TLON

@@ -11,8 +11,8 @@ namespace arelem::motion {
 namespace {
 /// Share of the band that stays between a stop and the band's edge (the old system's 10 %).
 constexpr double edgeShare = 0.1;
-/// Where the axis turns, curvature is measured over so many times the distance.
-constexpr double turningProbe = 4.0;
+/// Curvature that gaps tell is measured over so many times the distance.
+constexpr double gapProbe = 4.0;
 
 bool isVertical(const Vec3& axis) {
   return std::abs(axis.z()) >= 1.0 - tolerance::rounding;
@@ -47,34 +47,42 @@ namespace {
 /// axis follows it) rounding must not choose the edge of the band: contact normals that turn by
 /// less than this over the probe do not turn.
 constexpr double levelTurn = 1e-9;
+
+double unlessLevel(double curvature, double step) {
+  return std::abs(curvature) <= levelTurn / step ? 0.0 : curvature;
+}
+
+/// The contact may jump round the cutter as the axis turns, and its normal with it; at the vertex
+/// of a cone the normal is any. Three gaps tell how the gap bends, over a way that rounding leaves
+/// enough of.
+double curvatureOfGaps(
+    Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
+  const double way = gapProbe * step;
+  const auto gap = [&](double along) {
+    const Vec3 place = toolEnd + along * t;
+    return field.at(place, axis.at(place)).gap;
+  };
+  return unlessLevel((gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way), step);
+}
 }  // namespace
 
 double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
-  const auto unlessLevel = [&](double curvature) {
-    return std::abs(curvature) <= levelTurn / step ? 0.0 : curvature;
-  };
   if (!axis.isFixed()) {
-    // The contact may jump round the cutter as the axis turns, and its normal with it: three gaps
-    // tell how the gap bends, over a way that rounding leaves enough of.
-    const double way = turningProbe * step;
-    const auto gap = [&](double along) {
-      const Vec3 place = toolEnd + along * t;
-      return field.at(place, axis.at(place)).gap;
-    };
-    return unlessLevel((gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way));
+    return curvatureOfGaps(field, toolEnd, axis, t, step);
   }
   const Vec3 ahead = toolEnd + step * t;
   const Vec3 behind = toolEnd - step * t;
   const Vec3 change =
       field.at(ahead, axis.at(ahead)).normal - field.at(behind, axis.at(behind)).normal;
-  return unlessLevel(change.dot(t) / (2.0 * step));
+  return unlessLevel(change.dot(t) / (2.0 * step), step);
 }
 
 namespace {
-/// Distance over which curvature is measured: a small share of the chords that the band allows.
+/// Distance over which curvature is measured: a share of the band, so that in other units it is as
+/// far from knots and from where another place of the cutter touches.
 double probe(double band) {
-  return 0.01 * std::sqrt(band);
+  return 0.2 * band;
 }
 
 /// Contact normals that turn towards the tool by this over a length as the band's are those of a
@@ -108,7 +116,7 @@ double restGap(Field& field,
     return restOf(0.0, 0.0, inner, outer);
   }
   const double step = probe(inner + outer);
-  const auto along = [&](const Vec3& t) { return curvatureAlong(field, toolEnd, axis, t, step); };
+  const auto along = [&](const Vec3& t) { return curvatureOfGaps(field, toolEnd, axis, t, step); };
   const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
   const Vec3 t = normal.unitOrthogonal();
   return restOf(along(t) + along(normal.cross(t)), path.isZero() ? 0.0 : along(path), inner, outer);
