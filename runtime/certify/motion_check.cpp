@@ -214,7 +214,9 @@ bool MotionCheck::isTouch(const Modal& modal,
   const double next = touch(check, relation, ahead, allowed).normal.dot(way);
   const double bend =
       (next - slope) / step + 2.0 * (slope - t.normal.dot(at.towards(t.offset))) / at.length();
-  return bend > 0.0 && t.low - 0.5 * slope * slope / bend >= -allowed.inner - allowed.slack;
+  const double rest = 0.5 * slope * slope / bend;  // from here to where it turns
+  return bend > 0.0 ? t.low - rest >= -allowed.inner - allowed.slack
+                    : bend < 0.0 && t.high - rest <= allowed.outer + allowed.slack;
 }
 
 /// The direction at the end does not tell this where the path turns sharply or glances along the

@@ -46,8 +46,13 @@ class AngleAxis final : public AxisSource {
     for (repeats_ = 1; repeats_ <= repeatLimit && idle < most; ++repeats_) {
       const auto next = rule_.step(toolEnd, axis);
       if (!next) {
-        state_ = State::impossible;
-        return last_;
+        const auto possible = rule_.possible(toolEnd, axis);
+        if (!possible) {
+          state_ = State::impossible;
+          return last_;
+        }
+        axis = *possible;
+        continue;
       }
       const double moved = (*next - axis).norm();
       // Half steps where whole ones go to and fro.
@@ -96,12 +101,14 @@ class AngleAxis final : public AxisSource {
       last_ = axis;
       (void)at(toolEnd);
     }
+    rule_.keep(toolEnd, last_);
     stand_ = Memory{last_, rule_.forward(), toolEnd, slope_, state_, between_.last()};
     inVain_ = 0;
   }
 
   void startAnew() override {
     stand_.reset();
+    rule_.startAnew();
     recall(start_);
     inVain_ = 0;
   }

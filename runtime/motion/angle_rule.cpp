@@ -41,9 +41,41 @@ std::optional<Vec3> AngleRule::onToolEnd(const Vec3& toolEnd, const Vec3& near) 
   return (normal - axis).norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
 }
 
+std::optional<Vec3> AngleRule::possible(const Vec3& toolEnd, Vec3 axis) {
+  constexpr int most = 20;
+  for (int tries = 0; tilt_.across && tries < most; ++tries) {
+    const AngleNormals n = touch(toolEnd, axis).normals();
+    if (tries > 0 && axisOf(n)) {
+      return axis;
+    }
+    const Vec3 within = n.control - n.control.dot(*tilt_.across) * *tilt_.across;
+    if (within.norm() <= tolerance::symmetric) {
+      return std::nullopt;
+    }
+    const Vec3 next = within.normalized();
+    if ((next - axis).norm() <= tolerance::symmetric) {
+      return std::nullopt;
+    }
+    axis = next;
+  }
+  return std::nullopt;
+}
+
 void AngleRule::hold(const Vec3& toolEnd, const Vec3& axis) {
   if (tilt_.across) {
-    tilt_.turn = turnAbout(*tilt_.across, touch(toolEnd, axis).control.normal, axis);
+    tilt_.turnedFrom = touch(toolEnd, axis).control.normal;
+    tilt_.turn = turnAbout(*tilt_.across, tilt_.turnedFrom, axis);
+    held_ = tilt_;
+  }
+}
+
+void AngleRule::keep(const Vec3& toolEnd, const Vec3& axis) {
+  if (tilt_.across && tilt_.turn != 0.0) {
+    const Vec3 normal = touch(toolEnd, axis).control.normal;
+    const Vec3& across = *tilt_.across;
+    const Vec3 within = normal - normal.dot(across) * across;
+    tilt_.turn *= within.dot(tilt_.turnedFrom) < 0.0 ? -1.0 : 1.0;
+    tilt_.turnedFrom = within;
   }
 }
 

@@ -44,8 +44,15 @@ class AngleRule {
   /// Without an angle any place of a level bottom is the contact for the axis along its normal: of
   /// these axes the one whose contact is the tool end, if that is the contact.
   [[nodiscard]] std::optional<Vec3> onToolEnd(const Vec3& toolEnd, const Vec3& near);
+  /// Where the normal with an axis leaves no other one: an axis whose normal leaves one, of those
+  /// that follow from the nearest angles. None where these lead to none.
+  [[nodiscard]] std::optional<Vec3> possible(const Vec3& toolEnd, Vec3 axis);
   /// Four axes: keeps to the side of the normal on which this one is.
   void hold(const Vec3& toolEnd, const Vec3& axis);
+  /// The side that is kept, told from the normal there.
+  void keep(const Vec3& toolEnd, const Vec3& axis);
+  /// As it was held.
+  void startAnew() { tilt_ = held_.value_or(tilt_); }
 
   /// The sense of the motion, which axes that lead follow.
   [[nodiscard]] const Vec3& forward() const { return forward_; }
@@ -58,6 +65,7 @@ class AngleRule {
 
  private:
   Tilt tilt_;
+  std::optional<Tilt> held_;
   AngleSide control_, other_;
   Vec3 forward_;
   std::string reason_;

@@ -7,6 +7,11 @@
 
 namespace arelem::motion {
 
+namespace {
+/// By this factor a cut vector is longer than it was to be.
+constexpr double clearlyLonger = 1.001;
+}  // namespace
+
 void Arrival::put(PathPoint& last, const PathPoint& to) {
   if (stops_.mayBeBeyond()) {
     trail_.hold(last, to);
@@ -85,7 +90,13 @@ std::optional<PathPoint> Arrival::fittingStop(const PathPoint& a,
   if (auto fits = fitting(a, a, segment, found.met, end)) {
     return fits;
   }
+  const double before = cap;
   cap = shared(a, end);
+  // Aside of its path a cut vector may come out longer than it was to be, and pass the stop.
+  const bool passes = segment.length >= (end.toolEnd - a.toolEnd).norm();
+  if (passes && segment.length > clearlyLonger * before && before > tolerance::coincidence) {
+    cap = std::min(cap, 0.5 * before);
+  }
   return cap <= tolerance::sameSide ? std::optional(end) : std::nullopt;
 }
 

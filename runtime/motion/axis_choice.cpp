@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "ir/diag/motion.h"
+#include "ir/space/tolerance.h"
 
 namespace arelem::motion {
 
@@ -11,10 +12,44 @@ using Kind = runtime::ToolAxis::Kind;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr int partNumber = 1;  ///< of TLAXIS/PARLEL and ATANGL; 2 is the drive surface
 
-AngleSide angleSide(const AxisParty& party) {
-  auto field = party.on ? makeField(party.surface->surface, 1.0, {}) : party.contact();
+/// `facing`: where the tool end is on the surface, the side to which its normal points.
+AngleSide angleSide(const AxisParty& party, double facing) {
+  auto field = party.on ? makeField(party.surface->surface, facing, {}) : party.contact();
   return {std::move(field), party.on, party.surface->name, party.side,
           makeField(party.surface->surface, party.side, {})};
+}
+
+double sideOf(const Vec3& normal, const Vec3& axis) {
+  return normal.dot(axis) < -tolerance::symmetric ? -1.0 : 1.0;
+}
+
+/// A tool whose end is on the surface that does not control has no side of it: its normal counts on
+/// the side on which the axis is, if it is there with these angles too; else on that on which it
+/// then is. Where neither holds, as it is defined. The motion keeps that side.
+double facingOf(const Tilt& tilt,
+                const AxisParty& control,
+                const AxisParty& other,
+                const State& state,
+                const Vec3& forward) {
+  if (!other.on) {
+    return 1.0;
+  }
+  const AngleSide from = angleSide(control, 1.0);
+  Vec3 up = from.field->at(state.toolEnd, state.axis).normal;
+  up *= control.on && up.dot(state.axis) < 0.0 ? -1.0 : 1.0;
+  const Vec3 normal = footOn(other.surface->surface, state.toolEnd).normal;
+  const Vec3 common = up.cross(normal);
+  const Vec3 ahead = common.dot(forward) < 0.0 ? Vec3(-common) : common;
+  double side = sideOf(normal, state.axis);
+  for (int tries = 0; tries < 2; ++tries) {
+    const auto axis = tilted(tilt, up, side * normal, ahead);
+    const double then = axis ? sideOf(normal, *axis) : side;
+    if (then == side) {
+      return side;
+    }
+    side = then;
+  }
+  return 1.0;
 }
 
 Tilt tiltOf(const runtime::ToolAxis& axis) {
@@ -47,8 +82,11 @@ Result<AxisRule> chooseAxis(const State& state,
   }
   const AxisParty& control = byPart ? *part : drive;
   if (axis.kind == Kind::angle) {
-    return AxisRule(atAngle(tiltOf(axis), angleSide(control), angleSide(byPart ? drive : *part),
-                            state.axis, forward));
+    const AxisParty& other = byPart ? drive : *part;
+    const Tilt tilt = tiltOf(axis);
+    const double facing = facingOf(tilt, control, other, state, forward);
+    return AxisRule(
+        atAngle(tilt, angleSide(control, 1.0), angleSide(other, facing), state.axis, forward));
   }
   if (axis.kind == Kind::parallel) {
     auto source =

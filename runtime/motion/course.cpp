@@ -137,9 +137,28 @@ class Planner {
       apart = outside(role, gapFar) - outside(role, gapNear);
     }
     if (std::abs(apart) <= tolerance::sameSide) {
-      return sideAlongAxis(s) == likely ? std::move(near) : std::move(far);
+      return undecidedSide(role, s) == likely ? std::move(near) : std::move(far);
     }
     return apart > 0.0 ? std::move(near) : std::move(far);
+  }
+
+  /// The side of a tool without size that keeps the tolerance on both: at the drive surface that of
+  /// TLLFT or TLRGT, else that towards the axis, if there is one.
+  [[nodiscard]] double undecidedSide(Role role, const NamedSurface& s) const {
+    const Vec3 normal = footOn(s.surface, state_.toolEnd).normal;
+    const bool byWord =
+        role == driveRole && state_.driveRelation &&
+        (*state_.driveRelation == Word::TLLFT || *state_.driveRelation == Word::TLRGT);
+    const auto way =
+        byWord ? wantedDirection(request_.heading, state_.forward, state_.lastAcross, state_.axis)
+               : Result<Vec3>(Vec3(Vec3::Zero()));
+    if (way) {
+      const double left = normal.dot(state_.axis.cross(*way));
+      if (std::abs(left) > tolerance::nullDirection) {
+        return (left > 0.0) == (*state_.driveRelation == Word::TLLFT) ? 1.0 : -1.0;
+      }
+    }
+    return normal.dot(state_.axis) < -tolerance::nullDirection ? -1.0 : 1.0;
   }
 
   /// How far a gap is outside the band.
@@ -268,17 +287,18 @@ class Planner {
 
   void setRests() {
     for (Guide& g : course_.path.guides) {
-      g.rest =
-          restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact);
+      g.rest = restGap(*g.field, state_.toolEnd, course_.path.axis, g.inner, g.outer, course_.exact,
+                       course_.start.tangent);
       g.startAnew(g.flat() ? 0.0
                            : curvatureAlong(*g.field, state_.toolEnd, course_.path.axis,
                                             course_.start.tangent,
                                             probeShare * std::sqrt(g.inner + g.outer)));
     }
-    if (course_.isArc()) {
-      // A circle keeps the radius on which the tool stands (spec 4.8).
+    const double gap = course_.start.contacts[1].gap;
+    if (course_.isArc() || (course_.exact && std::abs(gap) > tolerance::sameSide)) {
+      // A circle keeps the radius on which the tool stands (spec 4.8), a line the distance.
       Guide& drive = guide(driveRole);
-      drive.rest = std::clamp(course_.start.contacts[1].gap, -drive.inner, drive.outer);
+      drive.rest = std::clamp(gap, -drive.inner, drive.outer);
     }
   }
 

@@ -83,6 +83,12 @@ class OnField final : public Field {
     }
     return Field::judge(chord, inner, outer);
   }
+  std::optional<Bulge> bulge(const certify::Chord& chord, double outer) override {
+    if (!probe_) {
+      probe_ = certify::makeProbe(surface_, {nullptr, side_, 0.0});
+    }
+    return bulgeOver(*probe_, chord, outer + thick_);
+  }
 
  private:
   S surface_;
@@ -122,6 +128,12 @@ class CutterField final : public Field {
       return judged(*probe_, chord, inner, outer);
     }
     return Field::judge(chord, inner, outer);
+  }
+  std::optional<Bulge> bulge(const certify::Chord& chord, double outer) override {
+    if (!probe_) {
+      probe_ = certify::makeProbe(surface_, {&cutter_, side_, thick_});
+    }
+    return bulgeOver(*probe_, chord, outer);
   }
   [[nodiscard]] std::optional<Facets> facets() const override {
     if constexpr (hasFaces<S>) {

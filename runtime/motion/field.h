@@ -5,6 +5,7 @@
 
 #include "runtime/certify/chord.h"
 #include "runtime/geometry/kinds.h"
+#include "runtime/motion/bulge.h"
 #include "runtime/tool/contact.h"
 
 namespace arelem::motion {
@@ -35,6 +36,9 @@ class Field {
   /// Whether the gap stays in [-inner, outer] over the whole straight cut vector between two
   /// positions. Smooth surfaces set no limit: there the slopes at a few places tell enough.
   [[nodiscard]] virtual Judgement judge(const certify::Chord& chord, double inner, double outer);
+  /// A gap on the cut vector that is proven to be above `outer`, if one is found: for chords on
+  /// which the slopes at a few places do not tell enough.
+  [[nodiscard]] virtual std::optional<Bulge> bulge(const certify::Chord& chord, double outer) = 0;
   /// Of a mesh and a convex cutter; they stay as long as the field.
   [[nodiscard]] virtual std::optional<Facets> facets() const { return std::nullopt; }
   /// True where the gap is a linear function of the tool end (planes).

@@ -166,6 +166,12 @@ class Path {
   [[nodiscard]] double fitAlong(const PathPoint& a,
                                 const PathPoint& b,
                                 const certify::Chord* turning);
+  /// Factor for a chord on which the gap does not bend evenly, and may bulge out of its band.
+  [[nodiscard]] double fitBulge(std::size_t guide,
+                                const PathPoint& a,
+                                const PathPoint& b,
+                                double inner,
+                                double outer);
   [[nodiscard]] double fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b);
 };
 

@@ -9,6 +9,9 @@
 namespace arelem::motion {
 
 namespace {
+/// A cut vector that bulges is tried again shorter than this share of it.
+constexpr double mostOfBulge = 0.97;
+
 /// The gap of one guide along a chord, by cubics between nodes: the ends, the middle, and as many
 /// more as it takes where the contact jumps or runs about the cutter.
 class ChordFit {
@@ -39,6 +42,7 @@ class ChordFit {
     // Where the axis turns the middle alone tells little: as a normal turns next to the tip of a
     // cone or at a knot of a curve, the gap may be foretold there and off beside it.
     const bool smooth = foretold(first_, last_, middle, smooth_);
+    isEven_ = smooth;
     const int depth = smooth && turning_ == nullptr ? 0 : deepest;
     isSmooth_ = smooth || foretold(first_, last_, middle, roughShare * (inner + outer));
     consider(first_, middle, depth);
@@ -54,6 +58,8 @@ class ChordFit {
   [[nodiscard]] std::array<double, 2> endSlopes() const { return {first_.slope, last_.slope}; }
   /// In the part that sets the factor.
   [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
+  /// The same as closely as the certificate looks.
+  [[nodiscard]] bool isEven() const { return isEven_; }
   /// Whether the ends foretell the middle.
   [[nodiscard]] bool isSmooth() const { return isSmooth_; }
   /// The curvature next to the end, if it was looked at.
@@ -145,7 +151,7 @@ class ChordFit {
   int looks_ = 0;
   std::optional<Path::Ridge> ridge_;
   std::optional<double> behind_;
-  bool isSmooth_ = true;
+  bool isSmooth_ = true, isEven_ = true;
 };
 }  // namespace
 
@@ -163,6 +169,15 @@ double Path::fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b
   }
   misses[guide] = judgement.miss;
   return judgement.factor;
+}
+
+double Path::fitBulge(
+    std::size_t guide, const PathPoint& a, const PathPoint& b, double inner, double outer) {
+  const certify::Chord chord(a.toolEnd, b.toolEnd, a.axis, b.axis);
+  const double slack = certify::slackOf(inner + outer);
+  const auto bulge = guides[guide].field->bulge(chord, outer + 0.5 * slack);
+  return bulge ? std::min(judgeGap(bulge->gap, inner, outer).factor, mostOfBulge)
+               : tolerance::farAway;
 }
 
 /// In the corner both contacts have the same gap, and the other guide keeps its own.
@@ -210,7 +225,10 @@ double Path::fitAlong(const PathPoint& a, const PathPoint& b, const certify::Cho
     const double inner = std::max({guides[i].inner, -a.contacts[i].gap, -b.contacts[i].gap});
     const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
     ChordFit chordFit(*guides[i].field, a, b, i, scale, turning);
-    const double fits = chordFit.run(inner, outer);
+    double fits = chordFit.run(inner, outer);
+    if (fits >= 1.0 && !chordFit.isEven()) {
+      fits = std::min(fits, fitBulge(i, a, b, inner, outer));
+    }
     if (fits < factor) {
       factor = fits;
       ridge = chordFit.ridge();

@@ -11,8 +11,8 @@ namespace arelem::motion {
 namespace {
 /// Share of the band that stays between a stop and the band's edge (the old system's 10 %).
 constexpr double edgeShare = 0.1;
-/// Where the axis turns, curvature is measured over so many times the distance.
-constexpr double turningProbe = 4.0;
+/// Curvature that gaps tell is measured over so many times the distance.
+constexpr double gapProbe = 4.0;
 
 bool isVertical(const Vec3& axis) {
   return std::abs(axis.z()) >= 1.0 - tolerance::rounding;
@@ -33,7 +33,10 @@ bool isPlaneRoute(const State& state,
                   const NamedSurface& part,
                   const NamedSurface* check) {
   const auto* plane = std::get_if<surface::Plane>(&part.surface);
-  return !state.multax && !state.alwaysIterate && isVertical(state.axis) &&
+  const bool stock = check != nullptr
+                         ? state.thick[checkRole] != 0.0
+                         : state.thick[partRole] != 0.0 || state.thick[driveRole] != 0.0;
+  return !stock && !state.multax && !state.alwaysIterate && isVertical(state.axis) &&
          (!state.cutter || state.cutter->beta == 0.0) && plane != nullptr &&
          std::abs(plane->normal.z()) > tolerance::nullDirection && isUpright(drive) &&
          (check == nullptr || isUpright(*check));
@@ -44,34 +47,42 @@ namespace {
 /// axis follows it) rounding must not choose the edge of the band: contact normals that turn by
 /// less than this over the probe do not turn.
 constexpr double levelTurn = 1e-9;
+
+double unlessLevel(double curvature, double step) {
+  return std::abs(curvature) <= levelTurn / step ? 0.0 : curvature;
+}
+
+/// The contact may jump round the cutter as the axis turns, and its normal with it; at the vertex
+/// of a cone the normal is any. Three gaps tell how the gap bends, over a way that rounding leaves
+/// enough of.
+double curvatureOfGaps(
+    Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
+  const double way = gapProbe * step;
+  const auto gap = [&](double along) {
+    const Vec3 place = toolEnd + along * t;
+    return field.at(place, axis.at(place)).gap;
+  };
+  return unlessLevel((gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way), step);
+}
 }  // namespace
 
 double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
-  const auto unlessLevel = [&](double curvature) {
-    return std::abs(curvature) <= levelTurn / step ? 0.0 : curvature;
-  };
   if (!axis.isFixed()) {
-    // The contact may jump round the cutter as the axis turns, and its normal with it: three gaps
-    // tell how the gap bends, over a way that rounding leaves enough of.
-    const double way = turningProbe * step;
-    const auto gap = [&](double along) {
-      const Vec3 place = toolEnd + along * t;
-      return field.at(place, axis.at(place)).gap;
-    };
-    return unlessLevel((gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way));
+    return curvatureOfGaps(field, toolEnd, axis, t, step);
   }
   const Vec3 ahead = toolEnd + step * t;
   const Vec3 behind = toolEnd - step * t;
   const Vec3 change =
       field.at(ahead, axis.at(ahead)).normal - field.at(behind, axis.at(behind)).normal;
-  return unlessLevel(change.dot(t) / (2.0 * step));
+  return unlessLevel(change.dot(t) / (2.0 * step), step);
 }
 
 namespace {
-/// Distance over which curvature is measured: a small share of the chords that the band allows.
+/// Distance over which curvature is measured: a share of the band, so that in other units it is as
+/// far from knots and from where another place of the cutter touches.
 double probe(double band) {
-  return 0.01 * std::sqrt(band);
+  return 0.2 * band;
 }
 
 /// Contact normals that turn towards the tool by this over a length as the band's are those of a
@@ -80,27 +91,39 @@ double probe(double band) {
 /// units the stop is the same.
 constexpr double hollowTurn = 6e-7;
 
-double restOf(double curvature, double inner, double outer) {
-  const double band = inner + outer;
-  const double inwards = std::clamp(-curvature * band / hollowTurn, 0.0, 1.0);
-  return outer - band * (edgeShare + inwards * (1.0 - 2.0 * edgeShare));
+/// The sum of both curvatures says how a surface bends, but that along the path how a saddle does:
+/// chords lie on the other side of that. Where the path is next to level it is the sum again.
+double restOf(double sum, double alongPath, double inner, double outer) {
+  const double turn = (inner + outer) / hollowTurn;
+  const double bends = std::min(std::abs(alongPath) * turn, 1.0);
+  const double inwards =
+      bends * (alongPath < 0.0 ? 1.0 : 0.0) + (1.0 - bends) * std::clamp(-sum * turn, 0.0, 1.0);
+  return outer - (inner + outer) * (edgeShare + inwards * (1.0 - 2.0 * edgeShare));
 }
 }  // namespace
 
-double restGap(
-    Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact) {
+double restGap(Field& field,
+               const Vec3& toolEnd,
+               AxisRule& axis,
+               double inner,
+               double outer,
+               bool exact,
+               const Vec3& path) {
   if (exact || field.flat()) {
     return 0.0;
   }
   if (field.isFaceted()) {
-    return restOf(0.0, inner, outer);
+    return restOf(0.0, 0.0, inner, outer);
   }
   const double step = probe(inner + outer);
+  const auto along = [&](const Vec3& t) { return curvatureOfGaps(field, toolEnd, axis, t, step); };
   const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
   const Vec3 t = normal.unitOrthogonal();
-  return restOf(curvatureAlong(field, toolEnd, axis, t, step) +
-                    curvatureAlong(field, toolEnd, axis, normal.cross(t), step),
-                inner, outer);
+  return restOf(along(t) + along(normal.cross(t)), path.isZero() ? 0.0 : along(path), inner, outer);
+}
+
+double sideSeenOn(const Vec3& normal, const Vec3& axis, double present) {
+  return present * normal.dot(axis) > tolerance::nullDirection ? present : -present;
 }
 
 std::unique_ptr<Field> onField(const surface::AnySurface& surface,
@@ -113,15 +136,21 @@ std::unique_ptr<Field> onField(const surface::AnySurface& surface,
   const Vec3 a = axis.at(toolEnd);
   const tool::Contact c = plus->at(toolEnd, a);
   const double step = probe(inner + outer);
-  const Vec3 t = c.normal.unitOrthogonal();
-  const double bend = curvatureAlong(*plus, toolEnd, axis, t, step) +
-                      curvatureAlong(*plus, toolEnd, axis, c.normal.cross(t), step);
   const auto within = [&](double gap) {
     return gap >= -inner - tolerance::sameSide && gap <= outer + tolerance::sameSide;
   };
-  const bool bulges = bend >= -levelTurn / step;
-  const bool takePlus = within(c.gap) == within(-c.gap) ? bulges : within(c.gap);
-  return takePlus ? std::move(plus) : std::move(minus);
+  if (within(c.gap) != within(-c.gap)) {
+    return within(c.gap) ? std::move(plus) : std::move(minus);
+  }
+  const bool isUpright = std::abs(c.normal.dot(a)) <= tolerance::nullDirection;
+  if (!isUpright || std::abs(c.gap) > tolerance::sameSide) {
+    const double side = sideSeenOn(c.normal, a, c.gap < 0.0 ? -1.0 : 1.0);
+    return side > 0.0 ? std::move(plus) : std::move(minus);
+  }
+  const Vec3 t = c.normal.unitOrthogonal();
+  const double bend = curvatureAlong(*plus, toolEnd, axis, t, step) +
+                      curvatureAlong(*plus, toolEnd, axis, c.normal.cross(t), step);
+  return bend >= -levelTurn / step ? std::move(plus) : std::move(minus);
 }
 
 Result<NamedSurface> named(const EntityPtr& entity) {

@@ -14,19 +14,29 @@ namespace arelem::motion {
 
 /// The gap at which a stop is placed in the band [-inner, outer]: 0 where exact or flat, a tenth of
 /// the band inside its outer edge on convex surfaces and meshes, inside its inner edge on concave
-/// ones, between them where a surface is next to level. It depends on the place alone, not on the
-/// way to it.
-[[nodiscard]] double restGap(
-    Field& field, const Vec3& toolEnd, AxisRule& axis, double inner, double outer, bool exact);
+/// ones, between them where a surface is next to level. A saddle is what it is along the unit
+/// tangent `path`, where that is not zero. It depends on the place and the path there alone, not on
+/// the cut vectors up to it.
+[[nodiscard]] double restGap(Field& field,
+                             const Vec3& toolEnd,
+                             AxisRule& axis,
+                             double inner,
+                             double outer,
+                             bool exact,
+                             const Vec3& path);
 
 /// Curvature of the field's zero surface along the unit tangent t, by a difference of contact
 /// normals; positive where it bends away from the tool, 0 where it is no more than rounding.
 [[nodiscard]] double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step);
 
-/// The field of the tool end ON a surface, seen from the side towards which it bulges at `toolEnd`,
-/// so that the band's outer edge is the free one; from the other side where only that puts the tool
-/// end within [-inner, outer].
+/// The side (1 or -1) from which the tool end ON a surface sees its band, where it comes from the
+/// side `present`: that behind a wall, as if it went through, and the upper one of what lies below.
+[[nodiscard]] double sideSeenOn(const Vec3& normal, const Vec3& axis, double present);
+
+/// The field of the tool end ON a surface, seen from the side from which it lies within
+/// [-inner, outer]; where both do, as sideSeenOn says, and where it stands on a wall itself from
+/// that towards which this bulges, so that the band's outer edge is the free one.
 [[nodiscard]] std::unique_ptr<Field> onField(const surface::AnySurface& surface,
                                              const Vec3& toolEnd,
                                              AxisRule& axis,

@@ -39,8 +39,7 @@ class Starter {
     if (auto bad = setAxis()) {
       return *std::move(bad);
     }
-    exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() &&
-             state_.thick[partRole] == 0.0 && !state_.direction[1] &&
+    exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() && !state_.direction[1] &&
              isPlaneRoute(state_, goals_[0].surface, goals_[*partIndex_].surface, nullptr);
     auto end = startup_.offset ? runOffset() : runGo();
     if (auto bad = end ? behindEnd(goals_, end->toolEnd, end->axis) : std::nullopt) {
@@ -172,16 +171,27 @@ class Starter {
     return toolEnd;
   }
 
+  /// Seen from the side from which the motions that follow will see it.
+  std::unique_ptr<Field> onField(const StartupGoal& goal, const Vec3& near) {
+    const auto& surface = goal.surface.surface;
+    if (std::abs(footOn(surface, state_.toolEnd).distance) <= tolerance::sameSide) {
+      return motion::onField(surface, near, rule_, state_.inner[goal.role],
+                             state_.outer[goal.role]);
+    }
+    const Vec3 normal = footOn(surface, near).normal;
+    return makeField(surface, sideSeenOn(normal, rule_.at(near), goal.side), {});
+  }
+
   std::vector<Wanted> wanted(bool atRest, const Vec3& near) {
+    const Vec3 path = atRest && !exact_ ? pathOf(goals_, near, rule_.at(near)) : Vec3(Vec3::Zero());
     std::vector<Wanted> list;
     for (StartupGoal& goal : goals_) {
       if (atRest && goal.condition == ir::Condition::on) {
-        // The side from which the motions that follow will see it.
-        goal.field = onField(goal.surface.surface, near, rule_, state_.inner[goal.role],
-                             state_.outer[goal.role]);
+        goal.field = onField(goal, near);
       }
       const double target = atRest ? restGap(*goal.field, near, rule_, state_.inner[goal.role],
-                                             state_.outer[goal.role], exact_)
+                                             state_.outer[goal.role], exact_,
+                                             goal.role == checkRole ? Vec3(Vec3::Zero()) : path)
                                    : 0.0;
       list.push_back({goal.field.get(), target});
     }

@@ -11,6 +11,15 @@
 
 namespace arelem::motion {
 
+Vec3 pathOf(std::span<const StartupGoal> goals, const Vec3& near, const Vec3& axis) {
+  if (goals.size() < 2) {
+    return Vec3::Zero();
+  }
+  const Vec3 way =
+      goals[0].field->at(near, axis).normal.cross(goals[1].field->at(near, axis).normal);
+  return way.norm() > tolerance::nullDirection ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
+}
+
 Sense senseOf(
     const State& state, const Vec3& direction, const Vec3& toolEnd, Role role, bool flat) {
   const auto seen = [&](const Vec3& v) {

@@ -1,6 +1,8 @@
 #pragma once
+#include <span>
 #include <string>
 
+#include "runtime/motion/startup_faults.h"
 #include "runtime/motion/state.h"
 
 namespace arelem::motion {
@@ -16,6 +18,10 @@ struct Sense {
   double back = 0.0;     ///< by which it goes against the direction, part unit; 0 where it does not
   double degrees = 0.0;  ///< between the way and the direction
 };
+
+/// The direction, either way, of a path along drive and part surface; zero where a startup has not
+/// both of them.
+[[nodiscard]] Vec3 pathOf(std::span<const StartupGoal> goals, const Vec3& near, const Vec3& axis);
 
 /// `flat`: only what is square to the axis counts, as on the plane route, where the part surface
 /// sets the height. A way back shorter than the surface's tolerance band is none.

@@ -44,9 +44,10 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
                                           const Segment& segment,
                                           const Met& met) {
   const Vec3 near = withoutTolerances(a, segment, met);
-  if (!course_.isArc()) {
+  if (!course_.exact) {
+    const Vec3 path = course_.path.look(near, a.tangent).tangent;
     for (Guide& g : course_.path.guides) {
-      g.rest = restGap(*g.field, near, course_.path.axis, g.inner, g.outer, course_.exact);
+      g.rest = restGap(*g.field, near, course_.path.axis, g.inner, g.outer, false, path);
     }
   }
   auto end = atRest(a, segment, met, near);
@@ -161,11 +162,11 @@ PathPoint StopFinder::closer(const PathPoint& a,
     const double rest = g.rest;
     g.rest = std::clamp(rest - check.gap / agreement, -g.inner, g.outer);
     const auto moved = meet(course_.path, a, segment, course_.watches[met.check], met.hit, 0.0);
+    g.rest = rest;
     if (moved &&
         std::abs(met.hit.field->at(moved->toolEnd, moved->axis).gap) < std::abs(check.gap)) {
       return *moved;
     }
-    g.rest = rest;
   }
   return end;
 }
@@ -178,7 +179,7 @@ std::optional<PathPoint> StopFinder::atRest(const PathPoint& a,
   const double rest = met.hit.touch
                           ? 0.0
                           : restGap(*met.hit.field, near, course_.path.axis, state_.inner[role],
-                                    state_.outer[role], course_.exact);
+                                    state_.outer[role], course_.exact, Vec3::Zero());
   return meet(course_.path, a, segment, course_.watches[met.check], met.hit, rest);
 }
 

@@ -26,6 +26,9 @@ std::optional<Vec3> inSpace(const Tilt& tilt,
   return Vec3(up * normal + ahead * forward + aside * side).normalized();
 }
 
+/// Cosine of an angle that is taken for a right one when a side is chosen.
+constexpr double square = 1e-4;
+
 /// A cone about the normal and a plane.
 std::optional<Vec3> inPlane(const Tilt& tilt,
                             const Vec3& normal,
@@ -45,10 +48,10 @@ std::optional<Vec3> inPlane(const Tilt& tilt,
   const double ratio = cosine / length;
   const double c = 1.0 - ratio <= tolerance::rounding ? 1.0 : ratio;
   const double toSide = second.dot(side);
-  const double toMotion = second.dot(forward);
-  const double sense = std::abs(toSide) >= std::abs(toMotion) ? toSide : toMotion;
-  const double s = std::copysign(std::sqrt(std::max(0.0, 1.0 - c * c)),
-                                 tilt.turn != 0.0 ? tilt.turn : tilt.alpha * sense);
+  const double sense = std::abs(toSide) > square ? toSide : second.dot(forward);
+  const double turn = first.dot(tilt.turnedFrom) < 0.0 ? -tilt.turn : tilt.turn;
+  const double s =
+      std::copysign(std::sqrt(std::max(0.0, 1.0 - c * c)), turn != 0.0 ? turn : tilt.alpha * sense);
   return Vec3(c * first + s * second);
 }
 }  // namespace

@@ -12,6 +12,8 @@ struct Tilt {
   std::optional<double> lead;  ///< CUTANG: towards the motion (+) or away from it (-)
   std::optional<Vec3> across;  ///< four axes: the tool axis stays square to this unit vector
   double turn = 0.0;           ///< four axes: the sense about that, from the normal; 0: by alpha
+  Vec3 turnedFrom = Vec3::Zero();  ///< the normal from which `turn` is told; for those that point
+                                   ///< the other way it is the other sense
 };
 
 /// The tool axis at the angles (spec 4.10). `normal` and `other` are the unit normals of the

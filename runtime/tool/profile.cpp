@@ -91,7 +91,9 @@ Result<Profile> makeProfile(std::span<const double> values) {
     return *std::move(bad);
   }
   p.e = std::max(p.e, 0.0);
-  if (p.h == 0.0) {
+  // CUTTER/0 is a point; with a height it is a line.
+  const bool isPoint = p.isPoint() && values.size() < 7;
+  if (p.h == 0.0 && !isPoint) {
     p.h = std::max(defaultHeight, p.r);
   }
   completeProfile(p);

@@ -59,9 +59,31 @@ void write(const Scene& scene, const Similarity& to, const std::string& folder) 
   writeFiles(scene, to, folder + "/");
 }
 
+std::string_view word(Concern concern) {
+  return concern == Concern::path ? "path" : "refusal";
+}
+
 /// A row of the list of failures.
 std::string row(const Finding& finding) {
-  return spell(finding.id) + "\t" + finding.outcome + "\t" + finding.wrong.front() + "\n";
+  const Fault& fault = *finding.worst();
+  return fmt::format("{}\t{}\t{}\t{}\n", spell(finding.id), word(fault.concern), finding.outcome,
+                     fault.text);
+}
+
+/// The inverse of it.
+Finding findingOf(const std::string& line) {
+  std::istringstream cells(line);
+  std::string scene, concern, outcome, text;
+  std::getline(cells, scene, '\t');
+  std::getline(cells, concern, '\t');
+  std::getline(cells, outcome, '\t');
+  std::getline(cells, text);
+  for (const Concern one : {Concern::path, Concern::refusal}) {
+    if (concern == word(one)) {
+      return {idOf(scene), outcome, {{one, text}}};
+    }
+  }
+  throw std::runtime_error("not a row of the list of failures: " + line);
 }
 
 class Runner {
@@ -173,8 +195,8 @@ class Runner {
     const bool known = !request_.anew && known_.contains(spell(finding.id));
     failed_ += known ? 0 : 1;
     fmt::print("scene {}{}:\n", spell(finding.id), known ? " (known to fail)" : "");
-    for (const std::string& text : finding.wrong) {
-      fmt::print("  {}\n", text);
+    for (const Fault& fault : finding.wrong) {
+      fmt::print("  {}: {}\n", word(fault.concern), fault.text);
     }
     if (!request_.found.empty()) {
       const Scene scene = drawScene(finding.id);
@@ -197,11 +219,7 @@ class Runner {
         comments_ += line + "\n";
         continue;
       }
-      std::istringstream cells(line);
-      std::string scene, outcome;
-      std::getline(cells, scene, '\t');
-      std::getline(cells, outcome, '\t');
-      old.push_back({idOf(scene), outcome, {"failed"}});
+      old.push_back(findingOf(line));
     }
     return old;
   }

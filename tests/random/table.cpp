@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view commitsHead = "# motion as of ";
 constexpr std::string_view head =
     "# part, drive, scenes, computed, refused with a cause, of these confirmed by a search of its "
-    "own, failed, refusals by code\n";
+    "own, failed by their path, failed by their refusal, refusals by code\n";
 
 std::size_t kindOf(const std::string& name) {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -30,8 +30,8 @@ std::size_t kindOf(const std::string& name) {
 void Table::count(const Finding& finding, std::uint64_t change) {
   Row& row = rows_[finding.id.pair];
   row.scenes += change;
-  if (!finding.wrong.empty()) {
-    row.failed += change;
+  if (const Fault* const fault = finding.worst()) {
+    (fault->concern == Concern::path ? row.paths : row.refusals) += change;
   } else if (finding.outcome == "computed") {
     row.computed += change;
   } else {
@@ -79,7 +79,8 @@ void Table::read(const std::string& path) {
     }
     cells >> part >> drive;
     Row& row = rows_[kindOf(part) * kinds.size() + kindOf(drive)];
-    if (!(cells >> row.scenes >> row.computed >> row.refused >> row.confirmed >> row.failed)) {
+    if (!(cells >> row.scenes >> row.computed >> row.refused >> row.confirmed >> row.paths >>
+          row.refusals)) {
       throw std::runtime_error(path + ": not a row: " + line);
     }
     while (cells >> code) {
@@ -104,8 +105,9 @@ void Table::write(const std::string& path) const {
       continue;
     }
     const SceneId id{seed_, pair, 0};
-    text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t", kinds[id.part()], kinds[id.drive()],
-                        row.scenes, row.computed, row.refused, row.confirmed, row.failed);
+    text +=
+        fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t", kinds[id.part()], kinds[id.drive()],
+                    row.scenes, row.computed, row.refused, row.confirmed, row.paths, row.refusals);
     const char* space = "";
     for (const auto& [code, count] : row.codes) {
       if (count > 0) {
@@ -128,13 +130,16 @@ std::string Table::summary() const {
     all.computed += row.computed;
     all.refused += row.refused;
     all.confirmed += row.confirmed;
-    all.failed += row.failed;
+    all.paths += row.paths;
+    all.refusals += row.refusals;
     for (const auto& [code, count] : row.codes) {
       all.codes[code] += count;
     }
   }
-  std::string text = fmt::format("{} scenes: {} computed, {} refused ({} confirmed), {} failed\n",
-                                 all.scenes, all.computed, all.refused, all.confirmed, all.failed);
+  std::string text = fmt::format(
+      "{} scenes: {} computed, {} refused ({} confirmed), {} failed by their path, {} by their "
+      "refusal\n",
+      all.scenes, all.computed, all.refused, all.confirmed, all.paths, all.refusals);
   for (const auto& [code, count] : all.codes) {
     text += fmt::format("{:9d} {}\n", count, code);
   }

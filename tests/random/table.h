@@ -29,8 +29,9 @@ class Table {
 
  private:
   struct Row {
-    std::uint64_t scenes = 0, computed = 0, refused = 0, confirmed = 0, failed = 0;
-    std::map<std::string, std::uint64_t> codes;  ///< of the refusals
+    std::uint64_t scenes = 0, computed = 0, refused = 0, confirmed = 0, paths = 0, refusals = 0;
+    // `paths` and `refusals`: how many failed by them.
+    std::map<std::string, std::uint64_t> codes;  ///< of the refusals that are right
   };
   void count(const Finding& finding, std::uint64_t change);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,14 +8,25 @@
 
 namespace arelem::scenes {
 
+/// What is wrong: a path (it is not proven, or another one when the scene is moved), or a refusal
+/// (for no cause that is known, of a motion that exists, or otherwise when the scene is moved).
+enum class Concern : std::uint8_t { path, refusal };
+struct Fault {
+  Concern concern;
+  std::string text;
+};
+
 /// What a scene showed.
 struct Finding {
   SceneId id;
-  std::string outcome;             ///< "computed", or the code with which it was refused
-  std::vector<std::string> wrong;  ///< none: the scene is as it should be
-  bool confirmed = false;          ///< a refusal that an independent search agrees with
+  std::string outcome;       ///< "computed", or the code with which it was refused
+  std::vector<Fault> wrong;  ///< none: the scene is as it should be
+  bool confirmed = false;    ///< a refusal that an independent search agrees with
   /// Of the processor: the whole scene, and of it the motion, its proof, and the motion once more.
   double seconds = 0.0, computing = 0.0, proving = 0.0, moved = 0.0;
+
+  /// The first fault, of a path if there is one; null: none.
+  [[nodiscard]] const Fault* worst() const;
 };
 
 /// A folder for data files, which goes with the object.
