@@ -139,10 +139,8 @@ class CutterProbe final : public Probe {
 
  private:
   enum class Way : std::uint8_t { none, wall, ball, convex, general };
-  /// Places measured for one part of a chord: few as long as a shorter part may do with less, many
-  /// where it is a line of the cutter along one of the surface that takes them.
-  static constexpr int budget = 20000, budgetOfShort = 200000;
-  static constexpr double shortPart = 1.0 / 16.0;
+  /// Places measured for one part of a chord.
+  static constexpr int budget = 20000;
   /// Places measured in vain for all cut vectors of a motion: what stays undecided must not take
   /// hours.
   static constexpr int patience = 1000000;
@@ -307,8 +305,7 @@ class CutterProbe final : public Probe {
     }
     double low = aim;
     for (const Piece& p : pieces) {
-      const BodyResult r =
-          search_.run(chord_, p, from, to, aim, to - from <= shortPart ? budgetOfShort : budget);
+      const BodyResult r = search_.run(chord_, p, from, to, aim, budget);
       note(r, result);
       if (r.sample < aim) {
         return outermost(from, to);

@@ -58,8 +58,15 @@ class ChordFit {
   [[nodiscard]] std::array<double, 2> endSlopes() const { return {first_.slope, last_.slope}; }
   /// In the part that sets the factor.
   [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
-  /// The same as closely as the certificate looks.
-  [[nodiscard]] bool isEven() const { return isEven_; }
+  /// Whether the gap may leave the band outwards next to an end, where its slopes do not foretell
+  /// it as closely as the certificate looks: an end at the outer edge, from where it hardly falls.
+  [[nodiscard]] bool mayBulge() const {
+    const double band = inner_ + outer_;
+    const double edge = outer_ - edgeShare * band;
+    const double steep = band / length_;
+    return !isEven_ && ((first_.gap >= edge && first_.slope > -steep) ||
+                        (last_.gap >= edge && last_.slope < steep));
+  }
   /// Whether the ends foretell the middle.
   [[nodiscard]] bool isSmooth() const { return isSmooth_; }
   /// The curvature next to the end, if it was looked at.
@@ -77,6 +84,8 @@ class ChordFit {
   /// Of kinks that no cubic foretells what is left of the band may be this share of it.
   static constexpr double kinkShare = 1e-4;
   static constexpr int deepest = 12;
+  /// Ends that are nearer to the outer edge than this share of the band are at it.
+  static constexpr double edgeShare = 0.01;
   /// Squares of factors below this are those of chords that are far too long: how much so need not
   /// be known well, and kinks may leave this share of the band.
   static constexpr double hopeless = 0.5;
@@ -226,7 +235,7 @@ double Path::fitAlong(const PathPoint& a, const PathPoint& b, const certify::Cho
     const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
     ChordFit chordFit(*guides[i].field, a, b, i, scale, turning);
     double fits = chordFit.run(inner, outer);
-    if (fits >= 1.0 && !chordFit.isEven()) {
+    if (fits >= 1.0 && chordFit.mayBulge()) {
       fits = std::min(fits, fitBulge(i, a, b, inner, outer));
     }
     if (fits < factor) {
