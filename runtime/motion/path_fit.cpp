@@ -69,7 +69,7 @@ class ChordFit {
   }
   /// Whether the ends foretell the middle.
   [[nodiscard]] bool isSmooth() const { return isSmooth_; }
-  /// The curvature next to the end, if it was looked at.
+  /// The curvature next to the end, where the ends do not foretell the middle.
   [[nodiscard]] const std::optional<double>& behind() const { return behind_; }
 
  private:
@@ -111,14 +111,18 @@ class ChordFit {
     const Vec3 axis = turning_ != nullptr ? turning_->axis(along / length_) : a_.axis;
     return node(along, field_.at(place, axis), place);
   }
-  void consider(const Node& a, const Node& b, int depth) {
-    depth = squared_ < farTooLong && looks_ >= mostLooks ? 0 : depth;
+  /// Whether kinks between two nodes cost next to nothing of the band.
+  [[nodiscard]] bool isStraight(const Node& a, const Node& b) const {
     const double length = b.along - a.along;
     // Where the contact jumps right at an end, both slopes may agree though the gap goes otherwise.
     const double astray = (b.gap - a.gap) / length - 0.5 * (a.slope + b.slope);
     const double kink = length * (0.125 * std::abs(a.slope - b.slope) + 0.5 * std::abs(astray));
     const double share = squared_ < hopeless ? hopelessShare : kinkShare;
-    if (depth == 0 || kink <= share * (inner_ + outer_)) {
+    return kink <= share * (inner_ + outer_);
+  }
+  void consider(const Node& a, const Node& b, int depth) {
+    depth = squared_ < farTooLong && looks_ >= mostLooks ? 0 : depth;
+    if (depth == 0 || isStraight(a, b)) {
       const double squared = squaredFit(ends_, a, b, inner_, outer_);
       if (squared < squared_) {
         squared_ = squared;
@@ -130,7 +134,7 @@ class ChordFit {
           ridge_ = ridgeBetween(a, b);
         }
       }
-      if (b.along == last_.along) {
+      if (!isSmooth_ && b.along == last_.along) {
         behind_ = (b.slope - a.slope) / (b.along - a.along);
       }
       return;
