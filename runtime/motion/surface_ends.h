@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,8 @@ class SurfaceEnds {
     const NamedSurface* surface;
     std::size_t guide;
     double side;  ///< of the mesh, on which the motion begins
+    /// Whether a contact with this normal on that side may be over the border: that is cheap.
+    std::function<bool(const Vec3&, double)> mayBeOver;
     surface::Mesh::Hint hint{};
   };
   /// The cosine between the normal of a contact and that of the mesh there, and whether it may be
