@@ -54,7 +54,7 @@ std::optional<Found> ArcRoute::findStop(StopFinder& stops, double turns) {
       return found;
     }
   }
-  return std::nullopt;
+  return stops.beginForFirstZero() ? findStop(stops, turns) : std::nullopt;
 }
 
 ArcPlan ArcRoute::plan(const PathPoint& end) const {

@@ -270,7 +270,7 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
     if (u > s.length || before == s.length || isSpent()) {
       now_.free = std::max(0.0, margin - rate * (s.length - before));
       now_.farther = std::max(0.0, farther - rate * (s.length - before));
-      return s.isArc() || s.length > endless ? firstZero_ : std::nullopt;
+      return forFirstZero_ || s.length > endless ? firstZero_ : std::nullopt;
     }
   }
 }

@@ -59,6 +59,14 @@ class CheckWatch {
   void spend(const Effort& effort) { effort_ = &effort; }
   /// Where the motion begins.
   void begin(const Vec3& toolEnd, const Vec3& axis);
+  /// Begins again where a circle meets nothing else: then the place that noteFirstZero found does.
+  void beginForFirstZero(const Vec3& toolEnd, const Vec3& axis) {
+    forFirstZero_ = true;
+    firstZero_.reset();
+    now_ = {};
+    begin(toolEnd, axis);
+  }
+  [[nodiscard]] bool hasFirstZero() const { return firstZero_ && !forFirstZero_; }
   /// `guide` is the field that a tangent check surface touches: the drive (TANTO) or part surface
   /// (PSTAN).
   [[nodiscard]] std::optional<Hit> scan(const Segment& segment, Field& guide);
@@ -248,7 +256,8 @@ class CheckWatch {
   const Effort* effort_ = nullptr;
   bool close_ = false;
   bool startedAt_ = false;
-  bool startedOff_ = false;       ///< within its tolerance, but not on it
+  bool startedOff_ = false;  ///< within its tolerance, but not on it
+  bool forFirstZero_ = false;
   std::optional<Hit> firstZero_;  ///< the position asked for, if it is met before that is left
   std::vector<double> looks_;     ///< lengths along the segment, where looked at closely
   Approach nearest_, nearestFacing_;

@@ -146,6 +146,18 @@ bool StopFinder::isEndless() {
   return true;
 }
 
+bool StopFinder::beginForFirstZero() {
+  auto& watches = course_.watches;
+  const bool any = std::any_of(watches.begin(), watches.end(),
+                               [](const CheckWatch& w) { return w.hasFirstZero(); });
+  for (CheckWatch& w : watches) {
+    if (any) {
+      w.beginForFirstZero(course_.start.toolEnd, course_.start.axis);
+    }
+  }
+  return any;
+}
+
 /// A touch within the tolerance comes nearer where the band of the surface that turns the path
 /// away leaves room.
 PathPoint StopFinder::closer(const PathPoint& a,

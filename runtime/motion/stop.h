@@ -42,6 +42,9 @@ class StopFinder {
   /// the watches know it then.
   [[nodiscard]] bool isEndless();
 
+  /// From the start again, if a circle that meets nothing else met a surface at its start exactly.
+  [[nodiscard]] bool beginForFirstZero();
+
   /// Puts the watches back to where they were before the last segment, to try it again.
   void restore() { restore(kept_); }
   /// Where the tool goes on over that segment all the same, what was free before it need not be.
