@@ -57,7 +57,26 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
   if (end && !segment.isArc() && (strays || !isContact(met, *end))) {
     end = closer(a, segment, met, *end);
   }
-  return end;
+  return end && tangent && segment.isArc() ? onCircle(met, *end) : end;
+}
+
+/// Circle to circle the plane route ends exactly at the next one, wherever in its band the tool
+/// went round the first.
+PathPoint StopFinder::onCircle(const Met& met, const PathPoint& end) {
+  const auto& check = course_.watches[met.check].surface().surface;
+  if (!std::holds_alternative<surface::Cylinder>(check)) {
+    return end;
+  }
+  const tool::Contact c = met.hit.field->at(end.toolEnd, end.axis);
+  const Vec3 level = -c.gap * c.normal;
+  const Vec3& part = end.contacts[0].normal;
+  const Vec3 place = end.toolEnd + level - part.dot(level) / part.dot(end.axis) * end.axis;
+  const PathPoint there = course_.path.look(place, end.tangent);
+  const double gap = there.contacts[1].gap;
+  const Guide& drive = course_.driveGuide();
+  return gap >= -drive.inner - tolerance::sameSide && gap <= drive.outer + tolerance::sameSide
+             ? there
+             : end;
 }
 
 /// Where the path without tolerances stops. Cut vectors end anywhere in their bands, and the next

@@ -58,6 +58,7 @@ class StopFinder {
   void restore(const std::vector<CheckWatch::Progress>& kept);
   std::optional<Met> scan(const Segment& segment);
   std::optional<PathPoint> stop(const PathPoint& a, const Segment& segment, const Met& met);
+  PathPoint onCircle(const Met& met, const PathPoint& end);
   Vec3 withoutTolerances(const PathPoint& a, const Segment& segment, const Met& met);
   bool isContact(const Met& met, const PathPoint& end);
   [[nodiscard]] bool mayBegin(const Met& met, const PathPoint& end) const;
