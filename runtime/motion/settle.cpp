@@ -65,8 +65,9 @@ Vec3 solve(const std::array<Vec3, 3>& rows, const std::array<double, 3>& rhs, st
     m.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
     b[static_cast<Eigen::Index>(i)] = rhs[i];
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> cod(m);
-  cod.setThreshold(1e-10);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> cod;
+  cod.setThreshold(1e-10);  // before it is computed: what it holds follows from it
+  cod.compute(m);
   return cod.solve(b);
 }
 
