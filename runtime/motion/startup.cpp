@@ -183,7 +183,9 @@ class Starter {
   }
 
   std::vector<Wanted> wanted(bool atRest, const Vec3& near) {
-    const Vec3 path = atRest && !exact_ ? pathOf(goals_, near, rule_.at(near)) : Vec3(Vec3::Zero());
+    // An axis that follows may settle elsewhere for each place that it is asked for.
+    const bool hasPath = atRest && !exact_ && rule_.isFixed();
+    const Vec3 path = hasPath ? pathOf(goals_, near, rule_.at(near)) : Vec3(Vec3::Zero());
     std::vector<Wanted> list;
     for (StartupGoal& goal : goals_) {
       if (atRest && goal.condition == ir::Condition::on) {
