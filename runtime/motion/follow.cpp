@@ -57,7 +57,7 @@ class Follower {
     auto bad = course_.isArc() ? runArc() : runChords();
     trail_.release();
     if (bad) {
-      return withStart(*std::move(bad), course_);
+      return withStart(ends_.causeOf(*std::move(bad)), course_);
     }
     result_.toolEnd = last_.toolEnd;
     result_.axis = last_.axis;

@@ -111,9 +111,11 @@ std::optional<Failure> SurfaceEnds::passedAt(const PathPoint& last) {
     }
     const Lean lean = leanOf(contact, open);
     if (lean.mayBeOver && open.side * lean.cosine <= beside) {
-      return fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z())
-          .withHelp("the tool has gone over the border of the mesh `" + open.surface->name +
-                    "` and is beside it there");
+      over_ = fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z())
+                  .withHelp("the tool goes over the border of the mesh `" + open.surface->name +
+                            "` there and is beside it");
+      open_.clear();
+      break;
     }
   }
   for (const auto& [surface, contact] : {std::pair{&course_.part, &last.contacts[partRole]},
@@ -133,6 +135,14 @@ std::optional<Failure> SurfaceEnds::passedAt(const PathPoint& last) {
     }
   }
   return std::nullopt;
+}
+
+Failure SurfaceEnds::causeOf(Failure failure) {
+  const DiagRow* row = failure.row;
+  const bool ofPath = row == diag::ContactLost.row || row == diag::SurfacesParallel.row ||
+                      row == diag::CheckNotReached.row || row == diag::NoTangency.row ||
+                      row == diag::CutterDoesNotFit.row || row == diag::CutVectorLimit.row;
+  return ofPath && over_ ? *std::move(over_) : std::move(failure);
 }
 
 }  // namespace arelem::motion

@@ -16,6 +16,9 @@ class SurfaceEnds {
 
   /// Why the motion ends in a place of its path: behind it there is no surface to run along.
   [[nodiscard]] std::optional<Failure> passedAt(const PathPoint& last);
+  /// The cause of a failure: a tool that went over the border of an open mesh goes round it or down
+  /// beside it. That it did so is no fault of a motion that meets its check surface.
+  [[nodiscard]] Failure causeOf(Failure failure);
 
  private:
   /// A mesh with a border that guides the motion.
@@ -37,6 +40,7 @@ class SurfaceEnds {
 
   const Course& course_;
   std::vector<Open> open_;
+  std::optional<Failure> over_;
 };
 
 }  // namespace arelem::motion
