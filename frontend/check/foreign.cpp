@@ -238,6 +238,12 @@ std::optional<ir::LocateNumbers> fiveNumbers(std::string_view text) {
   std::copy_n(numbers.begin(), 3, locate.numbers.begin());
   return locate;
 }
+
+void addNumber(std::vector<ir::Argument>& list, ir::ExprId number, const Span& at) {
+  ir::Argument& argument = list.emplace_back();
+  argument.value = number;
+  argument.span = at;
+}
 }  // namespace
 
 /// Statements of CAM systems that are APT in another sense; false for all others.
@@ -246,7 +252,7 @@ bool ProgramReader::lowerClMotion(const StatementText& statement, Frame& frame) 
   if (const auto arc = catiaArc(statement.text)) {
     std::vector<ir::Argument> circle;
     for (const double number : arc->circle) {
-      circle.push_back({frame.values.number(number, at), at});
+      addNumber(circle, frame.values.number(number, at), at);
     }
     frame.block.emit(ir::Command{Word::CIRCLE, true, std::move(circle)});
     ir::LocateNumbers end{Word::GOTO, 3, {}};
@@ -266,7 +272,7 @@ bool ProgramReader::lowerClMotion(const StatementText& statement, Frame& frame) 
 void ProgramReader::emitFrame(const StatementText& statement, Frame& frame) {
   std::vector<ir::Argument> list{{statement.fixedText, statement.span}};
   for (const double number : statement.frame) {
-    list.push_back({frame.values.number(number, statement.span), statement.span});
+    addNumber(list, frame.values.number(number, statement.span), statement.span);
   }
   frame.block.emit(ir::ForeignCommand{"CATIA0", true, std::move(list)});
 }

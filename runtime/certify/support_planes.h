@@ -24,6 +24,17 @@ class SupportPlanes {
     return plane - tool::reach(cutter_, of.normal.dot(there.axis)) - thick_;
   }
 
+  /// The same, of the planes that one knows at `of`, by the best of them: at the tip of a cone a
+  /// mean of many, whatever place of the cutter is measured there.
+  [[nodiscard]] double best(const Node& of, const Node& there) const {
+    const double plane = below(of, there);
+    if constexpr (std::is_same_v<S, surface::Cone>) {
+      // All of them pass through the vertex, and so do those that touch it alone.
+      return std::max(plane, byMean(of.support, there));
+    }
+    return plane;
+  }
+
   /// Lower bound of the gap at `there` by the plane square to the normal of `of` that supports the
   /// convex hull of a torus; it says all where a level bottom lies on the torus.
   [[nodiscard]] double belowHull(
@@ -53,10 +64,7 @@ class SupportPlanes {
       return surface_.sinHalf * (up + outwards * out + sideways * aside);
     };
     const auto gapBy = [&](double outwards, double sideways) {
-      const Vec3 m = mean(outwards, sideways);
-      const double length = m.norm();
-      return m.dot(n.toolEnd - surface_.vertex) -
-             length * tool::reach(cutter_, m.dot(n.axis) / length) - thick_;
+      return byMean(mean(outwards, sideways), n);
     };
     const double most = surface_.cosHalf / surface_.sinHalf;
     const auto [straight, value] = greatest(0.0, most, [&](double t) { return gapBy(t, 0.0); });
@@ -91,6 +99,14 @@ class SupportPlanes {
  private:
   /// Golden sections for the plane at the tip of a cone.
   static constexpr int tipSections = 60;
+
+  /// By a mean of planes through the vertex of a cone, all of which support it.
+  [[nodiscard]] double byMean(const Vec3& mean,
+                              const Node& there) const requires std::is_same_v<S, surface::Cone> {
+    const double length = mean.norm();
+    return mean.dot(there.toolEnd - surface_.vertex) -
+           length * tool::reach(cutter_, mean.dot(there.axis) / length) - thick_;
+  }
 
   struct Greatest {
     double at, value;

@@ -210,6 +210,9 @@ void execute(State& state, const ir::Obtain& obtain) {
     state.report(diagnose(state.statement->span, diag::ObtainItems, obtain.targets.size(), type,
                           source->canon.size()));
   }
+  if (source && state.program.dialect == "apt360") {
+    source = brought(state, source, Use::definition, obtain.source.span);
+  }
   for (std::size_t i = 0; i < obtain.targets.size(); ++i) {
     if (!obtain.targets[i]) {
       continue;

@@ -51,6 +51,8 @@ class Reader {
     std::size_t next = 0;
     if (const EntityPtr* vector = items_[0].entity(EntityType::vector)) {
       locate.point = tripleOf(**vector);
+      locate.name = (*vector)->name;
+      locate.subscript = (*vector)->subscript;
       next = 1;
     } else if (const std::size_t count = leadingNumbers(0); count == items_.size() && count <= 2) {
       locate.axial = number(0);

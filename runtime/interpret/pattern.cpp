@@ -226,13 +226,13 @@ class PatternMotion {
       if (avoid == avoided_.end()) {
         continue;
       }
+      cycle(Word::NOMORE);
+      go(route[i], avoid->second.lift);
       if (i + 1 == route.size()) {
         const Item& item = items_[avoid->second.item];
         state_.report(diagnose(item.span, diag::PatternNoNext, *item.number()));
         continue;
       }
-      cycle(Word::NOMORE);
-      go(route[i], avoid->second.lift);
       go(route[i + 1], avoid->second.lift);
       cycle(Word::ON);
     }

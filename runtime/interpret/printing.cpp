@@ -85,11 +85,22 @@ class Selection {
     p.subscript = static_cast<int>(place.element);
     if (state_.store.isEntity(place)) {
       p.undefined = state_.store.entityStatus(place) != Status::defined;
-      p.entity = p.undefined ? nullptr : state_.store.entity(place);
+      p.entity = p.undefined ? nullptr : asSeen(state_.store.entity(place));
     } else {
       p.undefined = state_.store.scalarStatus(place) != Status::defined;
       p.scalar = p.undefined ? 0.0 : state_.store.scalar(place);
     }
+  }
+  /// Printing is a use: what was defined in another reference system is shown in the one in force,
+  /// under the type that it was defined with. What cannot be moved is shown as it is.
+  [[nodiscard]] EntityPtr asSeen(const EntityPtr& entity) const {
+    const auto moved = state_.systems.seenFrom(entity, state_.systems.current());
+    if (!moved || *moved == entity) {
+      return entity;
+    }
+    auto shown = std::make_shared<Entity>(**moved);
+    shown->type = entity->type;
+    return shown;
   }
   void all() {
     for (Defined& d : state_.store.defined()) {
@@ -99,7 +110,7 @@ class Selection {
       Printed& p = row();
       p.name = std::move(d.name);
       p.subscript = d.subscript;
-      p.entity = std::move(d.entity);
+      p.entity = d.entity ? asSeen(d.entity) : nullptr;
       p.scalar = d.scalar;
     }
   }

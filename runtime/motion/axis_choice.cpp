@@ -1,5 +1,7 @@
 #include "runtime/motion/axis_choice.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "ir/diag/motion.h"
@@ -19,13 +21,20 @@ AngleSide angleSide(const AxisParty& party, double facing) {
           makeField(party.surface->surface, party.side, {})};
 }
 
-double sideOf(const Vec3& normal, const Vec3& axis) {
-  return normal.dot(axis) < -tolerance::symmetric ? -1.0 : 1.0;
+/// The side of a surface on which the axis is; where it lies in the surface, that away from which
+/// the tool comes, if it is not there yet, else the one to which the normal points.
+double sideOfAxis(const surface::Foot& foot, const Vec3& axis, double slack) {
+  const double dot = foot.normal.dot(axis);
+  const double counts = std::abs(dot) > tolerance::symmetric ? dot
+                        : std::abs(foot.distance) > slack    ? -foot.distance
+                                                             : 1.0;
+  return counts < 0.0 ? -1.0 : 1.0;
 }
 
 /// A tool whose end is on the surface that does not control has no side of it: its normal counts on
 /// the side on which the axis is, if it is there with these angles too; else on that on which it
-/// then is. Where neither holds, as it is defined. The motion keeps that side.
+/// then is. Where neither holds, as it is defined. The motion keeps that side. Four axes may hardly
+/// be able to follow that normal: towards it they take the first side.
 double facingOf(const Tilt& tilt,
                 const AxisParty& control,
                 const AxisParty& other,
@@ -34,16 +43,21 @@ double facingOf(const Tilt& tilt,
   if (!other.on) {
     return 1.0;
   }
+  const surface::Foot foot = footOn(other.surface->surface, state.toolEnd);
+  const double slack =
+      std::max(state.band(driveRole), state.band(partRole)) + tolerance::startLength;
+  double side = sideOfAxis(foot, state.axis, slack);
+  if (tilt.across && tilt.alpha >= 0.0) {
+    return side;
+  }
   const AngleSide from = angleSide(control, 1.0);
   Vec3 up = from.field->at(state.toolEnd, state.axis).normal;
   up *= control.on && up.dot(state.axis) < 0.0 ? -1.0 : 1.0;
-  const Vec3 normal = footOn(other.surface->surface, state.toolEnd).normal;
-  const Vec3 common = up.cross(normal);
+  const Vec3 common = up.cross(foot.normal);
   const Vec3 ahead = common.dot(forward) < 0.0 ? Vec3(-common) : common;
-  double side = sideOf(normal, state.axis);
   for (int tries = 0; tries < 2; ++tries) {
-    const auto axis = tilted(tilt, up, side * normal, ahead);
-    const double then = axis ? sideOf(normal, *axis) : side;
+    const auto axis = tilted(tilt, up, side * foot.normal, ahead);
+    const double then = axis ? sideOfAxis(foot, *axis, slack) : side;
     if (then == side) {
       return side;
     }

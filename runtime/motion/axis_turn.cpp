@@ -161,7 +161,7 @@ class Turn {
     for (const auto& gaps : choices) {
       const auto p = path_.standing(near, tangent_, gaps, share < 1.0 ? &axis : nullptr);
       if (p && (p->axis - axis).norm() <= sameAxis &&
-          path_.fitWithTurn(last, *p) >= 1.0 - tolerance::wholeExponent) {
+          path_.fit(last, *p) >= 1.0 - tolerance::wholeExponent) {
         return p;
       }
     }

@@ -47,7 +47,14 @@ std::optional<Bulge> bulgeOver(certify::Probe& probe, const certify::Chord& chor
   const certify::Node last = probe.at(1.0);
   Search search(probe, limit);
   search.run(first, last);
-  return search.found();
+  // A ball end, which is measured alone, is far off where the shank touches.
+  const auto& found = search.found();
+  if (!found || !probe.widen() || probe.at(found->share).high > limit) {
+    return found;
+  }
+  Search ofWhole(probe, limit);
+  ofWhole.run(probe.at(0.0), probe.at(1.0));
+  return ofWhole.found();
 }
 
 }  // namespace arelem::motion

@@ -7,7 +7,6 @@
 #include "ir/diag/limits.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
-#include "runtime/geometry/ends.h"
 #include "runtime/motion/arc_route.h"
 #include "runtime/motion/arrival.h"
 #include "runtime/motion/axis_turn.h"
@@ -16,6 +15,7 @@
 #include "runtime/motion/settle.h"
 #include "runtime/motion/stop.h"
 #include "runtime/motion/stride.h"
+#include "runtime/motion/surface_ends.h"
 #include "runtime/motion/told.h"
 
 namespace arelem::motion {
@@ -75,28 +75,6 @@ class Follower {
   // ---- what may go wrong ------------------------------------------------------------------------
 
   [[nodiscard]] Failure lost() { return motion::lost(course_, last_); }
-
-  /// Behind the end of a TABCYL there is no surface to run along.
-  [[nodiscard]] std::optional<Failure> ranOffEnd() const {
-    for (const auto& [surface, contact] :
-         {std::pair{&course_.part, &last_.contacts[0]}, {&course_.drive, &last_.contacts[1]}}) {
-      if (!surface::mayEnd(surface->surface)) {
-        continue;
-      }
-      const double length = surface::endBefore(surface->surface, contact->point);
-      if (length > 0.0) {
-        const CheckWatch& w = course_.watches.front();
-        if (w.neverLeft()) {
-          return missed(course_);
-        }
-        const Vec3 p = told(last_.toolEnd);
-        const Vec3 q = told(w.nearestPlace());
-        return fail(diag::RunsOffEnd, surface->name, p.x(), p.y(), p.z(), length, told(w.nearest()),
-                    w.surface().name, q.x(), q.y(), q.z());
-      }
-    }
-    return std::nullopt;
-  }
 
   [[nodiscard]] Failure tooMuch() const {
     return motion::tooMuch(course_, last_, limits_.gaps, result_.cutVectors);
@@ -212,7 +190,7 @@ class Follower {
     putTurn(to);
     way_.note(to.toolEnd - last_.toolEnd);
     arrival_.put(last_, to);
-    return ranOffEnd();
+    return ends_.passedAt(last_);
   }
 
   /// Goes on in the direction behind a corner, `tip` if that was reached; false where there is
@@ -360,6 +338,7 @@ class Follower {
   double turned_ = 0.0;  ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;
   Corners corners_;
+  SurfaceEnds ends_{course_};
   LastWay way_;
   std::optional<PathPoint> across_;      ///< the end of a cut vector over a crossing of paths
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began

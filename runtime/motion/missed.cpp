@@ -173,7 +173,9 @@ Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) 
 }
 
 Failure lost(Course& course, const PathPoint& last) {
-  // Where there is no axis any more steps beyond end nowhere.
+  // Where there is no axis any more steps beyond end nowhere. It is looked for from where the tool
+  // is: where else it was looked for depends on steps that led nowhere.
+  course.path.axis.stand(last.toolEnd, last.axis);
   for (const double ahead : looksAhead) {
     if (auto bad = course.path.axis.fault(last.toolEnd + ahead * last.tangent)) {
       return *std::move(bad);

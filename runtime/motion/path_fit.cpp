@@ -58,11 +58,18 @@ class ChordFit {
   [[nodiscard]] std::array<double, 2> endSlopes() const { return {first_.slope, last_.slope}; }
   /// In the part that sets the factor.
   [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
-  /// The same as closely as the certificate looks.
-  [[nodiscard]] bool isEven() const { return isEven_; }
+  /// Whether the gap may leave the band outwards next to an end, where its slopes do not foretell
+  /// it as closely as the certificate looks: an end at the outer edge, from where it hardly falls.
+  [[nodiscard]] bool mayBulge() const {
+    const double band = inner_ + outer_;
+    const double edge = outer_ - edgeShare * band;
+    const double steep = band / length_;
+    return !isEven_ && ((first_.gap >= edge && first_.slope > -steep) ||
+                        (last_.gap >= edge && last_.slope < steep));
+  }
   /// Whether the ends foretell the middle.
   [[nodiscard]] bool isSmooth() const { return isSmooth_; }
-  /// The curvature next to the end, if it was looked at.
+  /// The curvature next to the end, where the ends do not foretell the middle.
   [[nodiscard]] const std::optional<double>& behind() const { return behind_; }
 
  private:
@@ -77,6 +84,8 @@ class ChordFit {
   /// Of kinks that no cubic foretells what is left of the band may be this share of it.
   static constexpr double kinkShare = 1e-4;
   static constexpr int deepest = 12;
+  /// Ends that are nearer to the outer edge than this share of the band are at it.
+  static constexpr double edgeShare = 0.01;
   /// Squares of factors below this are those of chords that are far too long: how much so need not
   /// be known well, and kinks may leave this share of the band.
   static constexpr double hopeless = 0.5;
@@ -102,14 +111,18 @@ class ChordFit {
     const Vec3 axis = turning_ != nullptr ? turning_->axis(along / length_) : a_.axis;
     return node(along, field_.at(place, axis), place);
   }
-  void consider(const Node& a, const Node& b, int depth) {
-    depth = squared_ < farTooLong && looks_ >= mostLooks ? 0 : depth;
+  /// Whether kinks between two nodes cost next to nothing of the band.
+  [[nodiscard]] bool isStraight(const Node& a, const Node& b) const {
     const double length = b.along - a.along;
     // Where the contact jumps right at an end, both slopes may agree though the gap goes otherwise.
     const double astray = (b.gap - a.gap) / length - 0.5 * (a.slope + b.slope);
     const double kink = length * (0.125 * std::abs(a.slope - b.slope) + 0.5 * std::abs(astray));
     const double share = squared_ < hopeless ? hopelessShare : kinkShare;
-    if (depth == 0 || kink <= share * (inner_ + outer_)) {
+    return kink <= share * (inner_ + outer_);
+  }
+  void consider(const Node& a, const Node& b, int depth) {
+    depth = squared_ < farTooLong && looks_ >= mostLooks ? 0 : depth;
+    if (depth == 0 || isStraight(a, b)) {
       const double squared = squaredFit(ends_, a, b, inner_, outer_);
       if (squared < squared_) {
         squared_ = squared;
@@ -121,7 +134,7 @@ class ChordFit {
           ridge_ = ridgeBetween(a, b);
         }
       }
-      if (b.along == last_.along) {
+      if (!isSmooth_ && b.along == last_.along) {
         behind_ = (b.slope - a.slope) / (b.along - a.along);
       }
       return;
@@ -226,7 +239,7 @@ double Path::fitAlong(const PathPoint& a, const PathPoint& b, const certify::Cho
     const double outer = std::max({guides[i].outer, a.contacts[i].gap, b.contacts[i].gap});
     ChordFit chordFit(*guides[i].field, a, b, i, scale, turning);
     double fits = chordFit.run(inner, outer);
-    if (fits >= 1.0 && !chordFit.isEven()) {
+    if (fits >= 1.0 && chordFit.mayBulge()) {
       fits = std::min(fits, fitBulge(i, a, b, inner, outer));
     }
     if (fits < factor) {

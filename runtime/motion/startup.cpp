@@ -327,18 +327,26 @@ class Starter {
 
   /// OFFSET: along INDIR to the drive surface, along its normal to the relation, along the axis to
   /// the part.
+  /// A tool end ON its surface is where it came to it, a cutter at rest in its band.
+  Wanted offsetTo(const StartupGoal& goal, const Vec3& near) {
+    const double rest = goal.condition == ir::Condition::on
+                            ? 0.0
+                            : restGap(*goal.field, near, rule_, state_.inner[goal.role],
+                                      state_.outer[goal.role], exact_, Vec3::Zero());
+    return {goal.field.get(), rest};
+  }
+
   Result<Standing> runOffset() {
     if (!state_.direction[0] || state_.direction[1] || state_.direction[2]) {
       return fail(diag::OffsetNeedsDirection);
     }
     const Vec3 along = state_.direction[0]->normalized();
-    const auto hit =
-        pierce(goals_[0].surface.surface, sidePoint(state_, state_.toolEnd, state_.axis), along);
+    const auto hit = pierce(goals_[0].surface.surface, state_.toolEnd, along);
     if (!hit) {
-      return offsetMisses(along);
+      return offsetMisses(goals_[0].surface, state_.toolEnd, state_.axis, along);
     }
     const Vec3 onDrive = state_.toolEnd + *hit * along;
-    const std::array first{Wanted{goals_[0].field.get(), 0.0}};
+    const std::array first{offsetTo(goals_[0], onDrive)};
     const Vec3 normal = footOn(goals_[0].surface.surface, onDrive).normal;
     const Vec3 across = normal.unitOrthogonal();
     const std::array alongNormal{Constraint{across, onDrive},
@@ -348,7 +356,7 @@ class Starter {
       const Vec3 e1 = state_.axis.unitOrthogonal();
       const std::array alongAxis{Constraint{e1, found.toolEnd},
                                  Constraint{state_.axis.cross(e1), found.toolEnd}};
-      const std::array second{Wanted{goals_[1].field.get(), 0.0}};
+      const std::array second{offsetTo(goals_[1], found.toolEnd)};
       found = settle(found.toolEnd, rule_, second, alongAxis);
       found.worstAt = 1;
     }
@@ -361,23 +369,6 @@ class Starter {
                   drift, 0.0 - state_.inner[driveRole], state_.outer[driveRole]);
     }
     return Standing{found.toolEnd, found.axis, {}};
-  }
-
-  /// The direction passes beside the drive surface, or leads away from it.
-  [[nodiscard]] Failure offsetMisses(const Vec3& along) const {
-    const auto field = makeField(goals_[0].surface.surface, 1.0, {});
-    AxisRule fixed(state_.axis);
-    const Vec3 from = sidePoint(state_, state_.toolEnd, state_.axis);
-    const Vec3 across = along.unitOrthogonal();
-    const std::array onRay{Constraint{across, from}, Constraint{along.cross(across), from}};
-    const std::array wanted{Wanted{field.get(), 0.0}};
-    Settled near = closest(from, fixed, wanted, onRay);
-    if ((near.toolEnd - from).dot(along) < 0.0) {
-      near.toolEnd = from;
-    }
-    const Vec3 p = told(near.toolEnd);
-    return fail(diag::OffsetMisses, goals_[0].surface.name, std::abs(field->at(p, state_.axis).gap),
-                p.x(), p.y(), p.z());
   }
 
   const State& state_;

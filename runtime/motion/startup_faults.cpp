@@ -1,6 +1,7 @@
 #include "runtime/motion/startup_faults.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ir/diag/motion.h"
@@ -68,6 +69,22 @@ Failure diverged(std::span<const StartupGoal> goals, const Settled& found) {
   const Vec3 p = told(found.toolEnd);
   return fail(diag::StartupDiverges, p.x(), p.y(), p.z(), found.worst,
               goals[found.worstAt].surface.name);
+}
+
+Failure offsetMisses(const NamedSurface& drive,
+                     const Vec3& toolEnd,
+                     const Vec3& axis,
+                     const Vec3& along) {
+  const auto field = makeField(drive.surface, 1.0, {});
+  AxisRule fixed(axis);
+  const Vec3 across = along.unitOrthogonal();
+  const std::array onRay{Constraint{across, toolEnd}, Constraint{along.cross(across), toolEnd}};
+  const std::array wanted{Wanted{field.get(), 0.0}};
+  const Settled near = closest(toolEnd, fixed, wanted, onRay);
+  const bool isBehind = (near.toolEnd - toolEnd).dot(along) < 0.0;
+  const Vec3 p = told(isBehind ? toolEnd : near.toolEnd);
+  return fail(diag::OffsetMisses, drive.name, std::abs(field->at(p, axis).gap), p.x(), p.y(),
+              p.z());
 }
 
 }  // namespace arelem::motion

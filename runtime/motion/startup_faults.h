@@ -26,6 +26,11 @@ struct StartupGoal {
 [[nodiscard]] std::optional<Failure> behindEnd(std::span<const StartupGoal> goals,
                                                const Vec3& toolEnd,
                                                const Vec3& axis);
+/// The direction of OFFSET passes beside the drive surface, or leads away from it.
+[[nodiscard]] Failure offsetMisses(const NamedSurface& drive,
+                                   const Vec3& toolEnd,
+                                   const Vec3& axis,
+                                   const Vec3& along);
 /// Where a search ended, and what is missed there.
 [[nodiscard]] Failure diverged(std::span<const StartupGoal> goals, const Settled& found);
 

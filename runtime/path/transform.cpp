@@ -11,6 +11,7 @@
 #include "ir/diag/result.h"
 #include "ir/space/tolerance.h"
 #include "runtime/path/affine.h"
+#include "runtime/path/copy_plan.h"
 #include "runtime/path/cut_side.h"
 
 namespace arelem::path {
@@ -22,107 +23,17 @@ constexpr int mostCopies = 3;  ///< COPY statements that share one INDEX
 constexpr std::uint64_t pollMask = 0xFFF;
 constexpr std::string_view indexForm = "INDEX/i or INDEX/i,NOMORE";
 
-/// The matrices of one COPY statement.
-struct CopyPlan {
-  double index = 0.0;
-  std::uint64_t times = 0;
-  Word mode = Word::SAME;
-  Vec3 shift = Vec3::Zero();
-  double angle = 0.0;
-  Affine matrix;
-
-  /// The matrix of the k-th copy. Shifts and angles are multiplied, not added up, so that no error
-  /// grows.
-  [[nodiscard]] Affine step(std::uint64_t k, const Affine& previous) const {
-    switch (mode) {
-      case Word::TRANSL:
-        return Affine::translation(static_cast<double>(k) * shift);
-      case Word::XYROT:
-        return Affine::rotation(static_cast<double>(k) * angle);
-      case Word::MODIFY:
-        return matrix.after(previous);
-      default:
-        return {};
-    }
-  }
+/// A record of a range. `copied`: what the copies inside of the range did to it.
+struct Kept {
+  cl::Record record;
+  Affine copied;
 };
 
-/// Reads COPY/i,SAME,n | i,TRANSL,x,y,z,n | i,XYROT,degrees,n | i,MODIFY,matrix,n.
-class CopyReader {
- public:
-  explicit CopyReader(const std::vector<cl::Value>& values) : values_(values) {}
-
-  Result<CopyPlan> read() {
-    CopyPlan plan;
-    const double* index = number(0);
-    if (index == nullptr) {
-      return fail(diag::CopyCount, "COPY", values_.size(), "COPY/i,mode,...,n");
-    }
-    plan.index = *index;
-    const Word* mode = values_.size() > 1 ? std::get_if<Word>(&values_[1]) : nullptr;
-    if (mode != nullptr && *mode == Word::MIRROR) {
-      return fail(diag::CopyMirror);
-    }
-    if (mode == nullptr) {
-      return fail(diag::CopyMode, plan.index);
-    }
-    plan.mode = *mode;
-    switch (*mode) {
-      case Word::SAME:
-        return counted(plan, 2, "COPY/i,SAME,n");
-      case Word::TRANSL:
-        if (number(2) != nullptr && number(3) != nullptr && number(4) != nullptr) {
-          plan.shift = {*number(2), *number(3), *number(4)};
-        }
-        return counted(plan, 5, "COPY/i,TRANSL,x,y,z,n");
-      case Word::XYROT:
-        plan.angle = number(2) != nullptr ? *number(2) : 0.0;
-        return counted(plan, 3, "COPY/i,XYROT,degrees,n");
-      case Word::MODIFY:
-        if (const auto* matrix =
-                values_.size() > 2 ? std::get_if<cl::SurfaceValue>(&values_[2]) : nullptr;
-            matrix != nullptr && matrix->canon.size() == 12) {
-          plan.matrix = Affine::fromRows(matrix->canon);
-          return counted(plan, 3, "COPY/i,MODIFY,matrix,n");
-        }
-        return fail(diag::CopyCount, "COPY", values_.size(), "COPY/i,MODIFY,matrix,n");
-      default:
-        return fail(diag::CopyMode, plan.index);
-    }
-  }
-
- private:
-  [[nodiscard]] const double* number(std::size_t i) const {
-    return i < values_.size() ? std::get_if<double>(&values_[i]) : nullptr;
-  }
-
-  /// The number of copies stands last, at `at`; everything before it but mode and matrix is a
-  /// number.
-  Result<CopyPlan> counted(CopyPlan plan, std::size_t at, std::string_view form) const {
-    bool good = values_.size() == at + 1 && number(at) != nullptr;
-    for (std::size_t i = 2; i < at && plan.mode != Word::MODIFY; ++i) {
-      good = good && number(i) != nullptr;
-    }
-    if (!good) {
-      return fail(diag::CopyCount, "COPY", values_.size(), form);
-    }
-    const double times = *number(at);
-    constexpr double mostTimes = 1e15;
-    if (times < 0.0 || times != std::floor(times) || times > mostTimes) {
-      return fail(diag::CopyNegative, times);
-    }
-    plan.times = static_cast<std::uint64_t>(times);
-    return plan;
-  }
-
-  const std::vector<cl::Value>& values_;
-};
-
-/// One INDEX range. It is open until INDEX/i,NOMORE or its first COPY.
+/// One INDEX range. It is open until INDEX/i,NOMORE or the first motion behind its COPY.
 struct Range {
   double index = 0.0;
   Span origin;
-  std::vector<cl::Record> records;
+  std::vector<Kept> records;
   int copies = 0;
 };
 
@@ -134,6 +45,9 @@ class Chain : public Transformer {
   void accept(const cl::Record& record) override {
     if (stopped_) {
       return;
+    }
+    if (std::holds_alternative<cl::Motion>(record.body)) {
+      closeCopied();
     }
     if (const auto* post = std::get_if<cl::Post>(&record.body);
         post != nullptr && post->foreign.empty()) {
@@ -161,6 +75,7 @@ class Chain : public Transformer {
     if (stopped_) {
       return;  // what stands behind the limit was not looked at
     }
+    closeCopied();
     for (const Range& range : open_) {
       sink_.accept(diagnose(range.origin, diag::IndexUnused, range.index));
     }
@@ -224,6 +139,7 @@ class Chain : public Transformer {
   }
 
   void index(const cl::Record& record, const cl::Post& post) {
+    closeCopied();
     const std::vector<cl::Value>& v = post.arguments;
     const double* number = v.empty() ? nullptr : std::get_if<double>(&v[0]);
     const Word* end = v.size() == 2 ? std::get_if<Word>(&v[1]) : nullptr;
@@ -253,52 +169,56 @@ class Chain : public Transformer {
     return closed_.count(number) != 0;
   }
 
-  /// INDEX/i,NOMORE belongs to the range, as its last record.
+  /// INDEX/i,NOMORE belongs to the range, as its last record. Behind a COPY it ends nothing more.
   void endRange(const cl::Record& record, double number) {
-    if (close(record, number, "INDEX", &record)) {
-      next(record);
-      keep(record);
-    } else {
-      emit(record);
+    if (closed_.count(number) == 0 && isInnermost(record, number, "INDEX")) {
+      open_.back().records.push_back({record, {}});
+      close();
     }
+    emit(record);
   }
 
-  /// Moves the innermost range to the closed ones, if it is the wanted one.
-  bool close(const cl::Record& record,
-             double number,
-             std::string_view word,
-             const cl::Record* last) {
-    if (open_.empty() || open_.back().index != number) {
-      report(record, known(number) && closed_.count(number) == 0
-                         ? fail(diag::CopyOverlap, number, open_.back().index)
-                         : fail(diag::CopyWithoutIndex, word, number));
-      return false;
+  bool isInnermost(const cl::Record& record, double number, std::string_view word) {
+    if (!open_.empty() && open_.back().index == number) {
+      return true;
     }
-    if (last != nullptr) {
-      open_.back().records.push_back(*last);
-    }
-    closed_.insert_or_assign(number, std::move(open_.back()));
+    report(record, known(number) ? fail(diag::CopyOverlap, number, open_.back().index)
+                                 : fail(diag::CopyWithoutIndex, word, number));
+    return false;
+  }
+
+  /// Moves the innermost range to the closed ones.
+  void close() {
+    closed_.insert_or_assign(open_.back().index, std::move(open_.back()));
     open_.pop_back();
-    return true;
+  }
+
+  /// Another COPY may follow a COPY at once and then copies its copies too; what follows a motion
+  /// does not, so that no range grows for ever.
+  void closeCopied() {
+    while (!open_.empty() && open_.back().copies > 0) {
+      close();
+    }
   }
 
   void copy(const cl::Record& record, const cl::Post& post) {
-    Result<CopyPlan> plan = CopyReader(post.arguments).read();
+    Result<CopyPlan> plan = readCopy(post.arguments);
     if (!plan) {
       report(record, plan.takeFailure());
       emit(record);
       return;
     }
-    const bool isClosed = closed_.count(plan->index) != 0;
-    if (!isClosed && !close(record, plan->index, "COPY", nullptr)) {
-      emit(record);
-      return;
+    while (!open_.empty() && open_.back().copies > 0 && open_.back().index != plan->index) {
+      close();
     }
-    Range& range = closed_.at(plan->index);
-    if (++range.copies > mostCopies) {
-      report(record, fail(diag::CopyTooOften, plan->index, range.copies));
-    } else {
-      repeat(record, *plan, range);
+    const bool isClosed = closed_.count(plan->index) != 0;
+    if (isClosed || isInnermost(record, plan->index, "COPY")) {
+      Range& range = isClosed ? closed_.at(plan->index) : open_.back();
+      if (++range.copies > mostCopies) {
+        report(record, fail(diag::CopyTooOften, plan->index, range.copies));
+      } else {
+        repeat(record, *plan, range);
+      }
     }
     emit(record);
   }
@@ -306,9 +226,10 @@ class Chain : public Transformer {
   void repeat(const cl::Record& record, const CopyPlan& plan, const Range& range) {
     cl::Record head = record;
     head.body = cl::Post{Word::INDEX, "", {plan.index}};
+    // An open range takes its own copies in.
+    const std::size_t count = range.records.size();
     // Nests of COPY multiply: what cannot be written is told before it is begun.
-    const double all =
-        static_cast<double>(plan.times) * static_cast<double>(range.records.size() + 1);
+    const double all = static_cast<double>(plan.times) * static_cast<double>(count + 1);
     if (!stopped_ && static_cast<double>(written_) + all > static_cast<double>(limits_.records)) {
       report(record, fail(diag::LimitRecords, limits_.records));
       stopped_ = true;
@@ -318,24 +239,25 @@ class Chain : public Transformer {
     for (std::uint64_t k = 1; k <= plan.times && !stopped_; ++k) {
       matrix = plan.step(k, matrix);
       emit(head);
-      for (const cl::Record& original : range.records) {
-        if (stopped_) {
-          return;
-        }
-        warnOfTilt(original, matrix, Word::COPY, record.origin);
-        if (const std::optional<Word> side = sideOf(original)) {
+      for (std::size_t i = 0; i < count && !stopped_; ++i) {
+        const Kept original = range.records[i];
+        warnOfTilt(original.record, matrix, Word::COPY, record.origin);
+        if (const std::optional<Word> side = sideOf(original.record)) {
           warnOfSide(record.origin, matrix, Word::COPY, *side);
         }
-        cl::Record moved = original;
-        move(moved, matrix);
-        emit(moved);
+        // The outer copy moves what the inner ones then move on, as the old system did.
+        const Kept copy{original.record, original.copied.after(matrix)};
+        cl::Record moved = copy.record;
+        move(moved, copy.copied);
+        next(moved);
+        keep(copy);
       }
     }
   }
 
   void emit(const cl::Record& record) {
     next(record);
-    keep(record);
+    keep({record, {}});
   }
 
   void next(const cl::Record& record) {
@@ -355,10 +277,10 @@ class Chain : public Transformer {
     next_.accept(record);
   }
 
-  void keep(const cl::Record& record) {
+  void keep(const Kept& kept) {
     for (Range& range : open_) {
       if (!stopped_) {
-        range.records.push_back(record);
+        range.records.push_back(kept);
       }
     }
   }

@@ -148,10 +148,11 @@ void ConeSearch::goOn(const surface::Cone& s,
   known_ = true;
 }
 
-std::optional<Contact> ConeSearch::contact(const surface::Cone& s,
-                                           const Profile& cutter,
-                                           const Vec3& te,
-                                           const Vec3& axis) {
+/// In one piece: two of them are asked for by each cut vector.
+[[gnu::flatten]] std::optional<Contact> ConeSearch::contact(const surface::Cone& s,
+                                                            const Profile& cutter,
+                                                            const Vec3& te,
+                                                            const Vec3& axis) {
   if (!known_ || axis != axis_) {
     return std::nullopt;
   }

@@ -72,7 +72,7 @@ class ContactSearch {
   static constexpr std::array reserves{1.5, 1.15, 1.0};
   static constexpr double bolder = 1.2;
   static constexpr double idleShare = 0.1;
-  static constexpr int angles = 16;
+  static constexpr int angles = SurveyRows::angles;
   /// Cosine of one and a half steps between the angles of the grid.
   static constexpr double besideContact = 0.83;
   /// Of the radius at which the cone of a drill ends: where its point ends, and its corner begins.
@@ -281,6 +281,7 @@ class ContactSearch {
     for (std::size_t r = 0; r < all.count; ++r) {
       skipped = std::min(skipped, fill(grid[r], all.list[r], directions, best.gap));
     }
+    std::for_each(grid.begin(), grid.begin() + all.count, sharpen);
     Lows lows;
     lows.add({local.gap, local.point, toward});
     for (std::size_t r = 0; r < all.count; ++r) {

@@ -19,7 +19,7 @@ constexpr double growth = 1.5;
 /// Lists reach this much beyond the gap, as a share of the length of the piece of way.
 constexpr double margin = 1.0 / 16.0;
 /// Share of the piece of way that lies behind.
-constexpr double behind = 0.5;
+constexpr double shareBehind = 0.5;
 /// Tools that moved by more lengths of the last piece of way did not go on along it.
 constexpr double jump = 4.0;
 /// Length of the first piece of way, in lengths of an edge.
@@ -190,7 +190,8 @@ bool NearTriangles::List::collectAround(const Vec3& te, const Vec3& axis, double
   const bool goesOn =
       valid_ && distance > 0.0 && distance <= jump * (ahead_ + (to_ - from_).norm());
   const Vec3 way = goesOn ? Vec3(ahead_ / distance * gone) : Vec3(Vec3::Zero());
-  return collect(te - behind * way, te + (1.0 - behind) * way, axis, gap + margin * ahead_, most);
+  return collect(te - shareBehind * way, te + (1.0 - shareBehind) * way, axis,
+                 gap + margin * ahead_, most);
 }
 
 TriangleGap NearTriangles::List::scan(const PlacedBody& body, std::size_t& triangle) {

@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <span>
 
 #include "runtime/tool/profile.h"
 
@@ -18,6 +21,7 @@ struct SurveyRow {
 /// The corner stands for its whole arc; pieces without length are left out.
 struct SurveyRows {
   static constexpr std::size_t most = 8;
+  static constexpr std::size_t angles = 16;  ///< places around a row
   std::array<SurveyRow, most> list;
   std::size_t count = 0;
 
@@ -46,5 +50,21 @@ struct SurveyRows {
  private:
   void add(const SurveyRow& row) { list[count++] = row; }
 };
+
+/// Lowers what is low in a row of distances, places evenly around the axis, to where it would be
+/// between them: along a twisted surface rows are touched in different directions, and the places
+/// go with that of one of them.
+inline void sharpen(std::span<double, SurveyRows::angles> row) {
+  constexpr std::size_t count = SurveyRows::angles;
+  std::array<double, count> lowered;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double before = row[(k + count - 1) % count], behind = row[(k + 1) % count];
+    const double bend = before + behind - 2.0 * row[k];
+    const bool low = row[k] <= before && row[k] <= behind && bend > 0.0 &&
+                     bend < std::numeric_limits<double>::infinity();
+    lowered[k] = row[k] - (low ? 0.125 * (behind - before) * (behind - before) / bend : 0.0);
+  }
+  std::copy(lowered.begin(), lowered.end(), row.begin());
+}
 
 }  // namespace arelem::tool

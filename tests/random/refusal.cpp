@@ -40,6 +40,18 @@ std::optional<AnySurface> surfaceNamed(const Work& work, std::string_view name) 
   return found ? std::optional<AnySurface>(*found) : std::nullopt;
 }
 
+/// The mean normal of a mesh; zero for other shapes.
+Vec3 faceOf(const Shape& shape) {
+  Vec3 sum = Vec3::Zero();
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) {
+    for (const std::array<Vec3, 3>& t : mesh->triangles) {
+      sum += (t[1] - t[0]).cross(t[2] - t[0]);
+    }
+    sum.normalize();
+  }
+  return sum;
+}
+
 /// The two gaps that guide the tool, and those to the check surface.
 class Guides {
  public:
@@ -56,6 +68,13 @@ class Guides {
   /// Gaps and normals of drive and part surface at a tool end.
   [[nodiscard]] std::array<tool::Contact, 2> at(const Vec3& toolEnd) {
     return {drive_->at(toolEnd, Vec3::UnitZ()), part_->at(toolEnd, Vec3::UnitZ())};
+  }
+  /// True where the tool is beside a mesh, over its border: motions end there.
+  [[nodiscard]] bool isBesideMesh(const Vec3& toolEnd) {
+    constexpr double beside = 0.01;
+    const auto [drive, part] = at(toolEnd);
+    return (!driveFace_.isZero(0.0) && drive.normal.dot(driveFace_) <= beside) ||
+           (!partFace_.isZero(0.0) && part.normal.dot(partFace_) <= beside);
   }
   /// Positive where the tool is clear of the check surface; for ON the distance of the tool end.
   [[nodiscard]] double clear(const Vec3& toolEnd) {
@@ -79,6 +98,8 @@ class Guides {
       return motion::Tool{on ? nullptr : cutter_.get(), on ? 0.0 : thick};
     };
     const double past = scene.hand == Hand::right ? -1.0 : 1.0;
+    driveFace_ = past * sideOf(drive) * faceOf(scene.drive);
+    partFace_ = sideOf(part) * faceOf(scene.part);
     drive_ = makeField(drive, past * sideOf(drive), tool(scene.hand == Hand::on, scene.thick[1]));
     part_ = makeField(part, sideOf(part), tool(scene.onPart, scene.thick[0]));
     plus_ = makeField(check, 1.0, tool(on_, scene.thick[2]));
@@ -87,6 +108,7 @@ class Guides {
 
   std::unique_ptr<tool::Profile> cutter_;
   std::unique_ptr<Field> drive_, part_, plus_, minus_;
+  Vec3 driveFace_, partFace_;  ///< of meshes: their normals on the tool's side
   bool on_;
 };
 
@@ -175,6 +197,7 @@ Review reviewMotion(Guides& guides, const Scene& scene, const Vec3& start, bool 
   std::optional<Vec3> met;
   const int wanted = guides.on() ? 1 : (scene.stop == "TO") == remote ? 1 : 2;
   int seen = 0;
+  bool over = false;
   const Ending ending = walk(guides, start, [&](const Vec3& place) {
     const double now = guides.clear(place);
     seen += (now > 0.0) != (before > 0.0) ? 1 : 0;
@@ -182,13 +205,14 @@ Review reviewMotion(Guides& guides, const Scene& scene, const Vec3& start, bool 
     if (seen >= wanted) {
       met = place;
     }
-    return !met;
+    over = guides.isBesideMesh(place);
+    return !met && !over;
   });
   if (met) {
     return {false, fmt::format("the path does meet the check surface near ({:.6g}, {:.6g}, {:.6g})",
                                met->x(), met->y(), met->z())};
   }
-  return {(ending == Ending::stuck) == lost, ""};
+  return {(over || ending == Ending::stuck) == lost, ""};
 }
 }  // namespace
 

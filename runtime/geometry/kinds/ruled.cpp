@@ -137,10 +137,10 @@ Bends Ruled::bends(const Vec3& p, const Foot& foot, double radius, const Hint& h
   Hint near = hint;
   const auto off = [&] { return (sheet_->at(near.f, near.g).place - on).norm(); };
   if (!near.valid || !(off() <= sameFoot * (1.0 + away + radius))) {
-    near = {};
+    near.valid = false;
     (void)this->foot(on, near);
     if (!(off() <= tolerance::sameSide)) {
-      near = {};
+      near.valid = false;
       (void)this->foot(p, near);
     }
   }

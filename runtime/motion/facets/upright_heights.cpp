@@ -69,7 +69,7 @@ std::optional<TouchNode> UprightHeights::nearNode(double s) {
   node.s = s;
   double best = nowhere;
   bool beyond = false;
-  list_.heightsAt(s, above_);
+  list_.lines().heightsAt(s, above_);
   for (int i = 0; i < nodeLimit; ++i) {
     const std::size_t j = greatest(above_);
     if (above_.empty() || above_[j] <= best + rest_) {
@@ -83,7 +83,7 @@ std::optional<TouchNode> UprightHeights::nearNode(double s) {
       continue;
     }
     if (touch->normal.z() >= usefulRise) {
-      list_.addNormal(touch->normal, s, above_);
+      list_.lines().addNormal(touch->normal, s, above_);
     }
     above_[j] = std::min(above_[j], touch->z);
     if (touch->z > best) {
@@ -151,7 +151,7 @@ std::optional<double> UprightHeights::penetration(const Bottom& bottom, std::uin
 std::optional<double> UprightHeights::penetrationOf(const SectionPoint& from,
                                                     const SectionPoint& to,
                                                     std::uint32_t skipped) {
-  list_.excessOver(from, to, above_);
+  list_.lines().excessOver(from, to, above_);
   const SectionPoint middle{0.5 * (from.s + to.s), 0.5 * (from.z + to.z)};
   std::size_t last = above_.size();
   int again = 0;
@@ -177,7 +177,7 @@ std::optional<double> UprightHeights::penetrationOf(const SectionPoint& from,
     }
     const Vec3& normal = touch ? touch->normal : list_.facet(index).up;
     if (normal.z() >= usefulRise) {
-      list_.addNormal(normal, from, to, above_);
+      list_.lines().addNormal(normal, from, to, above_);
     }
   }
   return middle.s;

@@ -1,16 +1,10 @@
 #include "runtime/motion/facets/upright_list.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace arelem::motion {
 
 namespace {
-constexpr double nowhere = -std::numeric_limits<double>::infinity();
-
-/// After this many normals it is looked whether they are enough.
-constexpr std::size_t fewNormals = 3;
-
 /// More triangles than this are too many to be looked at: those that may be touched by where they
 /// are and how they look, but are far below. Their next lists know how high the way goes.
 constexpr std::size_t crowd = 400;
@@ -23,7 +17,8 @@ constexpr int slabsThen = 16;
 UprightList::UprightList(const FacetTask& task, const tool::UprightProfile& profile)
     : frame_(task, profile),
       bounds_(frame_.bounds()),
-      places_(UprightPlaces::of(frame_.mesh(), profile, bounds_.radius(), frame_.section().up)) {}
+      places_(UprightPlaces::of(frame_.mesh(), profile, bounds_.radius(), frame_.section().up)),
+      lines_(bounds_) {}
 
 UprightList::Line UprightList::line(std::uint32_t index, const Vec3& normal) const {
   return bounds_.lineOf(all_[index].facet, Normal::of(normal));
@@ -158,7 +153,7 @@ class UprightList::Highest {
 bool UprightList::gather(const Way& way, std::size_t limit) {
   all_.clear();
   near_.clear();
-  rounds_ = 0;
+  lines_.clear();
   byPlaces_ = goesByPlaces();
   if (byPlaces_) {
     const bool found = gatherByPlaces(way);
@@ -223,6 +218,7 @@ bool UprightList::reaches(Own& own, const Way& way) {
 void UprightList::focus(const Way& way) {
   const UprightBounds::Edge edge(way);
   near_.clear();
+  lines_.clear();
   for (std::uint32_t i = 0; i < all_.size(); ++i) {
     Own& own = all_[i];
     if (own.range.first > way.to.s || own.range.last < way.from.s ||
@@ -235,123 +231,7 @@ void UprightList::focus(const Way& way) {
     own.lines[0] = bounds_.lineOf(own.facet, bounds_.normalTowards(x, y, own.facet.up));
     if (byPlaces_ || !edge.isAbove(own.lines[0])) {
       near_.push_back(i);
-    }
-  }
-  fill();
-}
-
-void UprightList::fill() {
-  const std::size_t count = near_.size();
-  for (auto& coordinates : corners_) {
-    coordinates.resize(count);
-  }
-  for (std::size_t k = 0; k < 2; ++k) {
-    base_[k].resize(count);
-    slope_[k].resize(count);
-  }
-  first_.resize(count);
-  last_.resize(count);
-  for (auto& bases : bases_) {
-    bases.resize(count);
-  }
-  for (std::size_t j = 0; j < count; ++j) {
-    const Own& own = all_[near_[j]];
-    for (std::size_t k = 0; k < 9; ++k) {
-      corners_[k][j] = own.facet.corners[k / 3][static_cast<Eigen::Index>(k % 3)];
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-      base_[k][j] = own.lines[k].base;
-      slope_[k][j] = own.lines[k].slope;
-    }
-    first_[j] = own.range.first;
-    last_[j] = own.range.last;
-  }
-  rounds_ = 0;
-}
-
-/// The lines of one more normal, in place of the oldest.
-void UprightList::sweep(const Vec3& n) {
-  const std::size_t round = rounds_++ % kept;
-  const double nxy = std::sqrt(n.x() * n.x() + n.y() * n.y());
-  const double rise = 1.0 / n.z();
-  const double x = n.x() * rise;
-  const double y = n.y() * rise;
-  const double base = bounds_.profile().support(n.z(), nxy) * rise;
-  const auto& c = corners_;
-  double* bases = bases_[round].data();
-  const std::size_t count = near_.size();
-  for (std::size_t j = 0; j < count; ++j) {
-    const double a = x * c[0][j] + y * c[1][j] + c[2][j];
-    const double b = x * c[3][j] + y * c[4][j] + c[5][j];
-    const double d = x * c[6][j] + y * c[7][j] + c[8][j];
-    const double most = a > b ? a : b;
-    bases[j] = base + (most > d ? most : d);
-  }
-  slopes_[round] = -x;
-}
-
-void UprightList::addNormal(const Vec3& normal, double s, std::vector<double>& heights) {
-  sweep(normal);
-  const std::size_t round = (rounds_ - 1) % kept;
-  const double more = slopes_[round] * s;
-  for (std::size_t j = 0; j < heights.size(); ++j) {
-    heights[j] = std::min(heights[j], bases_[round][j] + more);
-  }
-}
-
-void UprightList::addNormal(const Vec3& normal,
-                            const SectionPoint& from,
-                            const SectionPoint& to,
-                            std::vector<double>& excess) {
-  sweep(normal);
-  const std::size_t round = (rounds_ - 1) % kept;
-  const double slope = slopes_[round];
-  const double most = std::min(from.z - slope * from.s, to.z - slope * to.s);
-  for (std::size_t j = 0; j < excess.size(); ++j) {
-    excess[j] = std::min(excess[j], bases_[round][j] - most);
-  }
-}
-
-void UprightList::heightsAt(double s, std::vector<double>& heights) const {
-  const std::size_t count = near_.size();
-  heights.resize(count);
-  for (std::size_t j = 0; j < count; ++j) {
-    const double height = std::min(base_[0][j] + slope_[0][j] * s, base_[1][j] + slope_[1][j] * s);
-    heights[j] = s < first_[j] || s > last_[j] ? nowhere : height;
-  }
-  for (std::size_t round = 0; round < std::min(rounds_, kept); ++round) {
-    const double more = slopes_[round] * s;
-    const double* bases = bases_[round].data();
-    for (std::size_t j = 0; j < count; ++j) {
-      heights[j] = std::min(heights[j], bases[j] + more);
-    }
-  }
-}
-
-void UprightList::excessOver(const SectionPoint& from,
-                             const SectionPoint& to,
-                             std::vector<double>& excess) const {
-  const std::size_t count = near_.size();
-  excess.resize(count);
-  for (std::size_t j = 0; j < count; ++j) {
-    const double first =
-        base_[0][j] + std::max(slope_[0][j] * from.s - from.z, slope_[0][j] * to.s - to.z);
-    const double second =
-        base_[1][j] + std::max(slope_[1][j] * from.s - from.z, slope_[1][j] * to.s - to.z);
-    excess[j] = to.s < first_[j] || from.s > last_[j] ? nowhere : std::min(first, second);
-  }
-  // The last normals are those of places around.
-  const std::size_t rounds = std::min(rounds_, kept);
-  for (std::size_t back = 1; back <= rounds; ++back) {
-    const std::size_t round = (rounds_ - back) % kept;
-    const double slope = slopes_[round];
-    const double most = std::min(from.z - slope * from.s, to.z - slope * to.s);
-    const double* bases = bases_[round].data();
-    for (std::size_t j = 0; j < count; ++j) {
-      excess[j] = std::min(excess[j], bases[j] - most);
-    }
-    if (back == fewNormals && *std::max_element(excess.begin(), excess.end()) <= 0.0) {
-      return;
+      lines_.add(own.facet, own.lines, own.range);
     }
   }
 }

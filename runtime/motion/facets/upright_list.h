@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/motion/facets/near_lines.h"
 #include "runtime/motion/facets/upright_places.h"
 
 namespace arelem::motion {
@@ -10,8 +11,7 @@ namespace arelem::motion {
 /// the way, across it, up.
 ///
 /// Any normal tells a line in the section that no height of touch of a triangle is above: how far
-/// its corners and the cutter reach along it. One normal goes for all near triangles at once, in a
-/// few sweeps over their corners, and the lines of the last normals are kept.
+/// its corners and the cutter reach along it.
 class UprightList {
  public:
   using Line = UprightBounds::Line;
@@ -43,20 +43,8 @@ class UprightList {
   [[nodiscard]] Line line(std::uint32_t index, const Vec3& normal) const;
   /// What is known of the heights of one of the wide list: they are not above.
   [[nodiscard]] double known(std::uint32_t index, double s) const;
-  /// Lines of all near triangles for a normal; lowers their heights at s.
-  void addNormal(const Vec3& normal, double s, std::vector<double>& heights);
-  /// Lines of all near triangles for a normal; lowers how much they are above a straight piece.
-  void addNormal(const Vec3& normal,
-                 const SectionPoint& from,
-                 const SectionPoint& to,
-                 std::vector<double>& excess);
-  /// Above no height of the near triangles at s, by all that is known.
-  void heightsAt(double s, std::vector<double>& heights) const;
-  /// How much the lines of the near triangles are above a straight piece: those of which one line
-  /// is nowhere above it are below.
-  void excessOver(const SectionPoint& from,
-                  const SectionPoint& to,
-                  std::vector<double>& excess) const;
+  /// Of the near triangles, in their order.
+  [[nodiscard]] NearLines& lines() { return lines_; }
 
  private:
   using Normal = UprightBounds::Normal;
@@ -79,8 +67,6 @@ class UprightList {
 
   [[nodiscard]] bool gatherByPlaces(const Way& way);
   [[nodiscard]] bool reaches(Own& own, const Way& way);
-  void sweep(const Vec3& normal);
-  void fill();
 
   UprightFrame frame_;
   const UprightBounds& bounds_;
@@ -90,15 +76,7 @@ class UprightList {
   int slabsToCome_ = 0;
   std::vector<Own> all_;
   std::vector<std::uint32_t> near_;
-  /// Coordinates of the near triangles' corners, one after the other for each of nine.
-  std::array<std::vector<double>, 9> corners_;
-  std::array<std::vector<double>, 2> base_, slope_;
-  std::vector<double> first_, last_;
-  /// The last normals: slopes of their lines, and bases of each near triangle.
-  static constexpr std::size_t kept = 10;
-  std::array<std::vector<double>, kept> bases_;
-  std::array<double, kept> slopes_{};
-  std::size_t rounds_ = 0;
+  NearLines lines_;
 };
 
 }  // namespace arelem::motion

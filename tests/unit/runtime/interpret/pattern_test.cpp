@@ -107,7 +107,7 @@ TEST(Pattern, AvoidLiftsToTheNextVisitedPoint) {
 
 TEST(Pattern, AvoidAtTheLastPointWarns) {
   Visit v;
-  EXPECT_EQ(v.line(2, {Word::AVOID, 1.0, 2.0}), "1 2");
+  EXPECT_EQ(v.line(2, {Word::AVOID, 1.0, 2.0}), "1 2 / 2^1");
   EXPECT_THAT(v.reported(), ElementsAre("W0464"));
 }
 

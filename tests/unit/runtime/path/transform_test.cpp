@@ -169,8 +169,27 @@ TEST(Copy, SeveralCopiesShareOneRange) {
       .go(1, 0, 0)
       .post(Word::COPY, {1.0, Word::TRANSL, 1.0, 0.0, 0.0, 1.0});
   tape.post(Word::COPY, {1.0, Word::TRANSL, 0.0, 1.0, 0.0, 1.0});
+  EXPECT_THAT(tape.shown(), ElementsAre("INDEX", "1 0 0", "INDEX", "2 0 0", "COPY",  //
+                                        "INDEX", "1 1 0", "INDEX", "2 1 0", "COPY", "COPY"));
+}
+
+TEST(Copy, TheInnerCopyActsOnWhatTheOuterOneMoved) {
+  Tape tape;  // as the old system: turned about the origin where it then is
+  tape.post(Word::INDEX, {1.0}).post(Word::INDEX, {2.0}).go(5, 0, 0);
+  tape.post(Word::COPY, {2.0, Word::XYROT, 90.0, 1.0});
+  tape.post(Word::COPY, {1.0, Word::TRANSL, 10.0, 0.0, 0.0, 1.0}).finish();
   EXPECT_THAT(tape.shown(),
-              ElementsAre("INDEX", "1 0 0", "INDEX", "2 0 0", "COPY", "INDEX", "1 1 0", "COPY"));
+              ElementsAre("INDEX", "INDEX", "5 0 0", "INDEX", "0 5 0", "COPY",  //
+                          "INDEX", "INDEX", "15 0 0", "INDEX", "0 15 0", "COPY", "COPY"));
+}
+
+TEST(Copy, ARangeEndsWithTheFirstMotionBehindItsCopy) {
+  Tape tape;
+  tape.post(Word::INDEX, {1.0}).go(1, 0, 0).post(Word::COPY, {1.0, Word::SAME, 1.0}).go(7, 0, 0);
+  tape.post(Word::INDEX, {1.0, Word::NOMORE}).finish();
+  EXPECT_THAT(tape.shown(),
+              ElementsAre("INDEX", "1 0 0", "INDEX", "1 0 0", "COPY", "7 0 0", "INDEX-"));
+  EXPECT_TRUE(tape.codes().empty());
 }
 
 TEST(Copy, SeesWhatTracutLeft) {
