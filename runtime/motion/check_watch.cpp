@@ -369,6 +369,13 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
       now_.armed = now_.armed || std::abs(look.turn) > tolerance::nullDirection;
     } else {
       now_.armed = true;
+      // A step may lead out of the band behind the tangency.
+      const auto slope = now_.bandField ? slopeBefore(s, u, *now_.bandField, guide) : std::nullopt;
+      if (auto hit =
+              slope ? tangency(s, {now_.bandField, *slope}, before, u, guide) : std::nullopt) {
+        now_.free = 0.0;
+        return hit;
+      }
     }
     now_.bandField = look.inside;
     before = u;
