@@ -166,12 +166,15 @@ class Path {
   [[nodiscard]] double fitAlong(const PathPoint& a,
                                 const PathPoint& b,
                                 const certify::Chord* turning);
+  /// Chords from one place that bulged.
+  struct Bulges {
+    Vec3 from = Vec3::Zero();
+    int count = 0;
+  };
+  Bulges bulges_;
   /// Factor for a chord on which the gap does not bend evenly, and may bulge out of its band.
-  [[nodiscard]] double fitBulge(std::size_t guide,
-                                const PathPoint& a,
-                                const PathPoint& b,
-                                double inner,
-                                double outer);
+  [[nodiscard]] double fitBulge(
+      std::size_t guide, const PathPoint& a, const PathPoint& b, double inner, double outer);
   [[nodiscard]] double fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b);
 };
 

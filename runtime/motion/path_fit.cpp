@@ -11,6 +11,9 @@ namespace arelem::motion {
 namespace {
 /// A cut vector that bulges is tried again shorter than this share of it.
 constexpr double mostOfBulge = 0.97;
+/// What bulges as often at any length from one place does so behind a corner, and is taken: a bulge
+/// is less than what a motion that ends there would cost.
+constexpr int mostBulges = 4;
 
 /// The gap of one guide along a chord, by cubics between nodes: the ends, the middle, and as many
 /// more as it takes where the contact jumps or runs about the cutter.
@@ -59,13 +62,12 @@ class ChordFit {
   /// In the part that sets the factor.
   [[nodiscard]] const std::optional<Path::Ridge>& ridge() const { return ridge_; }
   /// Whether the gap may leave the band outwards next to an end, where its slopes do not foretell
-  /// it as closely as the certificate looks: an end at the outer edge, from where it hardly falls.
+  /// it as closely as the certificate looks: a start at the outer edge, from where it hardly falls.
   [[nodiscard]] bool mayBulge() const {
     const double band = inner_ + outer_;
     const double edge = outer_ - edgeShare * band;
-    const double steep = band / length_;
-    return !isEven_ && ((first_.gap >= edge && first_.slope > -steep) ||
-                        (last_.gap >= edge && last_.slope < steep));
+    const double steep = flatShare * band / length_;
+    return !isEven_ && first_.gap >= edge && first_.slope > -steep;
   }
   /// Whether the ends foretell the middle.
   [[nodiscard]] bool isSmooth() const { return isSmooth_; }
@@ -84,8 +86,10 @@ class ChordFit {
   /// Of kinks that no cubic foretells what is left of the band may be this share of it.
   static constexpr double kinkShare = 1e-4;
   static constexpr int deepest = 12;
-  /// Ends that are nearer to the outer edge than this share of the band are at it.
+  /// Starts that are nearer to the outer edge than this share of the band are at it.
   static constexpr double edgeShare = 0.01;
+  /// Gaps that fall from there by more than this share of the band over the length do not bulge.
+  static constexpr double flatShare = 0.5;
   /// Squares of factors below this are those of chords that are far too long: how much so need not
   /// be known well, and kinks may leave this share of the band.
   static constexpr double hopeless = 0.5;
@@ -186,9 +190,16 @@ double Path::fitFacets(std::size_t guide, const PathPoint& a, const PathPoint& b
 
 double Path::fitBulge(
     std::size_t guide, const PathPoint& a, const PathPoint& b, double inner, double outer) {
+  if (a.toolEnd != bulges_.from) {
+    bulges_ = {a.toolEnd, 0};
+  }
+  if (bulges_.count >= mostBulges) {
+    return tolerance::farAway;
+  }
   const certify::Chord chord(a.toolEnd, b.toolEnd, a.axis, b.axis);
   const double slack = certify::slackOf(inner + outer);
   const auto bulge = guides[guide].field->bulge(chord, outer + 0.5 * slack);
+  bulges_.count += bulge ? 1 : 0;
   return bulge ? std::min(judgeGap(bulge->gap, inner, outer).factor, mostOfBulge)
                : tolerance::farAway;
 }
