@@ -4,8 +4,8 @@ namespace arelem::motion {
 
 namespace {
 /// Parts of a chord that are not halved any more, and places that are measured.
-constexpr double smallestPart = 1.0 / 1024.0;
-constexpr int mostPlaces = 96;
+constexpr double smallestPart = 1.0 / 64.0;
+constexpr int mostPlaces = 24;
 
 class Search {
  public:
