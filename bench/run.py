@@ -16,6 +16,7 @@ import paths
 HERE = pathlib.Path(__file__).resolve().parent
 SPEED = HERE.parent / "tests" / "data" / "speed"
 REPEATS = 5
+ROUNDS = 5  # over all paths: what else goes on in the machine lasts longer than a case
 ENOUGH = 3.0  # seconds of a case, after which it is not repeated: the whole table takes under five minutes
 
 # Program, what it measures, what the rate counts.
@@ -54,6 +55,12 @@ def median_run(words, repeats=REPEATS):
         if runs[-1].code != 0:
             return runs[-1]
     return sorted(runs, key=lambda r: r.seconds)[len(runs) // 2]
+
+
+def least_run(words, before):
+    """Another run, if that took less of the processor than the one before."""
+    run = Run(words)
+    return min(before, run, key=lambda r: (r.code == 0, r.processor)) if before else run
 
 
 def row(what, run, count, unit, goal=None):
@@ -207,11 +214,12 @@ def measure(arelem):
     with tempfile.TemporaryDirectory() as folder:
         out = str(pathlib.Path(folder) / "out.cltape")
         grown = [(program, what, "cut vectors", goal) for what, program, goal in paths.cases(folder)]
-        for program, what, unit, goal in [(*case, None) for case in CASES] + grown:
-            run = told = Run([arelem, "compile", str(program), "-v", "-o", out])  # -v computes the machining time too
-            if run.code == 0 and run.seconds < ENOUGH:
-                run = median_run([arelem, "compile", str(program), "-o", out], 3)
-            rows.append(row(what, run, cut_vectors(told.told), unit, goal))
+        cases = [(*case, None) for case in CASES] + grown
+        told = [Run([arelem, "compile", str(program), "-v", "-o", out]).told for program, *_ in cases]  # and the time of the machine
+        runs = [None] * len(cases)
+        for _ in range(ROUNDS):
+            runs = [least_run([arelem, "compile", str(program), "-o", out], run) for (program, *_), run in zip(cases, runs)]
+        rows += [row(what, run, cut_vectors(text), unit, goal) for (_, what, unit, goal), run, text in zip(cases, runs, told)]
         rows += certified(arelem)
         rows += smoothed(arelem, out)
         lines = 1_000_000
@@ -259,7 +267,7 @@ def main():
         version = subprocess.run([options.arelem, "--version"], capture_output=True, text=True, check=True).stdout.strip()
         (HERE / "results.md").write_text(
             f"# Speed of {version}\n\nMade by `./dev bench --save` on {processor()} with {os.cpu_count()} threads. The "
-            f"whole process, median of {REPEATS}\nruns (of paths 3, start-up 25; one of what takes {ENOUGH:.0f} s), output to a file with fsync: seconds by the clock "
+            f"whole process, median of {REPEATS}\nruns (of paths the one of {ROUNDS} rounds that took the processor least, of start-up 25; one of what takes {ENOUGH:.0f} s), output to a file with fsync: seconds by the clock "
             f"and of the processor; the rate is\nof processor time. MB is the largest resident memory. More: [by_hand.md](by_hand.md).\n\n"
             f"{table(rows)}\n")
     sys.exit(1 if any(r[1].startswith("exit") for r in rows) else 0)

@@ -5,7 +5,7 @@ namespace arelem::motion {
 namespace {
 /// Parts of a chord that are not halved any more, and places that are measured.
 constexpr double smallestPart = 1.0 / 64.0;
-constexpr int mostPlaces = 24;
+constexpr int mostPlaces = 12;
 
 class Search {
  public:
