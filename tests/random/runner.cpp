@@ -174,7 +174,9 @@ class Runner {
 
   void take(const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) {
-      table_.add(finding);
+      if (!request_.again || counted_.contains(spell(finding.id))) {
+        table_.add(finding);
+      }
       times_.add(finding);
       if (!finding.wrong.empty()) {
         tell(finding);
@@ -224,12 +226,21 @@ class Runner {
     return old;
   }
 
-  /// The listed failures once more: the table and the list then hold what is true now.
+  /// The listed failures once more: the table and the list then hold what is true now. Scenes of
+  /// other seeds, and those far behind, are in the list only.
   void repeat() {
+    const std::vector<Finding> old = listed();
     std::vector<SceneId> ids;
-    for (const Finding& finding : listed()) {
+    for (const Finding& finding : old) {
       ids.push_back(finding.id);
-      table_.remove(finding);
+      if (finding.id.seed == request_.seed && finding.id.number < table_.scenes(finding.id.pair)) {
+        counted_.insert(spell(finding.id));
+      }
+    }
+    for (const Finding& finding : old) {
+      if (counted_.contains(spell(finding.id))) {
+        table_.remove(finding);
+      }
     }
     const std::vector<Finding> findings = crew_.tryAll(ids);
     std::ofstream out(request_.failures);
@@ -247,6 +258,7 @@ class Runner {
   Table table_;
   Times times_;
   std::set<std::string> known_;
+  std::set<std::string> counted_;  ///< of those tried again, what the table has
   std::string comments_;
   std::uint64_t failed_ = 0;
 };
