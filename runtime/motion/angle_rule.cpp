@@ -35,7 +35,7 @@ std::optional<Vec3> AngleRule::onToolEnd(const Vec3& toolEnd, const Vec3& near) 
   }
   Vec3 axis = control_.under->at(toolEnd, near).normal;
   if (tilt_.across) {
-    axis = (axis - axis.dot(*tilt_.across) * *tilt_.across).normalized();
+    axis = withinPlane(*tilt_.across, axis).normalized();
   }
   const Vec3 normal = control_.field->at(toolEnd, axis).normal;
   return (normal - axis).norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
@@ -48,7 +48,7 @@ std::optional<Vec3> AngleRule::possible(const Vec3& toolEnd, Vec3 axis) {
     if (tries > 0 && axisOf(n)) {
       return axis;
     }
-    const Vec3 within = n.control - n.control.dot(*tilt_.across) * *tilt_.across;
+    const Vec3 within = withinPlane(*tilt_.across, n.control);
     if (within.norm() <= tolerance::symmetric) {
       return std::nullopt;
     }
@@ -72,8 +72,7 @@ void AngleRule::hold(const Vec3& toolEnd, const Vec3& axis) {
 void AngleRule::keep(const Vec3& toolEnd, const Vec3& axis) {
   if (tilt_.across && tilt_.turn != 0.0) {
     const Vec3 normal = touch(toolEnd, axis).control.normal;
-    const Vec3& across = *tilt_.across;
-    const Vec3 within = normal - normal.dot(across) * across;
+    const Vec3 within = withinPlane(*tilt_.across, normal);
     tilt_.turn *= within.dot(tilt_.turnedFrom) < 0.0 ? -1.0 : 1.0;
     tilt_.turnedFrom = within;
   }

@@ -35,7 +35,7 @@ std::optional<Vec3> inPlane(const Tilt& tilt,
                             const Vec3& side,
                             const Vec3& forward) {
   const Vec3& across = *tilt.across;
-  const Vec3 within = normal - normal.dot(across) * across;
+  const Vec3 within = withinPlane(across, normal);
   const double length = within.norm();
   const double cosine = std::cos(tilt.alpha);
   if (length <= tolerance::symmetric || std::abs(cosine) > length * (1.0 + tolerance::symmetric)) {

@@ -26,6 +26,11 @@ struct Tilt {
                                          const Vec3& other,
                                          const Vec3& forward);
 
+/// What of a vector lies in the plane square to the unit vector `across`.
+[[nodiscard]] inline Vec3 withinPlane(const Vec3& across, const Vec3& v) {
+  return v - v.dot(across) * across;
+}
+
 /// The sense in which a tool axis square to `across` is turned from the normal about that: 1 or -1,
 /// 0 where it is not turned.
 [[nodiscard]] double turnAbout(const Vec3& across, const Vec3& normal, const Vec3& axis);
