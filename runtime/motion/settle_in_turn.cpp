@@ -10,6 +10,9 @@ constexpr double turnedEnough = 1e-3;
 /// bottom along the normal): the share of each turn that is left out, so that the side from which
 /// it turns tells which of them is the contact, not rounding.
 constexpr double turnLeft = 1e-2;
+/// With an axis that is held there may be no way to the position, though there is one with that at
+/// which the way ends: so many ways in a row that end before it are gone on with.
+constexpr int mostBlocked = 4;
 }  // namespace
 
 Settled settleInTurn(const Vec3& start,
@@ -20,11 +23,13 @@ Settled settleInTurn(const Vec3& start,
   Settled out;
   out.toolEnd = start;
   Vec3 turned = held;
+  int blocked = 0;
   for (int turns = 0; turns < turnLimit; ++turns) {
     AxisRule fixed(turned);
     const Settled there =
         settleEvenly(measured(out.toolEnd, fixed, wanted), fixed, wanted, constraints);
-    if (!there.ok) {
+    blocked = there.ok ? 0 : blocked + 1;
+    if (blocked > mostBlocked) {
       return out;
     }
     out = there;
@@ -36,6 +41,9 @@ Settled settleInTurn(const Vec3& start,
     const double apart = (next - turned).norm();
     turned = (next + turnLeft * (turned - next)).normalized();
     if (apart <= turnedEnough) {
+      if (blocked > 0) {
+        return out;
+      }
       break;
     }
   }
