@@ -8,11 +8,6 @@
 namespace arelem::motion {
 
 namespace {
-/// Slopes of a gap at most this may be rounding: of a stretch that is touched all along.
-/// Dimensionless.
-constexpr double levelSlope = tolerance::symmetric;
-/// Where a slope falls below that by a step at once it is at most this share of it.
-constexpr double dyingShare = 0.5;
 /// Finest step, as a share of the tolerance band: what is narrower is contact within the tolerance.
 constexpr double fineShare = 0.25;
 /// A tangency passes through its band in a length of the order of sqrt(band); this share of it is
@@ -21,10 +16,9 @@ constexpr double tangentShare = 0.05;
 /// A tool that went a length within the band of a surface looks for tangencies in steps of at least
 /// this share of that length.
 constexpr double nearShare = 1e-3;
-/// Looking closely, no step is longer than this share of a cut vector; but where a tangency is
-/// looked for none need be shorter than this many times the root of the band.
-constexpr double closeShare = 0.0625;
-constexpr double closeRoots = 2.0;
+/// A facet whose slope along the path is at most this is level but for the rounding of its file,
+/// which is 6e-8 of the coordinates. Dimensionless.
+constexpr double levelFacet = 1e-6;
 /// Segments longer than this are those of a path that is straight for ever. Part unit.
 constexpr double endless = 0.5 * tolerance::farAway;
 }  // namespace
@@ -217,6 +211,33 @@ Field* CheckWatch::vanishing(const Measure& m, Field* outsideBefore) {
   return m.value > 0.0 ? m.field : outsideBefore;
 }
 
+/// Where the tool comes within its tolerance of the surface, as the position asked for, and stays
+/// as near, the position is where that stretch begins: its bottom on the level face of a part,
+/// which may be off by the rounding of a file.
+std::optional<CheckWatch::Hit> CheckWatch::levelStretch(
+    const Segment& s, double before, double u, double ahead, const Measure& m) {
+  // Next to an edge of a mesh the slope is rounding.
+  const bool rough = m.field->isFaceted();
+  const double level = rough ? levelFacet : tolerance::symmetric;
+  const auto isLevel = [&](const Measure& there) {
+    return std::abs(there.turn) <= level && std::abs(there.value) <= band_;
+  };
+  // A point comes TO and PAST at one place.
+  const int passes = !pointTool_ && toolRadius_ == 0.0 ? 2 : 1;
+  const int more = wanted() - now_.seen;
+  if (!now_.armed || more <= 0 || more > passes || u <= ignoredUntil_ || !(rough || isLevel(m)) ||
+      (!pointTool_ && now_.positive && m.field != now_.outside) || !near(m)) {
+    return std::nullopt;
+  }
+  const Measure behind = measure(s, u + ahead);
+  if (!isLevel(behind) || (rough && !isLevel(measure(s, u + 2.0 * ahead)))) {
+    return std::nullopt;
+  }
+  now_.free = 0.0;
+  const double slope = 2.0 * std::abs(behind.turn) + tolerance::symmetric;
+  return Hit{std::min(before, u - tangentStep()), u, m.field, true, now_.positive ? -slope : slope};
+}
+
 std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
   const double finest = std::max(fineShare * band_, tolerance::sameSide);
   const double finestTangent = tangentStep();
@@ -241,6 +262,8 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
         return Hit{before, u, now_.seen == wanted() ? m.field : outsideBefore};
       }
       now_.bandField = nullptr;
+    } else if (auto hit = levelStretch(s, before, u, finest, m)) {
+      return hit;
     } else if (touchesHere(m) && u > ignoredUntil_) {
       const int passed = pointTool_ ? 1 : 2;
       if (now_.seen < wanted() && wanted() <= now_.seen + passed) {
@@ -271,128 +294,6 @@ std::optional<CheckWatch::Hit> CheckWatch::scanCrossing(const Segment& s) {
       now_.free = std::max(0.0, margin - rate * (s.length - before));
       now_.farther = std::max(0.0, farther - rate * (s.length - before));
       return forFirstZero_ || s.length > endless ? firstZero_ : std::nullopt;
-    }
-  }
-}
-
-/// The direction of the path. Along a chord it goes evenly from that at one end to that at the
-/// other, but along a mesh from facet to facet.
-Vec3 CheckWatch::wayAt(const Segment& s, double u, Field& guide) {
-  const Vec3 way = s.tangentAt(u);
-  if (!guide.isFaceted()) {
-    return way;
-  }
-  const Vec3 normal = guide.at(s.at(u), s.axisAt(u)).normal;
-  return way - way.dot(normal) * normal;
-}
-
-/// What both gaps say of a tangency at one place.
-CheckWatch::TangentLook CheckWatch::lookForTangency(const Segment& s, double u, Field& guide) {
-  const Vec3 at = s.at(u);
-  const Vec3 axis = s.axisAt(u);
-  const Vec3 guideNormal = guide.at(at, axis).normal;
-  TangentLook look;
-  for (Field* field : {plus_.get(), minus_.get()}) {
-    const tool::Contact c = field->at(at, axis);
-    const bool agrees = c.normal.dot(guideNormal) > agreeing;
-    const double out = std::abs(c.gap) - reach();
-    (agrees ? nearestFacing_ : nearest_).take(c.gap, at);
-    if (out <= 0.0) {
-      look.near = true;
-      if (agrees) {
-        look.inside = field;
-        look.turn = slopeAlong(c, at, wayAt(s, u, guide), s.spin());
-      }
-      continue;
-    }
-    const double rate = closing(s, field, c);
-    look.open = std::min(look.open, rate > 0.0 ? out / rate : tolerance::farAway);
-    look.free = std::min(look.free, out - rate * (s.length - u));
-  }
-  return look;
-}
-
-/// A contact that jumps onto a stretch where nothing opens or closes, as where a tool comes to fit
-/// into a hollow, begins to touch there: the slope from which it jumps.
-std::optional<double> CheckWatch::slopeBefore(const Segment& s,
-                                              double u,
-                                              Field& field,
-                                              Field& guide) {
-  const Vec3 at = s.at(u);
-  const tool::Contact c = field.at(at, s.axisAt(u));
-  const double slope = slopeAlong(c, at, wayAt(s, u, guide), s.spin());
-  return std::abs(slope) > levelSlope ? std::optional(slope) : std::nullopt;
-}
-
-std::optional<CheckWatch::Hit> CheckWatch::tangency(
-    const Segment& s, const TangentLook& look, double before, double u, Field& guide) {
-  if (!now_.armed || u <= ignoredUntil_) {
-    return std::nullopt;
-  }
-  if (now_.bandField == look.inside) {
-    // A flat bottom touches over a whole stretch, along which only rounding gives the slope a
-    // sign: the stop is where the stretch begins. A slope that dies away begins none.
-    const double level = std::copysign(levelSlope, now_.lastTurn);
-    const bool dies = look.turn * level > dyingShare * levelSlope * levelSlope;
-    return (look.turn > level) != (now_.lastTurn > level) && !dies
-               ? std::optional(
-                     Hit{std::min(before, u - tangentStep()), u, look.inside, true, level})
-               : std::nullopt;
-  }
-  if (std::abs(look.turn) > levelSlope) {
-    return std::nullopt;
-  }
-  const double earlier = before < u ? before : u - tangentStep();
-  const auto slope = slopeBefore(s, earlier, *look.inside, guide);
-  return slope
-             ? std::optional(Hit{earlier, u, look.inside, true, std::copysign(levelSlope, *slope)})
-             : std::nullopt;
-}
-
-std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& guide) {
-  const double finest = tangentStep();
-  double before = 0.0;
-  double u = firstLook(s);
-  for (;;) {
-    if (close_) {
-      looks_.push_back(u);
-    }
-    const TangentLook look = lookForTangency(s, u, guide);
-    if (look.inside != nullptr) {
-      const auto hit = tangency(s, look, before, u, guide);
-      now_.lastTurn = look.turn;
-      if (hit) {
-        now_.free = 0.0;
-        return hit;
-      }
-      // A start at a tangency is not counted; it must be left first.
-      now_.armed = now_.armed || std::abs(look.turn) > tolerance::nullDirection;
-    } else {
-      now_.armed = true;
-      // A step may lead out of the band behind the tangency.
-      const auto slope = now_.bandField ? slopeBefore(s, u, *now_.bandField, guide) : std::nullopt;
-      if (auto hit =
-              slope ? tangency(s, {now_.bandField, *slope}, before, u, guide) : std::nullopt) {
-        now_.free = 0.0;
-        return hit;
-      }
-    }
-    now_.bandField = look.inside;
-    before = u;
-    double step = std::max(look.open, finest);
-    if (close_) {
-      step =
-          std::min(step, std::max({finest, closeShare * s.length, closeRoots * std::sqrt(band_)}));
-    }
-    if (look.near) {
-      step = std::min(step, nearStep(s, finest));
-      step = u < s.length ? std::min(step, s.length - u) : step;
-    }
-    u += step;
-    now_.nearFor = look.near ? now_.nearFor + step : 0.0;
-    if (u > s.length || before == s.length || isSpent()) {
-      now_.free = look.near ? 0.0 : std::max(0.0, look.free);
-      return std::nullopt;
     }
   }
 }

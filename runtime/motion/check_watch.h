@@ -154,6 +154,10 @@ class CheckWatch {
  private:
   /// Cosine of the angle within which contact normals count as agreeing at a tangency.
   static constexpr double agreeing = 0.5;
+  /// Looking closely, no step is longer than this share of a cut vector; but where a tangency is
+  /// looked for none need be shorter than this many times the root of the band.
+  static constexpr double closeShare = 0.0625;
+  static constexpr double closeRoots = 2.0;
 
   struct Measure {
     double value = 0.0;  ///< signed measure whose zeros are the positions
@@ -194,6 +198,8 @@ class CheckWatch {
     return std::abs(measure.value) <= reach();
   }
   [[nodiscard]] bool touchesHere(const Measure& measure);
+  [[nodiscard]] std::optional<Hit> levelStretch(
+      const Segment& segment, double before, double along, double ahead, const Measure& measure);
   [[nodiscard]] bool slipsThrough(const Measure& measure, const Field* outsideBefore) const;
   [[nodiscard]] Field* vanishing(const Measure& measure, Field* outsideBefore);
   [[nodiscard]] int wanted() const;

@@ -114,7 +114,10 @@ std::optional<Failure> setCutter(State& state, const runtime::Parameter& p, bool
   }
   state.cutter = tool::joined(*profile);
   state.option = {};
-  return used ? tool::shapeFault(*profile) : std::nullopt;
+  std::optional<Failure> bad = used ? tool::shapeFault(*profile) : std::nullopt;
+  // Parts that do not join are no body: what its contacts would be is anyone's guess.
+  state.cutterRefused = bad && bad->row->severity == Severity::error;
+  return bad;
 }
 
 void setCutterOption(State& state, const runtime::CutterOption& option, RecordWriter& writer) {

@@ -51,9 +51,9 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
     }
   }
   auto end = atRest(a, segment, met, near);
-  // A chord may cross what the path proper only touches.
+  // A chord may cross what the path proper only touches, but for a whole stretch.
   const bool tangent = course_.watches[met.check].isTangent();
-  const bool strays = tangent ? end && !mayBegin(met, *end) : met.hit.touch;
+  const bool strays = tangent ? end && !mayBegin(met, *end) : met.hit.touch && met.hit.level == 0.0;
   if (end && !segment.isArc() && (strays || !isContact(met, *end))) {
     end = closer(a, segment, met, *end);
   }
