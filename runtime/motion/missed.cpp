@@ -192,7 +192,7 @@ Failure lost(Course& course, const PathPoint& last) {
 Failure missed(const Course& course) {
   Failure all = missedOne(course, course.watches.front());
   for (std::size_t i = 1; i < course.watches.size(); ++i) {
-    all = std::move(all).note(missedOne(course, course.watches[i]).message);
+    all.notes.push_back(missedOne(course, course.watches[i]).message);
   }
   return all;
 }

@@ -205,6 +205,9 @@ void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer
     case Word::AUTOPS:
       state.automaticPart = true;
       break;
+    case Word::TLON:
+      state.staysOn = toggle.on;
+      break;
     case Word::W_3DCALC:
     case Word::W_2DCALC:
     case Word::NDTEST:
