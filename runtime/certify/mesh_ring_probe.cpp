@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/certify/patience.h"
 #include "runtime/tool/contact.h"
 
 namespace arelem::certify {
@@ -89,7 +90,7 @@ class AroundHull {
   double least = unbounded;                         ///< distance from any of them
 };
 
-class MeshRingProbe final : public Probe {
+class MeshRingProbe final : public Probe, public Patient {
  public:
   MeshRingProbe(const surface::Mesh& mesh, const Relation& relation)
       : mesh_(mesh),
@@ -99,6 +100,7 @@ class MeshRingProbe final : public Probe {
         arm_(std::hypot(ring_.e, ring_.f)) {}
 
   void take(const Chord& chord) override { chord_ = chord; }
+  [[nodiscard]] bool givesUp() const override { return inVain_ >= patience; }
   Node resume(const Node& previous) override { return turned(previous, chord_); }
 
   Node at(double s) override {
@@ -165,7 +167,7 @@ class MeshRingProbe final : public Probe {
 
   /// Whether the gap is at least `aim` for s in [from, to]; notes a lower gap that was measured.
   bool searched(double from, double to, double aim, Stretch& result) {
-    if (aim == -unbounded || inVain_ >= patience) {
+    if (aim == -unbounded || givesUp()) {
       return false;
     }
     parts_.clear();
