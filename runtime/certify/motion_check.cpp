@@ -394,7 +394,7 @@ StatementResult MotionCheck::startup(const Modal& modal,
     check(*surface, c == ir::Condition::automatic ? ir::Condition::to : c, i);
   }
   if (startup.surfaces.size() == 1 && !modal.ignorePart) {
-    check(modal.partSurface(), ir::Condition::to, 1);
+    check(modal.partSurface(), modal.toolOnPart() ? ir::Condition::on : ir::Condition::to, 1);
   }
   return result;
 }

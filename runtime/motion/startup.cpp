@@ -78,6 +78,7 @@ class Starter {
     if (count == 1 && (!state_.ignorePart || state_.automaticPart)) {
       StartupGoal part;
       part.surface = partSurface(state_);
+      part.condition = state_.partRelation == Word::TLONPS ? ir::Condition::on : ir::Condition::to;
       part.role = partRole;
       goals_.push_back(std::move(part));
     }
