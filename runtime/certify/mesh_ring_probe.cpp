@@ -16,6 +16,10 @@ constexpr int arcs = 8;
 /// Places measured for one part of a chord, and in vain for all of a motion.
 constexpr int budget = 20000;
 constexpr int patience = 1000000;
+/// A chord that takes more nodes than this is looked at in vain; a motion may have so many such
+/// nodes, each of which searches the whole ring.
+constexpr int chordNodes = 256;
+constexpr int vainNodes = 768;
 
 /// The triangles that may be the nearest one of some place of a hull.
 class AroundHull {
@@ -98,11 +102,18 @@ class MeshRingProbe final : public Probe {
         ring_(*relation.cutter),
         arm_(std::hypot(ring_.e, ring_.f)) {}
 
-  void take(const Chord& chord) override { chord_ = chord; }
+  void take(const Chord& chord) override {
+    chord_ = chord;
+    nodes_ = 0;
+  }
   Node resume(const Node& previous) override { return turned(previous, chord_); }
 
   Node at(double s) override {
     Node n = placeOn(chord_, s);
+    if (++nodes_ > chordNodes && ++vainNodes_ > vainNodes) {
+      n.high = unbounded;
+      return n;
+    }
     const tool::Contact c = tool::contact(mesh_, side_, ring_, n.toolEnd, n.axis, search_);
     note(c, thick_, chord_, n);
     return n;
@@ -235,6 +246,7 @@ class MeshRingProbe final : public Probe {
   surface::Mesh::Hint hint_;
   std::vector<Part> parts_;
   int inVain_ = 0;
+  int nodes_ = 0, vainNodes_ = 0;
 };
 }  // namespace
 
