@@ -15,7 +15,7 @@ namespace {
 constexpr int arcs = 8;
 /// Places measured for one part of a chord, and in vain for all of a motion.
 constexpr int budget = 20000;
-constexpr int patience = 1000000;
+constexpr int patience = 200000;
 /// A chord that takes more nodes than this is looked at in vain; a motion may have so many such
 /// nodes, each of which searches the whole ring.
 constexpr int chordNodes = 256;
