@@ -17,6 +17,9 @@ namespace {
 constexpr int parts = 32;
 constexpr int halvings = 5;
 constexpr int sections = 48;
+/// A gap that changes by no more from place to place is level: a ring that lies on a facet has a
+/// valley nowhere. Part unit.
+constexpr double levelGap = 1e-12;
 
 /// Rounding of distances and of how they change, as a share of the coordinates' size.
 constexpr double rounding = 1e-12;
@@ -135,8 +138,9 @@ class RingSearch {
     for (std::size_t i = 0; i < looks.size(); ++i) {
       const Look& before = looks[(i + looks.size() - 1) % looks.size()];
       const Look& behind = looks[(i + 1) % looks.size()];
+      const double rim = std::max(before.gap, behind.gap);
       if (looks[i].gap <= before.gap && looks[i].gap <= behind.gap &&
-          looks[i].gap - radius_ * width < best_.gap) {
+          rim - looks[i].gap > levelGap && looks[i].gap - radius_ * width < best_.gap) {
         valley(looks[i].angle - width, looks[i].angle + width);
       }
     }
