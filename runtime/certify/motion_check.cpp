@@ -189,9 +189,7 @@ Touch MotionCheck::touchOf(const Modal& modal,
 
 /// Whether a gap that is within its band where the path ends turns round within it: a touch, which
 /// is TO and PAST at one place. How the gap bends follows from its slopes along the last cut
-/// vector, along the path at its end and a little ahead. `back`: the sign of the slope with which
-/// it leads out of the band to where it came from, 0 where it did not or that is not known; then it
-/// has turned round if the path leads there too, and not the last cut vector only.
+/// vector, along the path at its end and a little ahead. It does where both lead back (`leaves`).
 bool MotionCheck::isTouch(const Modal& modal,
                           const surface::AnySurface& drive,
                           const PathEnd& at,
@@ -199,7 +197,7 @@ bool MotionCheck::isTouch(const Modal& modal,
                           const Relation& relation,
                           const Allowed& allowed,
                           const Touch& t,
-                          double back) const {
+                          bool leaves) const {
   if (excess(t, allowed) > 0.0) {
     return false;
   }
@@ -208,7 +206,7 @@ bool MotionCheck::isTouch(const Modal& modal,
   const Vec3 line = across.cross(up);
   const Vec3 way = at.towards(t.offset, line);
   const double slope = t.normal.dot(way);
-  if (std::abs(slope) <= glancing || back * slope > 0.0) {
+  if (std::abs(slope) <= glancing || (leaves && slope > 0.0)) {
     return true;
   }
   const double step = aheadShare * std::sqrt(allowed.inner + allowed.outer);
@@ -308,7 +306,7 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     const bool leads = sign * t.normal.dot(at.towards(t.offset)) >= -glancing;
     return (leads ? !came(side, other) : came(side, goal.condition)) ||
            isTouch(modal, drive, at, goal.surface.surface, relations[side], c.allowed, t,
-                   leads ? sign : 0.0);
+                   leads && !comesNearer);
   };
   // The nearer one where the path does not tell, but none that it met in the other sense.
   const std::array fit{fits(0), fits(1)};

@@ -96,6 +96,7 @@ class MotionCheck {
                               const surface::AnySurface& guide,
                               Role role,
                               const Location& end) const;
+  /// `leaves`: the last cut vector leads back to where the tool came from, clear of the surface.
   [[nodiscard]] bool isTouch(const Modal& modal,
                              const surface::AnySurface& drive,
                              const PathEnd& at,
@@ -103,7 +104,7 @@ class MotionCheck {
                              const Relation& relation,
                              const Allowed& allowed,
                              const Touch& t,
-                             double back) const;
+                             bool leaves) const;
   /// Whether the tool came into the band of a check surface from where the condition, TO or PAST,
   /// lets it come, and never was beyond it since.
   [[nodiscard]] static bool cameFrom(const PathEnd& at,

@@ -58,7 +58,7 @@ class AngleAxis final : public AxisSource {
       // Half steps where whole ones go to and fro.
       axis = moved < slowShare * before ? *next : Vec3((axis + *next).normalized());
       before = moved;
-      idle = moved < least ? 0 : idle + 1;
+      idle = moved < smaller * least ? 0 : idle + 1;
       least = std::min(least, moved);
       if (moved <= tolerance::rounding) {
         break;
@@ -136,6 +136,9 @@ class AngleAxis final : public AxisSource {
   /// nothing.
   static constexpr int patience = 12, littlePatience = 5;
   static constexpr double slowShare = 0.9;
+  /// A move is smaller by this share at least: where repeats turn to and fro, rounding makes each a
+  /// little smaller or not, and would tell on which side they end.
+  static constexpr double smaller = 0.999;
   /// Of Newton; after so many searches in a row that found nothing there are no more.
   static constexpr int newtonLimit = 12, mostInVain = 50;
   /// Steady steps: most of them, the longest one, what is left after each of what was before unless
@@ -230,15 +233,20 @@ class AngleAxis final : public AxisSource {
       if (miss.norm() <= newtonMiss) {
         return axis;
       }
-      const Vec3 e1 = axis.unitOrthogonal();
+      // Contacts jump with some turns: directions that go with the surfaces make each the same turn
+      // wherever these lie, and mirrored.
+      const Vec3 across = withinPlane(axis, miss);
+      const Vec3 e1 = across.norm() > tolerance::rounding * miss.norm() ? Vec3(across.normalized())
+                                                                        : axis.unitOrthogonal();
       const Vec3 e2 = axis.cross(e1);
       const auto along1 = rule_.step(toolEnd, (axis + h * e1).normalized());
       const auto along2 = rule_.step(toolEnd, (axis + h * e2).normalized());
-      if (!along1 || !along2) {
+      const auto against2 = rule_.step(toolEnd, (axis - h * e2).normalized());
+      if (!along1 || !along2 || !against2) {
         return std::nullopt;
       }
       const Vec3 moved1 = (*along1 - *next) / h;
-      const Vec3 moved2 = (*along2 - *next) / h;
+      const Vec3 moved2 = (*along2 - *against2) / (2.0 * h);
       slope_ = moved1 * e1.transpose() + moved2 * e2.transpose();
       const Vec3 d1 = moved1 - e1;
       const Vec3 d2 = moved2 - e2;

@@ -356,6 +356,7 @@ Settled nearestAround(const Settled& near,
         }
         const Vec3 way(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
         const Vec3 start = near.toolEnd + distance * (frame * way);
+        axis.startAnew();  // whatever places were tried before
         const Settled found =
             evenly ? settleEvenly(measured(start, axis, wanted), axis, wanted, constraints)
                    : settleNear(start, nearStart * distance, axis, wanted, constraints);
@@ -368,6 +369,8 @@ Settled nearestAround(const Settled& near,
       }
     }
   }
+  axis.startAnew();
+  axis.stand(best.toolEnd, best.axis);
   return best;
 }
 

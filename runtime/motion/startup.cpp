@@ -287,6 +287,7 @@ class Starter {
     for (const bool atRest : {false, true}) {
       if (!found.ok && (!atRest || missed <= nearlyTouching * widestBand())) {
         isFirst = false;
+        rule_.startAnew();
         const Settled near = closest(from, rule_, wanted(atRest, from), extra);
         missed = near.worst;
         const auto goals = wanted(atRest, near.toolEnd);
