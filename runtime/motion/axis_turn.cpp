@@ -8,8 +8,9 @@
 namespace arelem::motion {
 
 namespace {
-/// Smallest share of the turn that is tried, and how near the longest one is looked for.
-constexpr double shortest = 1e-3;
+/// Smallest share of the turn that is tried (over a place where the contact jumps the bands leave
+/// room for little), and how near the longest one is looked for.
+constexpr double shortest = 1e-5;
 constexpr double refined = 0.02;
 /// Following the axis to the rule's: shares of the turn from one place to the next.
 constexpr double firstStep = 0.0625, longestStep = 0.125, leastStep = 1e-4;

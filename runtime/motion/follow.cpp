@@ -136,7 +136,7 @@ class Follower {
       }
       const PathPoint& a = last_;
       course_.path.axis.stand(a.toolEnd, a.axis);
-      const PathPoint* b = stride_.next(a, cap);
+      const PathPoint* b = next(cap);
       // Close to a corner cut vectors may get ever shorter.
       const bool stuck =
           b == nullptr || (cap > tolerance::coincidence &&
@@ -178,6 +178,24 @@ class Follower {
         return bad;
       }
     }
+  }
+
+  /// The end of the next cut vector. The first one takes in a turn that was put off: the turn may
+  /// bend its way so that it reaches farther than one from where the tool has turned.
+  const PathPoint* next(double cap) {
+    const PathPoint* const b = stride_.next(last_, cap);
+    if (b == nullptr || !beforeTurn_) {
+      return b;
+    }
+    across_ = *b;
+    const PathPoint* const direct = stride_.next(*beforeTurn_, cap);
+    const auto reach = [&](const PathPoint& to) {
+      return (to.toolEnd - last_.toolEnd).dot(last_.tangent);
+    };
+    if (direct != nullptr && reach(*direct) > reach(*across_)) {
+      across_ = *direct;
+    }
+    return &*across_;
   }
 
   /// The whole cut vector, on which no check surface is met.
@@ -341,7 +359,8 @@ class Follower {
   Corners corners_;
   SurfaceEnds ends_{course_};
   LastWay way_;
-  std::optional<PathPoint> across_;      ///< the end of a cut vector over a crossing of paths
+  std::optional<PathPoint>
+      across_;  ///< the end of a cut vector over a crossing of paths, or that takes in a turn
   std::optional<PathPoint> beforeTurn_;  ///< where a turn of the axis, put off, began
 };
 
