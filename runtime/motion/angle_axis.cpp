@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -91,7 +92,9 @@ class AngleAxis final : public AxisSource {
   }
 
   void stand(const Vec3& toolEnd, const Vec3& axis) override {
-    if (toolEnd != toolEnd_) {
+    if (const Memory* marked = markedAt(toolEnd, axis)) {
+      recall(*marked);
+    } else if (toolEnd != toolEnd_) {
       (void)at(toolEnd);
     }
     if ((last_ - axis).norm() > tolerance::symmetric) {
@@ -102,12 +105,26 @@ class AngleAxis final : public AxisSource {
       (void)at(toolEnd);
     }
     rule_.keep(toolEnd, last_);
-    stand_ = Memory{last_, rule_.forward(), toolEnd, slope_, state_, between_.last()};
+    stand_ = here(toolEnd);
     inVain_ = 0;
+  }
+
+  void mark() override {
+    marks_[marked_] = here(toolEnd_);
+    marked_ = (marked_ + 1) % marks_.size();
+  }
+
+  void back(const Vec3& toolEnd, const Vec3& axis) override {
+    if (const Memory* marked = markedAt(toolEnd, axis)) {
+      recall(*marked);
+    } else {
+      (void)at(toolEnd);
+    }
   }
 
   void startAnew() override {
     stand_.reset();
+    marks_.fill(std::nullopt);
     rule_.startAnew();
     recall(start_);
     inVain_ = 0;
@@ -159,6 +176,19 @@ class AngleAxis final : public AxisSource {
     State state = State::found;
     BetweenContacts::Last between{};
   };
+
+  [[nodiscard]] Memory here(const Vec3& toolEnd) const {
+    return {last_, rule_.forward(), toolEnd, slope_, state_, between_.last()};
+  }
+
+  [[nodiscard]] const Memory* markedAt(const Vec3& toolEnd, const Vec3& axis) const {
+    for (const auto& m : marks_) {
+      if (m && m->toolEnd == toolEnd && m->axis == axis) {
+        return &*m;
+      }
+    }
+    return nullptr;
+  }
 
   void recall(const Memory& m) {
     last_ = m.axis;
@@ -276,9 +306,11 @@ class AngleAxis final : public AxisSource {
   AngleRule rule_;
   BetweenContacts between_{rule_};
   const Memory start_;
-  std::optional<Memory> stand_;  ///< what was found where the tool stands
-  Vec3 last_, toolEnd_;          ///< found last, and where
-  Eigen::Matrix3d slope_;        ///< of the axis that follows with an axis
+  std::optional<Memory> stand_;                  ///< what was found where the tool stands
+  std::array<std::optional<Memory>, 16> marks_;  ///< ends of steps: as many as are tried for one
+  std::size_t marked_ = 0;                       ///< where the next one goes
+  Vec3 last_, toolEnd_;                          ///< found last, and where
+  Eigen::Matrix3d slope_;                        ///< of the axis that follows with an axis
   State state_ = State::found;
   int repeats_ = 0;
   int inVain_ = 0;  ///< searches in a row that found no axis

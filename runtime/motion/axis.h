@@ -24,6 +24,20 @@ class AxisRule {
     (void)source_->at(toolEnd);
     return source_->fault();
   }
+  /// The same where a step ended: what the step found counts, whatever was looked at behind it.
+  [[nodiscard]] std::optional<Failure> faultAt(const Vec3& toolEnd, const Vec3& axis) {
+    if (isFixed()) {
+      return std::nullopt;
+    }
+    source_->back(toolEnd, axis);
+    return source_->fault();
+  }
+  /// The tool may come to where the axis was asked for last.
+  void mark() {
+    if (!isFixed()) {
+      source_->mark();
+    }
+  }
   /// Of axes that have a choice, from there on that which they make there.
   void hold(const Vec3& toolEnd) {
     if (!isFixed()) {

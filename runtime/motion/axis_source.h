@@ -22,6 +22,10 @@ class AxisSource {
   /// The tool has come there with that axis: searches around begin at it, whatever others were
   /// looked at before.
   virtual void stand(const Vec3& /*toolEnd*/, const Vec3& /*axis*/) {}
+  /// The tool may come to where the axis was asked for last: what was found there is kept.
+  virtual void mark() {}
+  /// As it was when a place was marked; where none was, the axis is asked for anew.
+  virtual void back(const Vec3& toolEnd, const Vec3& /*axis*/) { (void)at(toolEnd); }
   /// Searches begin where the first one did.
   virtual void startAnew() {}
   /// Why there was no axis with the tool end there when it was last asked for; it then was the one

@@ -154,7 +154,7 @@ class Follower {
       if (b == nullptr) {
         return lost();
       }
-      if (auto bad = course_.path.axis.fault(b->toolEnd)) {
+      if (auto bad = course_.path.axis.faultAt(b->toolEnd, b->axis)) {
         return bad;
       }
       const Segment segment = segmentBetween(a, *b);
