@@ -17,6 +17,8 @@ constexpr int arcs = 8;
 /// Places measured for one part of a chord, and in vain for all of a motion.
 constexpr int budget = 20000;
 constexpr int patience = 1000000;
+/// How many times as long as wide parts may be.
+constexpr double mostOfSides = 64.0;
 
 /// So many triangles around a hull are looked at together; rounding of heights over their planes,
 /// as a share of the coordinates' size.
@@ -308,6 +310,7 @@ class MeshRingProbe final : public Probe, public Patient {
     return (chord_.length() + chord_.turn() * arm_) * part.halfS;
   }
 
+  /// Notes how much heights over the nearest triangle differ over the part's time and its angle.
   [[nodiscard]] double lowestOf(const Part& part) {
     std::array<Vec3, 4> corners;
     const std::size_t count = part.halfS > 0.0 ? 4 : 2;
@@ -317,12 +320,20 @@ class MeshRingProbe final : public Probe, public Patient {
     }
     // Straight lines between corners leave both arcs by at most the eighth part of their bend.
     const double turn = chord_.turn() * part.halfS;
-    const double bulge = 0.5 * (turn * turn * arm_ + part.halfAngle * part.halfAngle * ring_.e);
-    return overHull(std::span(corners).first(count), bulge).low;
+    const double bulgeInTime = 0.5 * turn * turn * arm_;
+    const double bulgeOfArc = 0.5 * part.halfAngle * part.halfAngle * ring_.e;
+    const double low = overHull(std::span(corners).first(count), bulgeInTime + bulgeOfArc).low;
+    const Vec3& normal = mesh_.shape().normals[static_cast<std::size_t>(hint_.triangle)];
+    overAngle_ = std::abs(normal.dot(corners[1] - corners[0])) + bulgeOfArc;
+    overTime_ = count == 4 ? std::abs(normal.dot(corners[2] - corners[0])) + bulgeInTime : 0.0;
+    return low;
   }
 
+  /// Where more differs, as long as the part does not get too long.
   void halve(Part part) {
-    const bool inTime = alongTime(part) > ring_.e * part.halfAngle;
+    const double length = alongTime(part), width = ring_.e * part.halfAngle;
+    const bool inTime =
+        overTime_ > overAngle_ ? mostOfSides * length > width : length > mostOfSides * width;
     double& center = inTime ? part.s : part.angle;
     double& half = inTime ? part.halfS : part.halfAngle;
     half *= 0.5;
@@ -340,6 +351,7 @@ class MeshRingProbe final : public Probe, public Patient {
   tool::Search<surface::Mesh> search_;
   surface::Mesh::Hint hint_;
   std::vector<Part> parts_;
+  double overTime_ = 0.0, overAngle_ = 0.0;
   int inVain_ = 0;
 };
 }  // namespace

@@ -20,7 +20,7 @@ Ruled::Sheet::Part Ruled::Sheet::curvatures(double f, double g, double reach) co
     part.curvatures = curvaturesAround(f, g, reach);
     return part;
   }
-  const Surroundings* known = surroundings(f, g, 0.5 * reach);
+  const Surroundings* known = surroundings(f, g);
   if (known == nullptr || !(known->alone.load(std::memory_order_relaxed) >= reach)) {
     const Part all = partAbout(blockOf(f), at(f, g).place, reach);
     return all.alone ? part : all;

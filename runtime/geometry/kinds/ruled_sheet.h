@@ -147,7 +147,6 @@ class Ruled::Sheet {
   };
   /// What is known about all places of a cell of a block. Part unit; negative where not looked at.
   struct Surroundings {
-    std::atomic<double> looked{-1.0};  ///< what `above` and `below` could be
     /// The nearest place of all to a point at most so far above or below the sheet whose foot is in
     /// the cell is that foot.
     std::atomic<double> above{-1.0}, below{-1.0};
@@ -194,9 +193,8 @@ class Ruled::Sheet {
   class Lows;
   /// Rulings next to p; `upper` is nearer than which a foot must be.
   [[nodiscard]] Lows lows(const Vec3& p, double upper) const;
-  /// `far`: above or below the sheet.
-  [[nodiscard]] const Surroundings* surroundings(double f, double g, double far) const;
-  void lookAround(std::size_t block, int cell, double far, Surroundings& known) const;
+  [[nodiscard]] const Surroundings* surroundings(double f, double g) const;
+  void lookAround(std::size_t block, int cell, Surroundings& known) const;
   /// What is within reach of a place of a block.
   [[nodiscard]] Part partAbout(std::size_t block, const Vec3& place, double reach) const;
   void settleAlongRulings(const Vec3& p, Hint& hint) const;
