@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "frontend/check/old_number.h"
 #include "frontend/check/prescan.h"
 #include "frontend/check/program_reader.h"
 #include "ir/diag/frontend.h"
@@ -226,7 +227,8 @@ void ProgramReader::lowerShape(Frame& frame) {
 
 /// Neither name of a pair of SYN is a word; the second one should be.
 void ProgramReader::unknownSynonym(const Token& name, const Token& word) {
-  Diagnostic d = diagnose(join(name.span, word.span), diag::SynonymFormat)
+  Diagnostic d = old_number::as(old_number::synonymOfNoWord,
+                                diagnose(join(name.span, word.span), diag::SynonymFormat))
                      .note(fmt::format("neither `{}` nor `{}` is a word", name.text, word.text));
   for (const Token* t : {&word, &name}) {
     for (const std::string& near : context_.names.similar(t->text, true)) {
@@ -248,7 +250,8 @@ void ProgramReader::synonyms(const std::vector<Token>& tokens, std::size_t first
   bool wordFirst = false;
   do {
     if (i + 3 >= tokens.size()) {
-      context_.report(diagnose(tokens[first].span, diag::SynonymFormat));
+      context_.report(old_number::as(old_number::synonymAlone,
+                                     diagnose(tokens[first].span, diag::SynonymFormat)));
       return;
     }
     const Token& a = tokens[i + 1];
@@ -267,7 +270,9 @@ void ProgramReader::synonyms(const std::vector<Token>& tokens, std::size_t first
     }
     if (!separated || name.kind != TokenKind::symbol || !isWordKind(word.kind) ||
         word.word == Word::SYN || taken) {
-      context_.report(diagnose(join(a.span, b.span), diag::SynonymFormat));
+      const DiagRow& cause =
+          isWordKind(word.kind) ? diag::SynonymFormatRow : old_number::synonymOfNoWord;
+      context_.report(old_number::as(cause, diagnose(join(a.span, b.span), diag::SynonymFormat)));
       return;
     }
     context_.vocabulary.addSynonym(name.text, word.word);
@@ -330,7 +335,8 @@ bool ProgramReader::readSegment(Frame& frame) {
   }
   const NodeId name = tree[first].next;
   if (name == noNode || tree[name].kind != Node::Kind::name || tree[name].hasList) {
-    context_.report(diagnose(at, diag::PrintFormat, "READ/2", "the name of a segment"));
+    context_.report(old_number::as(old_number::readFormat, diagnose(at, diag::PrintFormat, "READ/2",
+                                                                    "the name of a segment")));
     return true;
   }
   const std::string segment(tree[name].text);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "frontend/check/old_number.h"
 #include "ir/diag/frontend.h"
 
 namespace arelem::frontend {
@@ -59,8 +60,10 @@ std::optional<ir::Argument> Motion::item(NodeId id, Word word) {
 bool Motion::surface(Word word, const ir::Argument& argument) {
   const auto type = values_.entityOf(argument);
   if (!type || !isSurfaceType(*type)) {
-    context_.report(
-        diagnose(argument.span, diag::SurfaceExpected, spell(word), values_.describe(argument)));
+    const DiagRow& cause =
+        values_.isScalar(argument) ? old_number::numberForSurface : diag::SurfaceExpectedRow;
+    context_.report(old_number::as(cause, diagnose(argument.span, diag::SurfaceExpected,
+                                                   spell(word), values_.describe(argument))));
     return false;
   }
   return true;
@@ -111,7 +114,9 @@ bool Motion::checkLocate(Word word, const Span& at, const std::vector<ir::Argume
       ((*type == EntityType::pattern || *type == EntityType::pathSpline) && word == Word::GOTO);
   const bool axisAfterNumbers = numbers == 3 && *type == EntityType::vector && word != Word::GODLTA;
   if (!place || (numbers != 0 && !axisAfterNumbers)) {
-    context_.report(diagnose(first.span, diag::ArgumentType, spell(word), spell(*type)));
+    context_.report(
+        old_number::as(old_number::noSurfaceType,
+                       diagnose(first.span, diag::ArgumentType, spell(word), spell(*type))));
     return false;
   }
   return true;

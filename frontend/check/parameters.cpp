@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frontend/check/old_number.h"
 #include "frontend/check/statements.h"
 #include "ir/diag/frontend.h"
 
@@ -56,7 +57,8 @@ void Statements::obtain(const Parts& p) {
     }
   }
   if (!type || source == noNode) {
-    context_.report(diagnose(p.span, diag::ObtainFormat));
+    const DiagRow& cause = type ? diag::ObtainFormatRow : old_number::obtainWithoutType;
+    context_.report(old_number::as(cause, diagnose(p.span, diag::ObtainFormat)));
     for (const NodeId chain :
          {tree.head, tree.arguments}) {  // no further errors for names it would have set
       for (NodeId id = chain; id != noNode; id = tree[id].next) {
@@ -102,7 +104,11 @@ bool Statements::reservPair(const Node& name, const Node& size) {
   const bool whole =
       size.kind == Kind::number && size.number >= 1.0 && std::trunc(size.number) == size.number;
   if (name.kind != Kind::name || name.hasList || !whole) {
-    context_.report(diagnose(join(name.span, size.span), diag::ReservFormat));
+    const DiagRow& cause = !whole && size.kind != Kind::word    ? old_number::reservedSize
+                           : whole && name.kind == Kind::number ? old_number::reservedNumber
+                                                                : diag::ReservFormatRow;
+    context_.report(
+        old_number::as(cause, diagnose(join(name.span, size.span), diag::ReservFormat)));
     return false;
   }
   NameFacts& facts = context_.names.at(name.text);
@@ -138,7 +144,8 @@ void Statements::reserv(const Parts& p) {
   for (NodeId id = p.first; id != noNode;) {
     const Node& a = tree[id];
     if (a.next == noNode) {
-      context_.report(diagnose(a.span, diag::ReservFormat));
+      context_.report(
+          old_number::as(old_number::reservedSize, diagnose(a.span, diag::ReservFormat)));
       return;
     }
     const Node& b = tree[a.next];
@@ -183,8 +190,12 @@ void Statements::surfaceOrNumbers(const Parts& p) {
                           : type && *type != EntityType::point && *type != EntityType::vector &&
                                 *type != EntityType::matrix && *type != EntityType::pattern;
   if (!fits) {
-    context_.report(diagnose(p.span, diag::ZsurfFormat, spell(p.word),
-                             zsurf ? "plane or its four numbers" : "surface"));
+    const DiagRow& cause = zsurf           ? old_number::zsurfPlane
+                           : list->empty() ? diag::ZsurfFormatRow
+                                           : old_number::partSurfaceType;
+    context_.report(
+        old_number::as(cause, diagnose(p.span, diag::ZsurfFormat, spell(p.word),
+                                       zsurf ? "plane or its four numbers" : "surface")));
     return;
   }
   emitCommand(p, std::move(*list));
@@ -208,7 +219,9 @@ void Statements::print(const Parts& p) {
     const std::string_view wanted = p.word == Word::PRINT   ? "0 to 4 and a list, ON or OFF"
                                     : p.word == Word::PUNCH ? "1 to 3 and a list"
                                                             : "1 and names, or 2 and a name";
-    context_.report(diagnose(p.span, diag::PrintFormat, spell(p.word), wanted));
+    const DiagRow& cause = p.word == Word::READ ? old_number::readFormat : diag::PrintFormatRow;
+    context_.report(
+        old_number::as(cause, diagnose(p.span, diag::PrintFormat, spell(p.word), wanted)));
     return;
   }
   emitCommand(p, std::move(*list));
@@ -226,9 +239,13 @@ void Statements::pocket(const Parts& p) {
   };
   const bool head =
       list->size() > scalars && std::all_of(list->begin(), list->begin() + scalars, scalar);
+  const bool numbers =
+      !list->empty() &&
+      std::all_of(list->begin(), list->begin() + std::min(scalars, list->size()), scalar);
   if (!p.slash || !head || !std::all_of(list->begin() + scalars, list->end(), point)) {
-    context_.report(diagnose(p.span, diag::ParameterExpected, "POCKET",
-                             "eight numbers and the points of the outline"));
+    const DiagRow& cause = numbers ? old_number::pocketPoints : old_number::pocketHead;
+    context_.report(old_number::as(cause, diagnose(p.span, diag::ParameterExpected, "POCKET",
+                                                   "eight numbers and the points of the outline")));
     return;
   }
   emitCommand(p, std::move(*list));

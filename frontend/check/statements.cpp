@@ -1,6 +1,7 @@
 #include "frontend/check/statements.h"
 
 #include "frontend/check/motion.h"
+#include "frontend/check/old_number.h"
 #include "frontend/lex/refusal.h"
 #include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
@@ -209,7 +210,11 @@ void Statements::plain(const Parts& p, ArgumentRules rules) {
   const bool needs = row(p.word).wordClass == WordClass::arelemValue || p.word == Word::CANON ||
                      row(p.word).wordClass == WordClass::motion;
   if (needs && list->empty()) {
-    context_.report(diagnose(p.span, diag::ParameterExpected, spell(p.word), "a parameter"));
+    const DiagRow& cause = row(p.word).wordClass == WordClass::arelemValue
+                               ? old_number::valueMissing
+                               : diag::ParameterExpectedRow;
+    context_.report(old_number::as(
+        cause, diagnose(p.span, diag::ParameterExpected, spell(p.word), "a parameter")));
     return;
   }
   emitCommand(p, std::move(*list));
@@ -309,9 +314,10 @@ void Statements::unnamed(const Parts& p) {
     if (!type) {
       context_.reporter.used(ir::Feature::RV_01);
     }
-    context_.report(type ? diagnose(p.span, diag::Misplaced,
-                                    fmt::format("`{}` without a name before it", spell(p.word)))
-                         : diagnose(p.span, diag::ReservedType, spell(p.word)));
+    const std::string nameless = fmt::format("`{}` without a name before it", spell(p.word));
+    context_.report(
+        type ? old_number::as(old_number::unnamedType, diagnose(p.span, diag::Misplaced, nameless))
+             : diagnose(p.span, diag::ReservedType, spell(p.word)));
     return;
   }
   auto list = values_.arguments(p.first, {.owner = spell(p.word),

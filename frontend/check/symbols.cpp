@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "frontend/check/old_number.h"
 #include "frontend/check/values.h"
 #include "ir/define/matcher.h"
 #include "ir/diag/frontend.h"
@@ -69,9 +70,11 @@ ir::SymbolId Values::symbol(std::string_view name, NameFacts& facts) {
   return facts.symbol;
 }
 
-void Values::undefined(std::string_view name, const Span& span) {
+void Values::undefined(const Node& node) {
+  const std::string_view name = node.text;
   NameFacts& facts = context_.names.at(name);
-  Diagnostic d = diagnose(span, diag::UndefinedSymbol, name);
+  const DiagRow& cause = node.hasList ? old_number::undefinedArray : diag::UndefinedSymbolRow;
+  Diagnostic d = old_number::as(cause, diagnose(node.span, diag::UndefinedSymbol, name));
   if (facts.kind != NameFacts::Class::unknown && !facts.defined) {
     d.labels.push_back({facts.definition, "it is defined here, after this use"});
   } else if (const std::string_view mantissa = mantissaOf(name); !mantissa.empty()) {
@@ -90,7 +93,7 @@ void Values::undefined(std::string_view name, const Span& span) {
 
 bool Values::usable(const Node& node, NameFacts* facts) {
   if (facts == nullptr) {
-    undefined(node.text, node.span);
+    undefined(node);
     return false;
   }
   if (facts->poisoned) {
@@ -101,7 +104,7 @@ bool Values::usable(const Node& node, NameFacts* facts) {
     return false;
   }
   if (facts->kind == NameFacts::Class::unknown || (!facts->defined && !context_.lenient)) {
-    undefined(node.text, node.span);
+    undefined(node);
     return false;
   }
   return true;
@@ -178,6 +181,9 @@ std::optional<ir::Target> Values::target(NodeId id, NameFacts::Class kind, Entit
     wanted.type = type;
     Diagnostic d =
         diagnose(node.span, diag::RedefinedClass, node.text, classOf(facts), classOf(wanted));
+    if (facts.arraySize != 0 || facts.kind == NameFacts::Class::macro) {
+      d.row = facts.arraySize != 0 ? &old_number::arrayClass : &old_number::macroClass;
+    }
     if (facts.definition != node.span) {
       d.labels.push_back({facts.definition, "first defined here"});
     }

@@ -48,7 +48,7 @@ class Values {
   ir::ExprId binary(ir::Expr::Kind kind, ir::ExprId left, ir::ExprId right, const Span& span);
   ir::SymbolId symbol(std::string_view name, NameFacts& facts);
   /// Reports an undefined name, with near names, and poisons it.
-  void undefined(std::string_view name, const Span& span);
+  void undefined(const Node& node);
 
  private:
   std::optional<ir::ExprId> nameValue(const Node& node);

@@ -256,6 +256,9 @@ void Association::judgeStartup(const Action& action, const Startup& startup, con
   const bool offDrive = drive && startup.surfaces[0].condition != ir::Condition::on;
   modal_.startedOffDrive = offDrive ? drive->name : "";
   modal_.startedOffPart = part && startup.surfaces[1].condition != ir::Condition::on;
+  if (modal_.startedOffPart && modal_.toolOnPart()) {
+    modal_.partRelation = Word::TLOFPS;
+  }
   modal_.consumeOneShots();
   moveTo(after);
   add(std::move(result));

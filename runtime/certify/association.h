@@ -89,6 +89,7 @@ class Association {
   void close();
   [[nodiscard]] Location placed(const Location& location);
   void beginFollow(const runtime::Follow& follow);
+  void prove(const Location& first);
   void addFollow(const Location& location);
   void endFollow();
   /// Of a file without statement numbers: whether the last location was the last of its statement.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/certify/patience.h"
 #include "runtime/tool/contact.h"
 
 namespace arelem::certify {
@@ -15,11 +16,12 @@ namespace {
 constexpr int arcs = 8;
 /// Places measured for one part of a chord, and in vain for all of a motion.
 constexpr int budget = 20000;
-constexpr int patience = 200000;
-/// A chord that takes more nodes than this is looked at in vain; a motion may have so many such
-/// nodes, each of which searches the whole ring.
-constexpr int chordNodes = 256;
-constexpr int vainNodes = 768;
+constexpr int patience = 1000000;
+
+/// So many triangles around a hull are looked at together; rounding of heights over their planes,
+/// as a share of the coordinates' size.
+constexpr std::size_t mostTogether = 8;
+constexpr double heightRounding = 1e-13;
 
 /// The triangles that may be the nearest one of some place of a hull.
 class AroundHull {
@@ -47,6 +49,25 @@ class AroundHull {
     shape_.tree.search(*this);
   }
 
+  /// Every place of the hull is above the mesh, and no nearer than this; -unbounded where that is
+  /// not known. Behind an edge that stands out places above the mesh are below the plane of one of
+  /// its triangles. But where none of the triangles reaches over the plane of another, a place
+  /// above them on average, by any weights, is above: from its foot on one it would go down over
+  /// all.
+  [[nodiscard]] double lowestTogether() const {
+    return standsOut() ? bestOfPairs([this](std::size_t triangle, const Vec3& corner) {
+                           return heightOver(triangle, corner);
+                         }) - 2.0 * rounding()
+                       : -unbounded;
+  }
+  /// No place of the hull is farther from the mesh than this: behind an edge the one triangle is
+  /// nearer, before it the other, and the nearer one is no farther than both on average.
+  [[nodiscard]] double farthestTogether() const {
+    return -bestOfPairs([this](std::size_t triangle, const Vec3& corner) {
+      return -away(triangle, corner).norm();
+    });
+  }
+
   bool enters(const Vec3& center, const Vec3& half) const {
     return ((center - half - high_).array() <= reach_).all() &&
            ((low_ - center - half).array() <= reach_).all();
@@ -68,6 +89,10 @@ class AroundHull {
       high = std::max(high, height);
     }
     if (nearest <= reach_) {
+      if (count_ < mostTogether) {
+        list_[count_] = triangle;
+      }
+      ++count_;
       lowest = std::min(lowest, low);
       highest = std::max(highest, high);
       least = std::min(least, nearest);
@@ -75,6 +100,76 @@ class AroundHull {
   }
 
  private:
+  [[nodiscard]] double rounding() const {
+    return heightRounding * (1.0 + low_.cwiseAbs().cwiseMax(high_.cwiseAbs()).maxCoeff() + reach_);
+  }
+  [[nodiscard]] double heightOver(std::size_t triangle, const Vec3& p) const {
+    return side_ * shape_.normals[triangle].dot(p - shape_.mesh.corner(triangle, 0));
+  }
+  /// No triangle is over the plane of another, they face the same way, and none is at the border.
+  [[nodiscard]] bool standsOut() const {
+    if (count_ > mostTogether) {
+      return false;
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (shape_.atBorder[shape_.mesh.triangles[list_[i]][corner]]) {
+          return false;
+        }
+        const Vec3& place = shape_.mesh.corner(list_[i], corner);
+        for (std::size_t k = 0; k < count_; ++k) {
+          if (heightOver(list_[k], place) > rounding()) {
+            return false;
+          }
+        }
+      }
+      for (std::size_t k = 0; k < i; ++k) {
+        if (!(shape_.normals[list_[i]].dot(shape_.normals[list_[k]]) > 0.0)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+  using OfCorners = std::array<double, 4>;
+  /// Of what is known of each triangle at the corners, the least on average of two triangles, by
+  /// the weights with which it is greatest; -unbounded where there are many.
+  template <class Value>
+  [[nodiscard]] double bestOfPairs(const Value& value) const {
+    if (count_ > mostTogether) {
+      return -unbounded;
+    }
+    std::array<OfCorners, mostTogether> known;
+    double best = -unbounded;
+    for (std::size_t i = 0; i < count_; ++i) {
+      std::transform(corners_.begin(), corners_.end(), known[i].begin(),
+                     [&](const Vec3& corner) { return value(list_[i], corner); });
+      for (std::size_t k = 0; k < i; ++k) {
+        best = std::max(best, bestOf(known[i], known[k]));
+      }
+    }
+    return best;
+  }
+  /// It is greatest with one of them alone, or where two corners are equal.
+  [[nodiscard]] double bestOf(const OfCorners& one, const OfCorners& other) const {
+    const auto leastBy = [&](double share) {
+      double low = unbounded;
+      for (std::size_t i = 0; i < corners_.size(); ++i) {
+        low = std::min(low, one[i] + share * (other[i] - one[i]));
+      }
+      return low;
+    };
+    double best = std::max(leastBy(0.0), leastBy(1.0));
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const double share = (one[k] - one[i]) / ((other[i] - one[i]) - (other[k] - one[k]));
+        if (share > 0.0 && share < 1.0) {
+          best = std::max(best, leastBy(share));
+        }
+      }
+    }
+    return best;
+  }
   [[nodiscard]] Vec3 away(std::size_t triangle, const Vec3& p) const {
     const geometry::TriangleMesh& mesh = shape_.mesh;
     return p - geometry::nearestOn(mesh.corner(triangle, 0), mesh.corner(triangle, 1),
@@ -87,13 +182,15 @@ class AroundHull {
   std::span<const Vec3> corners_;
   Vec3 center_ = Vec3::Zero(), low_, high_;
   double reach_ = 0.0;
+  std::array<std::size_t, mostTogether> list_{};
+  std::size_t count_ = 0;
 
  public:
   double lowest = unbounded, highest = -unbounded;  ///< heights over their planes, on the side
   double least = unbounded;                         ///< distance from any of them
 };
 
-class MeshRingProbe final : public Probe {
+class MeshRingProbe final : public Probe, public Patient {
  public:
   MeshRingProbe(const surface::Mesh& mesh, const Relation& relation)
       : mesh_(mesh),
@@ -102,18 +199,12 @@ class MeshRingProbe final : public Probe {
         ring_(*relation.cutter),
         arm_(std::hypot(ring_.e, ring_.f)) {}
 
-  void take(const Chord& chord) override {
-    chord_ = chord;
-    nodes_ = 0;
-  }
+  void take(const Chord& chord) override { chord_ = chord; }
+  [[nodiscard]] bool givesUp() const override { return inVain_ >= patience; }
   Node resume(const Node& previous) override { return turned(previous, chord_); }
 
   Node at(double s) override {
     Node n = placeOn(chord_, s);
-    if (++nodes_ > chordNodes && ++vainNodes_ > vainNodes) {
-      n.high = unbounded;
-      return n;
-    }
     const tool::Contact c = tool::contact(mesh_, side_, ring_, n.toolEnd, n.axis, search_);
     note(c, thick_, chord_, n);
     return n;
@@ -152,8 +243,12 @@ class MeshRingProbe final : public Probe {
   [[nodiscard]] Range overHull(std::span<const Vec3> corners, double bulge) {
     AroundHull hull(mesh_.shape(), side_, corners);
     (void)mesh_.foot(hull.center(), hint_);
-    const double far = hull.farthest(static_cast<std::size_t>(hint_.triangle)) + bulge;
+    double far = hull.farthest(static_cast<std::size_t>(hint_.triangle)) + bulge;
     hull.collect(far + bulge + tolerance::sameSide);
+    far = std::min(far, hull.farthestTogether() + bulge);
+    if (hull.lowest <= bulge) {
+      hull.lowest = std::max(hull.lowest, hull.lowestTogether());
+    }
     const double above = std::max(hull.lowest, hull.least) - bulge;
     const double below = std::max(-hull.highest, hull.least) - bulge;
     // Beside an open edge, level with it, a place counts as above it.
@@ -176,7 +271,7 @@ class MeshRingProbe final : public Probe {
 
   /// Whether the gap is at least `aim` for s in [from, to]; notes a lower gap that was measured.
   bool searched(double from, double to, double aim, Stretch& result) {
-    if (aim == -unbounded || inVain_ >= patience) {
+    if (aim == -unbounded || givesUp()) {
       return false;
     }
     parts_.clear();
@@ -246,7 +341,6 @@ class MeshRingProbe final : public Probe {
   surface::Mesh::Hint hint_;
   std::vector<Part> parts_;
   int inVain_ = 0;
-  int nodes_ = 0, vainNodes_ = 0;
 };
 }  // namespace
 

@@ -68,6 +68,7 @@ bool Modal::apply(const runtime::Action& action) {
     }
   } else if (const auto* toggle = std::get_if<runtime::Toggle>(&action.body)) {
     output = toggle->word == Word::CUT || (output && toggle->word != Word::DNTCUT);
+    staysOn = staysOn || toggle->word == Word::TLON;
     ignorePart = ignorePart || toggle->word == Word::NOPS;
     automaticPart = automaticPart || toggle->word == Word::AUTOPS;
   } else {
@@ -110,8 +111,19 @@ void Modal::takeAutomaticPart() {
 
 void Modal::consumeOneShots() {
   surfaceVector = {};
+  standsOn = false;
   ignorePart = false;
   automaticPart = false;
+}
+
+bool Modal::isLeftOn(const surface::AnySurface& drive, const Vec3& end) const {
+  const auto* line = std::get_if<surface::Plane>(&drive);
+  const tool::Profile* tool = cutterFor(driveRole);
+  const double reach = inner[driveRole] + outer[driveRole] + tolerance::startLength;
+  return staysOn && line != nullptr && tool != nullptr && tool->maxRadius() > reach &&
+         (driveRelation == Word::TLLFT || driveRelation == Word::TLRGT) &&
+         thick[driveRole] == 0.0 && std::abs(line->normal.dot(axis)) <= tolerance::symmetric &&
+         std::abs(line->normal.dot(end) - line->offset) <= reach;
 }
 
 Named Modal::partSurface() const {

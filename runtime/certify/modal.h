@@ -40,6 +40,8 @@ class Modal {
   bool startedOffPart = false;
   /// The drive surface at which it asked for the cutter, for the motion behind it.
   std::string startedOffDrive;
+  bool staysOn = false;   ///< dialect apt360: a tool end on a line goes along it whatever the word
+  bool standsOn = false;  ///< so in the motion that goes on
   bool output = true;
   runtime::ToolAxis axisRule;
   std::array<std::optional<Vec3>, 3> surfaceVector;
@@ -55,8 +57,11 @@ class Modal {
   [[nodiscard]] Named partSurface() const;
   [[nodiscard]] const tool::Profile* cutterFor(Role role) const;
   [[nodiscard]] bool toolOnDrive() const {
-    return driveRelation && (*driveRelation == Word::TLON || *driveRelation == Word::TLNDON);
+    return standsOn ||
+           (driveRelation && (*driveRelation == Word::TLON || *driveRelation == Word::TLNDON));
   }
+  /// TLLFT or TLRGT for a tool end on the line that leads it, where that is taken as TLON.
+  [[nodiscard]] bool isLeftOn(const surface::AnySurface& drive, const Vec3& end) const;
   [[nodiscard]] bool toolOnPart() const { return partRelation && *partRelation == Word::TLONPS; }
   /// The axis at a tool end that is put out without one.
   [[nodiscard]] Vec3 axisAt(const Vec3& place, const surface::AnySurface& drive) const;

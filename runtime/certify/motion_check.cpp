@@ -189,14 +189,17 @@ Touch MotionCheck::touchOf(const Modal& modal,
 
 /// Whether a gap that is within its band where the path ends turns round within it: a touch, which
 /// is TO and PAST at one place. How the gap bends follows from its slopes along the last cut
-/// vector, along the path at its end and a little ahead.
+/// vector, along the path at its end and a little ahead. `back`: the sign of the slope with which
+/// it leads out of the band to where it came from, 0 where it did not or that is not known; then it
+/// has turned round if the path leads there too, and not the last cut vector only.
 bool MotionCheck::isTouch(const Modal& modal,
                           const surface::AnySurface& drive,
                           const PathEnd& at,
                           const surface::AnySurface& check,
                           const Relation& relation,
                           const Allowed& allowed,
-                          const Touch& t) const {
+                          const Touch& t,
+                          double back) const {
   if (excess(t, allowed) > 0.0) {
     return false;
   }
@@ -205,7 +208,7 @@ bool MotionCheck::isTouch(const Modal& modal,
   const Vec3 line = across.cross(up);
   const Vec3 way = at.towards(t.offset, line);
   const double slope = t.normal.dot(way);
-  if (std::abs(slope) <= glancing) {
+  if (std::abs(slope) <= glancing || back * slope > 0.0) {
     return true;
   }
   const double step = aheadShare * std::sqrt(allowed.inner + allowed.outer);
@@ -304,7 +307,8 @@ MotionCheck::Contact MotionCheck::contactOf(const Modal& modal,
     }
     const bool leads = sign * t.normal.dot(at.towards(t.offset)) >= -glancing;
     return (leads ? !came(side, other) : came(side, goal.condition)) ||
-           isTouch(modal, drive, at, goal.surface.surface, relations[side], c.allowed, t);
+           isTouch(modal, drive, at, goal.surface.surface, relations[side], c.allowed, t,
+                   leads ? sign : 0.0);
   };
   // The nearer one where the path does not tell, but none that it met in the other sense.
   const std::array fit{fits(0), fits(1)};
@@ -390,7 +394,7 @@ StatementResult MotionCheck::startup(const Modal& modal,
     check(*surface, c == ir::Condition::automatic ? ir::Condition::to : c, i);
   }
   if (startup.surfaces.size() == 1 && !modal.ignorePart) {
-    check(modal.partSurface(), ir::Condition::to, 1);
+    check(modal.partSurface(), modal.toolOnPart() ? ir::Condition::on : ir::Condition::to, 1);
   }
   return result;
 }

@@ -102,7 +102,8 @@ class MotionCheck {
                              const surface::AnySurface& check,
                              const Relation& relation,
                              const Allowed& allowed,
-                             const Touch& t) const;
+                             const Touch& t,
+                             double back) const;
   /// Whether the tool came into the band of a check surface from where the condition, TO or PAST,
   /// lets it come, and never was beyond it since.
   [[nodiscard]] static bool cameFrom(const PathEnd& at,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/certify/patience.h"
+
 namespace arelem::certify {
 
 namespace {
@@ -18,6 +20,7 @@ class Proof {
  public:
   Proof(Probe& probe, const Allowed& allowed)
       : probe_(probe),
+        patient_(dynamic_cast<const Patient*>(&probe)),
         floor_(-allowed.inner - allowed.slack),
         ceiling_(allowed.outer + allowed.slack),
         figure_(allowed.figures ? figureShare * (allowed.inner + allowed.outer) + allowed.slack
@@ -78,8 +81,8 @@ class Proof {
     if (!figures_ && refuted()) {
       return;
     }
-    if (blind_) {
-      take({});
+    if (blind_ || (patient_ != nullptr && patient_->givesUp())) {
+      take(blind_ ? Range{} : known);
       return;
     }
     Stretch range = probe_.over(a, b, known.low >= lowAim() ? -unbounded : lowAim());
@@ -124,6 +127,7 @@ class Proof {
   }
 
   Probe& probe_;
+  const Patient* patient_;
   double floor_, ceiling_, figure_;
   bool figures_;
   bool blind_ = false;  ///< at a place nothing was measured: no parts of the chord help

@@ -1,6 +1,7 @@
 // The locations of a file, one by one, to the statements that they belong to.
 #include <utility>
 
+#include "ir/diag/motion.h"
 #include "ir/diag/verify.h"
 #include "runtime/certify/association.h"
 
@@ -210,13 +211,23 @@ void Association::beginFollow(const Follow& follow) {
   }
   t.drive = *std::move(drive);
   if (modal_.positioned) {
-    t.proof.emplace(check_, modal_, *t.drive, Location{modal_.toolEnd, modal_.axis},
-                    options_.interrupted);
+    prove({modal_.toolEnd, modal_.axis});
   } else {
     report(*t.action,
            fail(diag::NotCertified, std::string("the file does not tell where it begins")));
     ++summary_.faults;
   }
+}
+
+/// The motion begins here.
+void Association::prove(const Location& first) {
+  Taking& t = *taking_;
+  modal_.standsOn = modal_.isLeftOn(t.drive->surface, first.toolEnd);
+  if (modal_.standsOn && !options_.own) {  // of our own path the computation told
+    report(*t.action, fail(diag::OnAsItStands, arelem::spell(*modal_.driveRelation), t.drive->name,
+                           modal_.cutterFor(driveRole)->maxRadius()));
+  }
+  t.proof.emplace(check_, modal_, *t.drive, first, options_.interrupted);
 }
 
 /// A location with the program's axis where the file has none.
@@ -234,7 +245,7 @@ void Association::addFollow(const Location& location) {
   if (t.proof) {
     t.proof->add(l);
   } else if (t.drive) {
-    t.proof.emplace(check_, modal_, *t.drive, l, options_.interrupted);
+    prove(l);
   } else {
     t.last = l;
   }

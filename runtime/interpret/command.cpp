@@ -128,6 +128,9 @@ void execute(State& state, const ir::Command& command) {
       return;
     case WordClass::toolPosition:
       state.emit(ToolRelation{command.word});
+      if (state.program.dialect == "apt360") {
+        state.emit(Toggle{Word::TLON, true});  // of a tool end on a line: differences-motion.md
+      }
       return;
     case WordClass::canon:
       canon(state, command);

@@ -96,7 +96,8 @@ class Planner {
     const double slack = state_.band(role) + tolerance::startLength;
     if (role == driveRole) {
       if (state_.driveRelation) {
-        return *state_.driveRelation == Word::TLON || *state_.driveRelation == Word::TLNDON;
+        return *state_.driveRelation == Word::TLON || *state_.driveRelation == Word::TLNDON ||
+               staysOn();
       }
       return std::abs(footOn(course_.drive.surface, state_.toolEnd).distance) <= slack;
     }
@@ -107,6 +108,17 @@ class Planner {
     const double offset = touching_->at(state_.toolEnd, state_.axis).gap;
     return std::abs(offset) > slack &&
            std::abs(footOn(course_.part.surface, state_.toolEnd).distance) <= slack;
+  }
+
+  /// Under TLLFT or TLRGT the old system ran a tool end that was on a line along it, as under TLON.
+  [[nodiscard]] bool staysOn() const {
+    const auto* line = std::get_if<surface::Plane>(&course_.drive.surface);
+    const tool::Profile* cutter = cutterFor(state_, driveRole);
+    const double slack = state_.band(driveRole) + tolerance::startLength;
+    return state_.staysOn && line != nullptr && cutter->maxRadius() > slack &&
+           state_.thick[driveRole] == 0.0 &&
+           std::abs(line->normal.dot(state_.axis)) <= tolerance::symmetric &&
+           std::abs(footOn(course_.drive.surface, state_.toolEnd).distance) <= slack;
   }
 
   /// The gap field of a guiding surface, on the side where the tool is.
@@ -235,8 +247,7 @@ class Planner {
     }
     return on ? "the cutter touches it: TLLFT and TLRGT keep it so, TLON needs a startup ON it"
               : "the tool end is on it: TLON keeps it so, TLLFT and TLRGT need a startup TO or "
-                "PAST "
-                "it";
+                "PAST it (along a line, --dialect apt360 goes ON it as the old system did)";
   }
 
   /// True where a TLAXIS with a vector may have turned the tool away from its surfaces.
@@ -275,6 +286,7 @@ class Planner {
     start.face(*direction);
     warnWrongSide();
     warnOnByDefault();
+    warnOnAsItStands();
     for (CheckWatch& w : course_.watches) {
       const double away = footOn(w.surface().surface, state_.toolEnd).distance;
       if (auto bad = tooFarOut(state_, checkRole, std::abs(away))) {
@@ -312,6 +324,14 @@ class Planner {
       if (goal.onByDefault) {
         course_.warnings.push_back(fail(diag::OnByDefault, goal.surface.name, course_.drive.name));
       }
+    }
+  }
+
+  void warnOnAsItStands() {
+    const auto relation = state_.driveRelation;
+    if (course_.onDrive && (relation == Word::TLLFT || relation == Word::TLRGT)) {
+      course_.warnings.push_back(fail(diag::OnAsItStands, spell(*relation), course_.drive.name,
+                                      cutterFor(state_, driveRole)->maxRadius()));
     }
   }
 

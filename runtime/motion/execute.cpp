@@ -232,9 +232,7 @@ class Motions {
       reportAll(found->warnings);
       const Vec3 before = state_.toolEnd;
       if (s.surfaces.size() > 1) {
-        if (auto part = motion::named(s.surfaces[1].surface); part) {
-          state_.part = *std::move(part);
-        }
+        motion::startAtPart(state_, s.surfaces[1]);
       }
       moveTo(found->toolEnd);
       state_.axis = found->axis;

@@ -57,7 +57,8 @@ class Follower {
     auto bad = course_.isArc() ? runArc() : runChords();
     trail_.release();
     if (bad) {
-      return withStart(ends_.causeOf(*std::move(bad)), course_);
+      return withHeight(withStart(ends_.causeOf(*std::move(bad)), course_), course_,
+                        *state_.cutter);
     }
     result_.toolEnd = last_.toolEnd;
     result_.axis = last_.axis;

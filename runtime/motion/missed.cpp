@@ -15,6 +15,10 @@ namespace {
 /// Where a path ends the axis is asked for this far ahead. Part unit.
 constexpr std::array looksAhead{0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
+/// Beside its middle a hollow is lower: a cutter has room in one so many times as wide as it is
+/// high.
+constexpr double roomy = 2.0;
+
 /// A path that is nearest to a surface so far on comes nearer to it for ever. Part unit.
 constexpr double endless = 0.5 * tolerance::farAway;
 
@@ -134,6 +138,25 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
   }
   return never;
 }
+
+/// Sine from which on a cylinder lies across the tool.
+constexpr double crossing = 0.5;
+
+/// The diameter of a cylinder or sphere if the tool lies in it and not on it: if the center is
+/// above the tool end. 0 of others, and of cylinders along the tool.
+double hollowOver(const surface::AnySurface& surface, const PathPoint& tool) {
+  Vec3 center = tool.toolEnd;
+  double radius = 0.0;
+  if (const auto* sphere = std::get_if<surface::Sphere>(&surface)) {
+    center = sphere->center;
+    radius = sphere->radius;
+  } else if (const auto* c = std::get_if<surface::Cylinder>(&surface);
+             c != nullptr && tool.axis.cross(c->axis).norm() > crossing) {
+    center = c->point + (tool.toolEnd - c->point).dot(c->axis) * c->axis;
+    radius = c->radius;
+  }
+  return (center - tool.toolEnd).dot(tool.axis) > 0.0 ? 2.0 * radius : 0.0;
+}
 }  // namespace
 
 std::optional<Failure> axisEnds(Course& course, const PathPoint& last) {
@@ -192,7 +215,7 @@ Failure lost(Course& course, const PathPoint& last) {
 Failure missed(const Course& course) {
   Failure all = missedOne(course, course.watches.front());
   for (std::size_t i = 1; i < course.watches.size(); ++i) {
-    all = std::move(all).note(missedOne(course, course.watches[i]).message);
+    all.notes.push_back(missedOne(course, course.watches[i]).message);
   }
   return all;
 }
@@ -212,6 +235,24 @@ Failure withStart(Failure failure, const Course& course) {
           "the tool stands at check surface `{}` where the motion begins, which does not count: it "
           "went on past it",
           w.surface().name);
+    }
+  }
+  return failure;
+}
+
+Failure withHeight(Failure failure, const Course& course, const tool::Profile& cutter) {
+  std::vector<const NamedSurface*> surfaces{&course.part};
+  for (const CheckWatch& w : course.watches) {
+    surfaces.push_back(&w.surface());
+  }
+  for (const NamedSurface* surface : surfaces) {
+    const double wide = hollowOver(surface->surface, course.start);
+    if (failure.help.empty() && wide > 0.0 && wide < roomy * cutter.h) {
+      failure.help = fmt::format(
+          "the cutter is {:.6g} high, the hollow `{}` {:.6g}: if only its lower end lies in it, "
+          "give "
+          "the height that cuts, the seventh number of CUTTER",
+          cutter.h, surface->name, wide);
     }
   }
   return failure;

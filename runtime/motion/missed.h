@@ -31,4 +31,9 @@ namespace arelem::motion {
 /// the fault is not with the surface that ended it, and the help says so.
 [[nodiscard]] Failure withStart(Failure failure, const Course& course);
 
+/// A cutter that is higher than a hollow in which only its lower end cuts: the help says so.
+[[nodiscard]] Failure withHeight(Failure failure,
+                                 const Course& course,
+                                 const tool::Profile& cutter);
+
 }  // namespace arelem::motion

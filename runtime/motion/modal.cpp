@@ -101,6 +101,16 @@ std::optional<Failure> setPartSurface(State& state, const runtime::PartSurface& 
   return std::nullopt;
 }
 
+void startAtPart(State& state, const runtime::SurfaceUse& part) {
+  if (auto surface = named(part.surface); surface) {
+    state.part = *std::move(surface);
+  }
+  // The cutter, not the tool end, is at it now, and stays so until TLONPS comes again.
+  if (state.partRelation == Word::TLONPS && part.condition != ir::Condition::on) {
+    state.partRelation = Word::TLOFPS;
+  }
+}
+
 void setRelation(State& state, const runtime::ToolRelation& relation) {
   const bool part = relation.word == Word::TLONPS || relation.word == Word::TLOFPS;
   (part ? state.partRelation : state.driveRelation) = relation.word;
@@ -204,6 +214,9 @@ void setToggle(State& state, const runtime::Toggle& toggle, RecordWriter& writer
       break;
     case Word::AUTOPS:
       state.automaticPart = true;
+      break;
+    case Word::TLON:
+      state.staysOn = toggle.on;
       break;
     case Word::W_3DCALC:
     case Word::W_2DCALC:

@@ -17,6 +17,8 @@ namespace arelem::motion {
                                              bool written);
 /// PSIS.
 [[nodiscard]] std::optional<Failure> setPartSurface(State& state, const runtime::PartSurface& p);
+/// A startup made this its part surface.
+void startAtPart(State& state, const runtime::SurfaceUse& part);
 /// TLLFT, TLRGT, TLON, TLNDON, TLONPS, TLOFPS.
 void setRelation(State& state, const runtime::ToolRelation& relation);
 /// CUTTER. `used`: whether it will move along surfaces, for which its parts must join.

@@ -136,7 +136,9 @@ bool Path::step(const PathPoint& from,
   }
   // Mostly the place that was foretold does.
   const bool there = most <= std::max(roundingAt(guess), accept);
-  return (there || settleStep(from, along, gaps, accept, to)) && aimBehind(to, from);
+  // An axis that does not settle there may do so on the way: a shorter step tells.
+  return (there || settleStep(from, along, gaps, accept, to)) && axis.settles() &&
+         aimBehind(to, from);
 }
 
 /// Goes on from the place that was foretold, which is measured; false where that leads to another

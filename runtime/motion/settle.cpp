@@ -22,9 +22,6 @@ constexpr int patience = 12;
 constexpr int mostUnsettled = 5;
 /// Steps that leave at most this share of what is missed need no new slopes of the axis.
 constexpr double stillGood = 0.1;
-/// Positions and axes in turn: how often, and the turn from which on both are sought at once.
-constexpr int turnLimit = 40;
-constexpr double turnedEnough = 1e-3;
 /// Coming near evenly: the longest and the shortest step, as shares of what is missed at first, how
 /// well places on the way are found, and what neighbors have at most: the turn of a contact normal,
 /// as a cosine, and their distance for what is gained.
@@ -33,6 +30,8 @@ constexpr double shortestShare = 1e-3;
 constexpr double shrunkEnough = 1e-3;
 constexpr double sameWay = 0.8;
 constexpr double farForGain = 8.0;
+/// What is missed up to this many times the rounding of a place is rounding.
+constexpr double roundingShare = 1e4;
 /// Looking around: places found by whole steps are at most this many times as far from where they
 /// began as that is from the middle.
 constexpr double nearStart = 2.0;
@@ -148,7 +147,8 @@ void settleOn(Settled& out,
     const double most = e.most;
     const double rest = roundingAt(out.toolEnd);
     // Done at rounding level, or when Newton has stopped gaining there.
-    if (most <= std::max(rest, accept) || (most <= 1e4 * rest && most >= 0.5 * previous)) {
+    if (most <= std::max(rest, accept) ||
+        (most <= roundingShare * rest && most >= 0.5 * previous)) {
       out.ok = true;
       return;
     }
@@ -273,7 +273,11 @@ Settled settleEvenly(const Settled& first,
       planes[i].through = constraints[i].through + left * (first.toolEnd - constraints[i].through);
     }
   };
-  double left = 1.0;
+  // Where nothing is missed but rounding, no step is short enough for what it gains.
+  double left =
+      equationsAt(first, wanted, constraints).most > roundingShare * roundingAt(first.toolEnd)
+          ? 1.0
+          : 0.0;
   for (double share = longestShare; left > 0.0 && share >= shortestShare;) {
     const double next = std::max(0.0, left - share);
     setGoals(next);
@@ -293,36 +297,6 @@ Settled settleEvenly(const Settled& first,
   }
   settleOn(here, axis, wanted, constraints, 0.0);
   return here;
-}
-
-Settled settleInTurn(const Vec3& start,
-                     const Vec3& held,
-                     AxisRule& axis,
-                     std::span<const Wanted> wanted,
-                     std::span<const Constraint> constraints) {
-  Settled out;
-  out.toolEnd = start;
-  Vec3 turned = held;
-  for (int turns = 0; turns < turnLimit; ++turns) {
-    AxisRule fixed(turned);
-    const Settled there =
-        settleEvenly(measured(out.toolEnd, fixed, wanted), fixed, wanted, constraints);
-    if (!there.ok) {
-      return out;
-    }
-    out = there;
-    out.ok = false;
-    if (axis.fault(out.toolEnd)) {
-      return out;
-    }
-    const Vec3 next = axis.at(out.toolEnd);
-    const double apart = (next - turned).norm();
-    turned = next;
-    if (apart <= turnedEnough) {
-      break;
-    }
-  }
-  return settle(out.toolEnd, axis, wanted, constraints);
 }
 
 Eigen::Matrix3d frameOf(const Settled& at, std::size_t count) {

@@ -40,6 +40,7 @@ class Starter {
       return *std::move(bad);
     }
     exact_ = goals_.size() <= 2 && partIndex_ && !hasSurfaceVectors() && !state_.direction[1] &&
+             goals_[*partIndex_].condition != ir::Condition::past &&
              isPlaneRoute(state_, goals_[0].surface, goals_[*partIndex_].surface, nullptr);
     auto end = startup_.offset ? runOffset() : runGo();
     if (auto bad = end ? behindEnd(goals_, end->toolEnd, end->axis) : std::nullopt) {
@@ -77,6 +78,7 @@ class Starter {
     if (count == 1 && (!state_.ignorePart || state_.automaticPart)) {
       StartupGoal part;
       part.surface = partSurface(state_);
+      part.condition = state_.partRelation == Word::TLONPS ? ir::Condition::on : ir::Condition::to;
       part.role = partRole;
       goals_.push_back(std::move(part));
     }
@@ -231,12 +233,11 @@ class Starter {
       list.push_back({across, state_.toolEnd});
       list.push_back({v->normalized().cross(across), state_.toolEnd});
     } else if (goals_.size() == 2 && (v.has_value() != state_.direction[1].has_value())) {
-      // The plane through the start that holds the vector and the other surface's normal.
-      const Vec3 given = v ? *v : *state_.direction[1];
-      const Vec3 other = goals_[v ? 1 : 0].field->at(from, rule_.at(from)).normal;
-      const Vec3 normal = given.cross(other);
-      if (normal.norm() > tolerance::nullDirection) {
-        list.push_back({normal.normalized(), state_.toolEnd});
+      const Vec3& given = v ? *v : *state_.direction[1];
+      const auto normal = guidePlane(goals_, given, v ? 0 : 1, {from, rule_.at(from)},
+                                     {state_.toolEnd, state_.axis});
+      if (normal) {
+        list.push_back({*normal, state_.toolEnd});
       }
     }
     return list;
@@ -293,7 +294,9 @@ class Starter {
         found = tried.ok || !atRest ? tried : found;
       }
     }
-    if (evenly && !allPlanes()) {
+    // Where a direction leads, its wall is the one in front, be another one nearer to that place.
+    const bool isLed = found.ok && from != state_.toolEnd;
+    if (evenly && !allPlanes() && !isLed) {
       const auto goals = wanted(false, from);
       start = isFirst ? start : measured(from, rule_, goals);  // by fields that are new
       found = nearer(found, start, rule_, goals, extra);

@@ -20,6 +20,25 @@ Vec3 pathOf(std::span<const StartupGoal> goals, const Vec3& near, const Vec3& ax
   return way.norm() > tolerance::nullDirection ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
 }
 
+std::optional<Vec3> guidePlane(std::span<const StartupGoal> goals,
+                               const Vec3& direction,
+                               std::size_t given,
+                               const Place& led,
+                               const Place& start) {
+  const bool noPlane = std::none_of(goals.begin(), goals.end(),
+                                    [](const StartupGoal& goal) { return goal.surface.isPlane(); });
+  if (noPlane) {
+    return std::nullopt;
+  }
+  const Vec3 there = goals[given].field->at(led.toolEnd, led.axis).normal;
+  const Vec3 here = goals[1 - given].field->at(start.toolEnd, start.axis).normal;
+  const Vec3 path = there.cross(here);
+  const Vec3 along = direction.normalized();
+  const Vec3 normal = path - path.dot(along) * along;
+  return normal.norm() > tolerance::nullDirection ? std::optional<Vec3>(normal.normalized())
+                                                  : std::nullopt;
+}
+
 Sense senseOf(
     const State& state, const Vec3& direction, const Vec3& toolEnd, Role role, bool flat) {
   const auto seen = [&](const Vec3& v) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
@@ -22,6 +23,22 @@ struct Sense {
 /// The direction, either way, of a path along drive and part surface; zero where a startup has not
 /// both of them.
 [[nodiscard]] Vec3 pathOf(std::span<const StartupGoal> goals, const Vec3& near, const Vec3& axis);
+
+/// A tool end and the axis there.
+struct Place {
+  Vec3 toolEnd;
+  Vec3 axis;
+};
+
+/// The normal of the plane through the start that holds the direction given for one of two surfaces
+/// and is as square as can be to the path along both: to the one's normal where the direction
+/// leads, the other's where the tool stands. None where neither surface is a plane: there the
+/// direction leads near the position, and the nearest one is taken (manual 14.2.1).
+[[nodiscard]] std::optional<Vec3> guidePlane(std::span<const StartupGoal> goals,
+                                             const Vec3& direction,
+                                             std::size_t given,
+                                             const Place& led,
+                                             const Place& start);
 
 /// `flat`: only what is square to the axis counts, as on the plane route, where the part surface
 /// sets the height. A way back shorter than the surface's tolerance band is none.

@@ -44,6 +44,7 @@ struct State {
   std::optional<NamedSurface> part;   ///< none: the XY plane
   std::optional<Word> partRelation;   ///< TLONPS, TLOFPS; none before the first of them
   std::optional<Word> driveRelation;  ///< TLLFT, TLRGT, TLON; none before the first of them
+  bool staysOn = false;               ///< TLLFT, TLRGT: a tool end on a line stays there (apt360)
   bool alwaysIterate = false;         ///< 3DCALC
   bool multax = false;
   bool toldOfAxis = false;  ///< that one is not written

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/geometry/least.h"
+#include "runtime/geometry/mesh_foot.h"
 
 namespace arelem::tool {
 
@@ -19,6 +20,86 @@ constexpr int sections = 48;
 /// A gap that changes by no more from place to place is level: a ring that lies on a facet has a
 /// valley nowhere. Part unit.
 constexpr double levelGap = 1e-12;
+
+/// Rounding of distances and of how they change, as a share of the coordinates' size.
+constexpr double rounding = 1e-12;
+
+/// The triangles that are the nearest one of some place of a ball. How far each was from the place
+/// where it was looked at last tells, for the next places, mostly without a look that another one
+/// is nearer.
+class NearBall {
+ public:
+  NearBall(const surface::MeshShape& shape, const Vec3& center, double radius, double distance)
+      : shape_(shape),
+        center_(center),
+        slack_(rounding * (1.0 + center.cwiseAbs().maxCoeff() + radius + distance)),
+        reach_(distance + 2.0 * radius + slack_) {
+    shape.tree.search(*this);
+  }
+
+  /// False where they are too many, and where the ball is nowhere.
+  [[nodiscard]] bool isComplete() const { return count_ > 0 && count_ <= most; }
+  [[nodiscard]] std::size_t nearest(const Vec3& p) {
+    std::size_t found = last_;
+    double least = squaredTo(list_[found], p);
+    double reach = std::sqrt(least) + slack_;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const One& one = list_[k];
+      const double nearer = one.away - reach;
+      if (k == last_ || (nearer > 0.0 && (p - one.from).squaredNorm() < nearer * nearer)) {
+        continue;
+      }
+      const double squared = squaredTo(list_[k], p);
+      if (squared < least || (squared == least && list_[k].triangle < list_[found].triangle)) {
+        least = squared;
+        found = k;
+        reach = std::sqrt(least) + slack_;
+      }
+    }
+    last_ = found;
+    return list_[found].triangle;
+  }
+
+  bool enters(const Vec3& center, const Vec3& half) const {
+    return ((center_ - center).cwiseAbs() - half).cwiseMax(0.0).squaredNorm() <= reach_ * reach_;
+  }
+  void visit(std::size_t triangle) {
+    if (count_ > most) {
+      return;
+    }
+    One one{triangle, center_, 0.0};
+    if (squaredTo(one, center_) <= reach_ * reach_) {
+      if (count_ < most) {
+        list_[count_] = one;
+      }
+      ++count_;
+    }
+  }
+
+ private:
+  static constexpr std::size_t most = 64;
+  struct One {
+    std::size_t triangle = 0;
+    Vec3 from = Vec3::Zero();  ///< it is so far `away` from here
+    double away = 0.0;
+  };
+  double squaredTo(One& one, const Vec3& p) const {
+    const geometry::TriangleMesh& mesh = shape_.mesh;
+    const Vec3 on = geometry::nearestOn(mesh.corner(one.triangle, 0), mesh.corner(one.triangle, 1),
+                                        mesh.corner(one.triangle, 2), p)
+                        .point;
+    const double squared = (on - p).squaredNorm();
+    one.from = p;
+    one.away = std::sqrt(squared);
+    return squared;
+  }
+
+  const surface::MeshShape& shape_;
+  Vec3 center_;
+  double slack_, reach_;
+  std::array<One, most> list_;
+  std::size_t count_ = 0, last_ = 0;
+};
 
 struct Look {
   double angle = 0.0, gap = 0.0;
@@ -38,7 +119,8 @@ class RingSearch {
         center_(te + ring.f * axis),
         first_(axis.unitOrthogonal()),
         second_(axis.cross(first_)),
-        hint_(hint) {}
+        hint_(hint),
+        near_(mesh.shape(), center_, radius_, std::abs(mesh.foot(center_, hint).distance)) {}
 
   Contact run() {
     constexpr double turn = 2.0 * std::numbers::pi;
@@ -63,7 +145,7 @@ class RingSearch {
       }
     }
     const Vec3 point = place(best_.angle);
-    const surface::Foot foot = mesh_.foot(point, hint_);
+    const surface::Foot foot = footOf(point);
     return {side_ * foot.distance, side_ * foot.normal, point};
   }
 
@@ -71,8 +153,12 @@ class RingSearch {
   [[nodiscard]] Vec3 place(double angle) const {
     return center_ + radius_ * (std::cos(angle) * first_ + std::sin(angle) * second_);
   }
+  [[nodiscard]] surface::Foot footOf(const Vec3& p) {
+    return near_.isComplete() ? surface::footOn(mesh_.shape(), near_.nearest(p), p, hint_)
+                              : mesh_.foot(p, hint_);
+  }
   Look at(double angle) {
-    const Look look{angle, side_ * mesh_.foot(place(angle), hint_).distance};
+    const Look look{angle, side_ * footOf(place(angle)).distance};
     best_ = look.gap < best_.gap ? look : best_;
     return look;
   }
@@ -86,16 +172,20 @@ class RingSearch {
     looks_.push_back(middle);
     divide(middle, b, depth - 1);
   }
+  /// As long as a lower place can be in what is left.
   void valley(double low, double high) {
     int left = sections;
     geometry::narrowLeast([this](double angle) { return at(angle).gap; }, low, high,
-                          [&left](double, double) { return left-- > 0; });
+                          [&](double least, double width) {
+                            return left-- > 0 && least - radius_ * width <= best_.gap;
+                          });
   }
 
   const surface::Mesh& mesh_;
   double side_, radius_;
   Vec3 center_, first_, second_;
   surface::Mesh::Hint& hint_;
+  NearBall near_;
   std::vector<Look> looks_;
   Look best_{0.0, std::numeric_limits<double>::infinity()};
 };

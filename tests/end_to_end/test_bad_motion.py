@@ -115,6 +115,18 @@ class BadMotion(ArelemCase):
         self.assertFault(fault, "E0508", "724", 3.5, 9, -0.5)
         self.assertEqual(fault["help"], "the tool moves away from it from the start on")
 
+    def test_cutter_higher_than_the_hollow_that_only_its_end_lies_in(self):
+        # A fillet of radius 1.5 beside a floor: the ball lies in it, the shank, 5 high as no height is given, in its other side.
+        scene = ["PS1=PLANE/0,0,1,0", "CY1=CYLNDR/5,0,1.5,0,1,0,1.5", "DS1=PLANE/0,1,0,0", "FROM/0,0,4",
+                 "GO/ON,DS1,TO,PS1", "INDIRV/1,0,0", "TLON,GOFWD/DS1,PSTAN,CY1"]
+        fault = self.fault("CUTTER/.5,.25", *scene)
+        self.assertEqual((fault["code"], fault["legacy"]), ("E0509", "721"))
+        self.assertEqual(fault["help"], "the cutter is 5 high, the hollow `CY1` 3: if only its lower end lies in it, give "
+                         "the height that cuts, the seventh number of CUTTER")
+        self.write("low.apt", "\n".join(["PARTNO LOW", "CUTTER/.5,.25,0,.25,0,0,1", *scene, "PSIS/CY1", "GOFWD/DS1,ON,(PLANE/1,0,0,6)",
+                                         "FINI", ""]))
+        self.assertExit(0, "verify", "low.apt")
+
     def test_check_surface_beside_the_way(self):
         # The tool end runs along y = -.5, its far side along y = 0: the line y = 3 is 3 away from the start to no end.
         fault = self.fault("CUTTER/1", "L1=LINE/0,0,1,0", "L2=LINE/0,3,1,3", "FROM/0,-.5,0", "INDIRV/1,0,0",

@@ -207,6 +207,9 @@ def dialects_page(tables):
             "report of a run (`--report`) names the dialect. All that differs:", "",
             "| what | " + " | ".join(names) + " |", "|---|" + "---|" * len(names)]
     text += [f"| {row['what']} | " + " | ".join(row[n] for n in names) + " |" for row in tables["dialects"]]
+    text += ["", "In `apt360` two statements also do what they did there: TLLFT and TLRGT with the tool end on a line go along it "
+             "([W0511](../diagnostics/W0511.md); else [E0505](../diagnostics/E0505.md)), and OBTAIN of an entity of another reference "
+             "system gives its numbers as the one in force sees them ([A-14](ambiguities.md))."]
     text += ["", "## What tells CL text", "",
              "A line that begins like this (blanks do not count), with no `name =` before it:", "",
              "| begin | written by |", "|---|---|"]

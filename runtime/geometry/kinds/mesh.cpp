@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/geometry/mesh_edges.h"
+#include "runtime/geometry/mesh_foot.h"
 
 namespace arelem::surface {
 
@@ -74,9 +75,7 @@ Vec3 MeshShape::normalAt(std::size_t triangle, Feature feature) const {
                     : vertexNormals[mesh.triangles[triangle][place - 4]];
 }
 
-Foot Mesh::foot(const Vec3& p, Hint& hint) const {
-  const MeshShape& s = *shape_;
-  const std::size_t i = s.tree.nearest(s.mesh, p, hint.triangle);
+Foot footOn(const MeshShape& s, std::size_t i, const Vec3& p, Mesh::Hint& hint) {
   const geometry::OnTriangle on =
       geometry::nearestOn(s.mesh.corner(i, 0), s.mesh.corner(i, 1), s.mesh.corner(i, 2), p);
   hint = {static_cast<int>(i), on.feature};
@@ -92,6 +91,10 @@ Foot Mesh::foot(const Vec3& p, Hint& hint) const {
     return {sign * distance, s.normals[i]};
   }
   return {sign * distance, sign / distance * w};
+}
+
+Foot Mesh::foot(const Vec3& p, Hint& hint) const {
+  return footOn(*shape_, shape_->tree.nearest(shape_->mesh, p, hint.triangle), p, hint);
 }
 
 double Mesh::bend(const Vec3&, const Foot& foot, const Vec3& t, Hint& hint) const {

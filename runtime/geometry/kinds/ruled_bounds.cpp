@@ -20,7 +20,7 @@ Ruled::Sheet::Part Ruled::Sheet::curvatures(double f, double g, double reach) co
     part.curvatures = curvaturesAround(f, g, reach);
     return part;
   }
-  const Surroundings* known = surroundings(f, g);
+  const Surroundings* known = surroundings(f, g, 0.5 * reach);
   if (known == nullptr || !(known->alone.load(std::memory_order_relaxed) >= reach)) {
     const Part all = partAbout(blockOf(f), at(f, g).place, reach);
     return all.alone ? part : all;
@@ -68,6 +68,27 @@ Ruled::Sheet::Seconds Ruled::Sheet::secondsAt(double g,
   return all;
 }
 
+std::optional<Ruled::Sheet::Change> Ruled::Sheet::changeOver(const SheetPlace& s,
+                                                             double g,
+                                                             double halfF,
+                                                             double halfG,
+                                                             const CurveRange& a,
+                                                             const CurveRange& b) const {
+  Change change;
+  change.across = s.byF.cross(s.byG);
+  change.area = change.across.norm();
+  change.longF = s.byF.norm();
+  change.longG = s.byG.norm();
+  change.atLow = secondsAt(g - halfG, a, b);
+  change.atHigh = secondsAt(g + halfG, a, b);
+  change.twist = secondsApart(a, b) * halfF;
+  const double twist = s.byFG.norm() + change.twist;
+  change.byF = std::max(change.atLow.longest, change.atHigh.longest) * halfF + twist * halfG;
+  change.byG = twist * halfF;
+  change.ofArea = change.byF * (change.longG + change.byG) + change.longF * change.byG;
+  return change.ofArea <= mostTurn * change.area ? std::optional(change) : std::nullopt;
+}
+
 /// With S_gg = 0 the second form has the entries n . S_ff and n . S_fg; second derivatives of the
 /// curves go along their headings. All is bounded over the box of f and g about a place, by its
 /// values there and the largest change of each; `a` and `b` are the ranges of the curves.
@@ -77,27 +98,17 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
                                                                 double halfG,
                                                                 const CurveRange& a,
                                                                 const CurveRange& b) const {
-  const Vec3 across = s.byF.cross(s.byG);
-  const double area = across.norm();
-  const double longF = s.byF.norm();
-  const double longG = s.byG.norm();
-  const Seconds atLow = secondsAt(g - halfG, a, b);
-  const Seconds atHigh = secondsAt(g + halfG, a, b);
-  const double twistChange = secondsApart(a, b) * halfF;
-  const double twist = s.byFG.norm() + twistChange;
-  const double changeF = std::max(atLow.longest, atHigh.longest) * halfF + twist * halfG;
-  const double changeG = twist * halfF;
-  const double changeArea = changeF * (longG + changeG) + longF * changeG;
-  if (!(changeArea <= mostTurn * area)) {
+  const std::optional<Change> change = changeOver(s, g, halfF, halfG, a, b);
+  if (!change) {
     return std::nullopt;
   }
-  const Vec3 normal = across / area;
-  const double turned = 2.0 * changeArea / (2.0 * area - changeArea);
+  const Vec3 normal = change->across / change->area;
+  const double turned = 2.0 * change->ofArea / (2.0 * change->area - change->ofArea);
   // The second derivative is linear in g.
   const double rise = normal.dot(first_.heading());
   const double besides = std::abs(normal.dot(aside_)) + turned * aside_.norm();
   Bends bent = nothing;
-  for (const Seconds& at : {atLow, atHigh}) {
+  for (const Seconds& at : {change->atLow, change->atHigh}) {
     for (const double n : {rise - turned, rise + turned}) {
       bent.low =
           std::min({bent.low, n * at.low - at.second * besides, n * at.high - at.second * besides});
@@ -105,9 +116,9 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
           {bent.high, n * at.low + at.second * besides, n * at.high + at.second * besides});
     }
   }
-  const double twisted = std::abs(normal.dot(s.byFG)) + twistChange + turned * s.byFG.norm();
-  const double byUnitF = (longG + changeG) / (area - changeArea);
-  const double byUnitG = (longF + changeF) / (area - changeArea);
+  const double twisted = std::abs(normal.dot(s.byFG)) + change->twist + turned * s.byFG.norm();
+  const double byUnitF = (change->longG + change->byG) / (change->area - change->ofArea);
+  const double byUnitG = (change->longF + change->byF) / (change->area - change->ofArea);
   // The most of 2 twisted x y - bending x^2 over the shares x of byF and y of byG in a unit vector:
   // along the ruling nothing bends, and a sheet that bends one way bends little the other way.
   const auto most = [&](double bending) {
@@ -115,7 +126,7 @@ std::optional<Ruled::Sheet::Bounded> Ruled::Sheet::curvaturesOf(const SheetPlace
     return std::max(0.0, x * (2.0 * twisted * byUnitG - bending * x));
   };
   return Bounded{{-most(-bent.high), most(bent.low)},
-                 std::max(byUnitF / longG, byUnitG / longF) * area};
+                 std::max(byUnitF / change->longG, byUnitG / change->longF) * change->area};
 }
 
 void Ruled::Sheet::makeRows() {
@@ -126,10 +137,9 @@ void Ruled::Sheet::makeRows() {
   addRows(low_, high_, std::max(rowsOfABlock, static_cast<int>((high_ - low_) * rowsOfASpan)));
   addRows(high_, high_ + reachOfACurve, rowsBeside);
   for (std::size_t i = 0; i < rows_.size(); i += rowsOfABlock) {
-    blocks_.push_back(blockFrom(i));
+    blockStrips_.push_back(rulingsBetween(rows_[i].low, rows_[i + rowsOfABlock - 1].high));
   }
   strips_.assign(rows_.begin(), rows_.end());
-  blockStrips_.assign(blocks_.begin(), blocks_.end());
   const auto byEights = [](const std::vector<Strip>& strips) {
     std::vector<Eight> eights((strips.size() + rowsOfABlock - 1) / rowsOfABlock);
     for (std::size_t i = 0; i < strips.size(); ++i) {
@@ -139,7 +149,9 @@ void Ruled::Sheet::makeRows() {
   };
   eights_ = byEights(strips_);
   blockEights_ = byEights(blockStrips_);
-  around_ = std::make_unique<Surroundings[]>(blocks_.size() * cellsOfARow);
+  rowCells_ = std::make_unique<CellBends[]>(rows_.size() * cellsOfARow);
+  blockCells_ = std::make_unique<CellBends[]>(blockStrips_.size() * cellsOfARow);
+  around_ = std::make_unique<Surroundings[]>(blockStrips_.size() * cellsOfARow);
 }
 
 /// Whole blocks: where the curves end, rows of one block would know little of each other.
@@ -158,7 +170,7 @@ void Ruled::Sheet::addRows(double from, double to, int number) {
   for (int depth = 0; depth < deepestRow; ++depth) {
     std::vector<Row> finer;
     for (const Row& row : rows) {
-      if (row.isKnown() || halved >= mostRowsHalved) {
+      if (row.known || halved >= mostRowsHalved) {
         finer.push_back(row);
       } else {
         ++halved;
@@ -205,40 +217,71 @@ Ruled::Sheet::Strip Ruled::Sheet::rulingsBetween(double low, double high) const 
 }
 
 Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
-  Row row{rulingsBetween(low, high), {}};
   const double f = 0.5 * (low + high);
   const double half = 0.5 * (high - low);
-  const auto a = range(first_, f, half);
-  const auto b = range(second_, f, half);
-  if (!a || !b) {
-    return row;
-  }
-  CurvePlace first, second;
-  curves(f, first, second);
-  for (int k = 0; k < cellsOfARow; ++k) {
-    const auto [g, halfG] = cellOf(k);
-    if (const auto bounded = curvaturesOf(between(first, second, g), g, half, halfG, *a, *b)) {
-      row.cells[static_cast<std::size_t>(k)] = bounded->curvatures;
-    }
-  }
+  Row row{rulingsBetween(low, high), range(first_, f, half), range(second_, f, half)};
+  row.known = isKnown(row);
   return row;
 }
 
-Ruled::Sheet::Row Ruled::Sheet::blockFrom(std::size_t row) const {
-  const std::size_t end = row + rowsOfABlock;
-  Row block{rulingsBetween(rows_[row].low, rows_[end - 1].high), rows_[row].cells};
-  for (std::size_t i = row + 1; i < end; ++i) {
-    for (std::size_t k = 0; k < cellsOfARow; ++k) {
-      block.cells[k] = hull(block.cells[k], rows_[i].cells[k]);
+bool Ruled::Sheet::isKnown(const Row& row) const {
+  if (!row.a || !row.b) {
+    return false;
+  }
+  CurvePlace first, second;
+  curves(0.5 * (row.low + row.high), first, second);
+  const int begin = cellAt(-1.0);
+  for (int k = begin; k < begin + 3 * cellsOfARuling; ++k) {
+    const auto [g, halfG] = cellOf(k);
+    if (!changeOver(between(first, second, g), g, 0.5 * (row.high - row.low), halfG, *row.a,
+                    *row.b)) {
+      return false;
     }
   }
-  return block;
+  return true;
+}
+
+std::optional<Bends> Ruled::Sheet::curvaturesInCell(const Row& row, int cell) const {
+  if (!row.a || !row.b) {
+    return std::nullopt;
+  }
+  const auto [g, halfG] = cellOf(cell);
+  const auto bounded = curvaturesOf(at(0.5 * (row.low + row.high), g), g,
+                                    0.5 * (row.high - row.low), halfG, *row.a, *row.b);
+  return bounded ? std::optional(bounded->curvatures) : std::nullopt;
+}
+
+/// Threads that note the same cell at once find the same.
+std::optional<Bends> Ruled::Sheet::CellBends::noted(const std::optional<Bends>& bends) {
+  high.store(bends ? bends->high : 0.0, std::memory_order_relaxed);
+  low.store(bends ? bends->low : unknown, std::memory_order_release);
+  return bends;
+}
+
+std::optional<Bends> Ruled::Sheet::cellOfRow(std::size_t row, int cell) const {
+  CellBends& noted = rowCells_[row * cellsOfARow + static_cast<std::size_t>(cell)];
+  return noted.isSeen() ? noted.known() : noted.noted(curvaturesInCell(rows_[row], cell));
+}
+
+std::optional<Bends> Ruled::Sheet::cellOfBlock(std::size_t block, int cell) const {
+  CellBends& noted = blockCells_[block * cellsOfARow + static_cast<std::size_t>(cell)];
+  if (noted.isSeen()) {
+    return noted.known();
+  }
+  std::optional<Bends> all(nothing);
+  for (std::size_t i = 0; all && i < rowsOfABlock; ++i) {
+    all = hull(all, cellOfRow(block * rowsOfABlock + i, cell));
+  }
+  return noted.noted(all);
 }
 
 /// Widens `all` by the cells of a row within `reach` of a place, and empties it where they are not
 /// known; false where none is within reach. A place at g is off the ruling in the middle by at most
 /// the spread there, which grows with g by the twist at most.
-bool Ruled::Sheet::widenBy(const Row& row,
+template <class CellOf>
+bool Ruled::Sheet::widenBy(const Strip& row,
+                           const CellBends* cells,
+                           const CellOf& cellOf,
                            const Vec3& place,
                            double reach,
                            std::optional<Bends>& all) {
@@ -258,12 +301,44 @@ bool Ruled::Sheet::widenBy(const Row& row,
   const int to = cellAt(g + half);
   if (from < 0 || to >= cellsOfARow) {
     all.reset();
+  }
+  if (!all) {
     return true;
   }
-  for (int k = from; all && k <= to; ++k) {
-    all = hull(all, row.cells[static_cast<std::size_t>(k)]);
+  Bends wider = *all;
+  for (int k = from; k <= to; ++k) {
+    double low = cells[k].low.load(std::memory_order_acquire);
+    double high = cells[k].high.load(std::memory_order_relaxed);
+    if (low > 0.0) {
+      const std::optional<Bends> bends = cellOf(k);
+      if (!bends) {
+        all.reset();
+        return true;
+      }
+      low = bends->low;
+      high = bends->high;
+    }
+    wider.low = std::min(wider.low, low);
+    wider.high = std::max(wider.high, high);
   }
+  all = wider;
   return true;
+}
+
+bool Ruled::Sheet::widenByRow(std::size_t row,
+                              const Vec3& place,
+                              double reach,
+                              std::optional<Bends>& all) const {
+  const auto cellOf = [&](int cell) { return cellOfRow(row, cell); };
+  return widenBy(strips_[row], &rowCells_[row * cellsOfARow], cellOf, place, reach, all);
+}
+
+bool Ruled::Sheet::widenByBlock(std::size_t block,
+                                const Vec3& place,
+                                double reach,
+                                std::optional<Bends>& all) const {
+  const auto cellOf = [&](int cell) { return cellOfBlock(block, cell); };
+  return widenBy(blockStrips_[block], &blockCells_[block * cellsOfARow], cellOf, place, reach, all);
 }
 
 /// The part of the sheet about a place that is within reach ends, in both directions, at a row that
@@ -289,14 +364,14 @@ std::optional<Bends> Ruled::Sheet::curvaturesInCells(double f, double g, double 
       const int block = i / rowsOfABlock;
       if (last >= 0 && last < count && last / rowsOfABlock == block) {
         std::optional<Bends> wider = all;
-        if (widenBy(rows_[static_cast<std::size_t>(last)], place, reach, wider) &&
-            widenBy(blocks_[static_cast<std::size_t>(block)], place, reach, wider) && wider) {
+        if (widenByRow(static_cast<std::size_t>(last), place, reach, wider) &&
+            widenByBlock(static_cast<std::size_t>(block), place, reach, wider) && wider) {
           all = wider;
           i = last + way;
           continue;
         }
       }
-      if (!widenBy(rows_[static_cast<std::size_t>(i)], place, reach, all)) {
+      if (!widenByRow(static_cast<std::size_t>(i), place, reach, all)) {
         break;
       }
       if (!all) {

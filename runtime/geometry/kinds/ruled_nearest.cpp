@@ -15,6 +15,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double largestPart = 2.0;
 constexpr double smallerPart = 0.8;
 constexpr int mostParts = 20;
+/// So much farther than asked for is looked.
+constexpr double fartherLook = 1.25;
 /// Feet nearer than the best by less than this share of its distance are as near.
 constexpr double asNear = 1e-12;
 /// Rulings cross where the area of the sheet by f and g falls to this share of that in the middle.
@@ -44,13 +46,12 @@ Ruled::Sheet::Part Ruled::Sheet::partAbout(std::size_t block,
                                            const Vec3& place,
                                            double reach) const {
   Part part{Bends(nothing)};
-  const auto count = static_cast<int>(blocks_.size());
+  const auto count = static_cast<int>(blockStrips_.size());
   const auto middle = static_cast<int>(block);
   for (const int way : {-1, 1}) {
     bool together = true;
     for (int i = way < 0 ? middle : middle + 1; i >= 0 && i < count; i += way) {
-      const bool within =
-          widenBy(blocks_[static_cast<std::size_t>(i)], place, reach, part.curvatures);
+      const bool within = widenByBlock(static_cast<std::size_t>(i), place, reach, part.curvatures);
       part.alone = part.alone && (together || !within);
       together = together && within;
     }
@@ -63,17 +64,23 @@ Ruled::Sheet::Part Ruled::Sheet::partAbout(std::size_t block,
 
 /// A ball that touches the sheet and is not sharper than the sheet bends towards it holds no place
 /// of the part about the place where it touches; and none at all if it is no larger than that part.
-void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) const {
-  const Row& row = blocks_[block];
+void Ruled::Sheet::lookAround(std::size_t block, int cell, double far, Surroundings& known) const {
+  const Strip& row = blockStrips_[block];
   const auto [g, halfG] = cellOf(cell);
   const Vec3 place = row.from + g * row.along;
   const double spread = std::max(row.spreadAt(g - halfG), row.spreadAt(g + halfG));
   const double inCell = spread + halfG * row.along.norm();
-  double above = 0.0;
-  double below = 0.0;
-  double alone = 0.0;
+  double above = std::max(0.0, known.above.load(std::memory_order_relaxed));
+  double below = std::max(0.0, known.below.load(std::memory_order_relaxed));
+  double alone = std::max(0.0, known.alone.load(std::memory_order_relaxed));
   double reach = largestPart * (atHigh_[0].place - atLow_[0].place).cwiseAbs().maxCoeff();
-  for (int i = 0; i < mostParts && 0.5 * reach > std::min(above, below); ++i) {
+  // Larger parts than are asked for would tell no more about it.
+  int i = 0;
+  for (; i < mostParts && 0.5 * smallerPart * reach >= fartherLook * far; ++i) {
+    reach *= smallerPart;
+  }
+  const double looked = 0.5 * reach;
+  for (; i < mostParts && 0.5 * reach > std::min(above, below); ++i) {
     const Part part = partAbout(block, place, reach + inCell);
     alone = part.alone ? std::max(alone, reach) : alone;
     if (part.curvatures && part.alone) {
@@ -84,25 +91,26 @@ void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) 
   }
   known.above.store(above, std::memory_order_relaxed);
   known.below.store(below, std::memory_order_relaxed);
-  known.alone.store(alone, std::memory_order_release);
+  known.alone.store(alone, std::memory_order_relaxed);
+  known.looked.store(std::max(looked, far), std::memory_order_release);
 }
 
-const Ruled::Sheet::Surroundings* Ruled::Sheet::surroundings(double f, double g) const {
+const Ruled::Sheet::Surroundings* Ruled::Sheet::surroundings(double f, double g, double far) const {
   const int cell = cellAt(g);
-  if (blocks_.empty() ||
-      !(cell >= 0 && cell < cellsOfARow && f >= blocks_.front().low && f <= blocks_.back().high)) {
+  if (blockStrips_.empty() || !(cell >= 0 && cell < cellsOfARow && f >= blockStrips_.front().low &&
+                                f <= blockStrips_.back().high)) {
     return nullptr;
   }
   const std::size_t block = blockOf(f);
   Surroundings& known = around_[block * cellsOfARow + static_cast<std::size_t>(cell)];
-  if (known.alone.load(std::memory_order_acquire) < 0.0) {
-    lookAround(block, cell, known);
+  if (!(known.looked.load(std::memory_order_acquire) >= far)) {
+    lookAround(block, cell, far, known);
   }
   return &known;
 }
 
 bool Ruled::Sheet::isNearest(const Foot& foot, const Hint& hint) const {
-  const Surroundings* known = surroundings(hint.f, hint.g);
+  const Surroundings* known = surroundings(hint.f, hint.g, std::abs(foot.distance));
   return known != nullptr &&
          std::abs(foot.distance) <=
              (foot.distance > 0.0 ? known->above : known->below).load(std::memory_order_relaxed);

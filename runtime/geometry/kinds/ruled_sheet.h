@@ -127,43 +127,61 @@ class Ruled::Sheet {
     /// Of each, Strip::leastFrom of Strip::lineTo.
     void leastFrom(const Vec3& p, Numbers& least) const;
   };
-  /// What is known of them.
+  /// With the curves over them, where that is bounded.
   struct Row : Strip {
-    std::array<std::optional<Bends>, cellsOfARow> cells;
+    std::optional<CurveRange> a, b;
+    bool known = false;  ///< what is between the curves and as far beside them
+  };
+  /// Bounds of the curvatures of a cell.
+  struct CellBends {
+    /// What `low`, at most 0, is where it was not looked at yet, and where there is no bound.
+    static constexpr double unseen = 2.0, unknown = 1.0;
+    std::atomic<double> low{unseen}, high{0.0};
 
-    /// Between the curves and as far beside them.
-    [[nodiscard]] bool isKnown() const {
-      const auto begin = cells.begin() + cellAt(-1.0);
-      return std::all_of(begin, begin + 3 * cellsOfARuling,
-                         [](const auto& c) { return c.has_value(); });
+    [[nodiscard]] bool isSeen() const { return low.load(std::memory_order_acquire) != unseen; }
+    [[nodiscard]] std::optional<Bends> known() const {
+      const Bends bends{low.load(std::memory_order_relaxed), high.load(std::memory_order_relaxed)};
+      return bends.low != unknown ? std::optional(bends) : std::nullopt;
     }
+    std::optional<Bends> noted(const std::optional<Bends>& bends);
   };
   /// What is known about all places of a cell of a block. Part unit; negative where not looked at.
   struct Surroundings {
+    std::atomic<double> looked{-1.0};  ///< what `above` and `below` could be
     /// The nearest place of all to a point at most so far above or below the sheet whose foot is in
     /// the cell is that foot.
     std::atomic<double> above{-1.0}, below{-1.0};
     std::atomic<double> alone{-1.0};  ///< no part of the sheet but that about the place is so near
   };
-  struct Bounded {
-    Bends curvatures;
-    double stretch = 1.0;  ///< ways along the sheet over straight ones
-  };
-
   /// Second derivatives of the sheet by f at one g.
   struct Seconds {
     double low = 0.0, high = 0.0;  ///< along the heading of the first curve
     double longest = 0.0;
     double second = 0.0;  ///< share of the second curve, at most
   };
+  /// How much derivatives change at most over a box of f and g.
+  struct Change {
+    Vec3 across;
+    double area, longF, longG;  ///< of it and of byF and byG, in the middle
+    Seconds atLow, atHigh;
+    double byF, byG, twist, ofArea;
+  };
+  struct Bounded {
+    Bends curvatures;
+    double stretch = 1.0;  ///< ways along the sheet over straight ones
+  };
+
   [[nodiscard]] Seconds secondsAt(double g, const CurveRange& a, const CurveRange& b) const;
 
   void makeRows();
   void addRows(double from, double to, int number);
   [[nodiscard]] Strip rulingsBetween(double low, double high) const;
   [[nodiscard]] Row rowBetween(double low, double high) const;
-  /// The rows from one on as one.
-  [[nodiscard]] Row blockFrom(std::size_t row) const;
+  [[nodiscard]] bool isKnown(const Row& row) const;
+  /// Worked out when they are asked for first: of a row, and of the rows of a block together.
+  [[nodiscard]] std::optional<Bends> cellOfRow(std::size_t row, int cell) const;
+  [[nodiscard]] std::optional<Bends> cellOfBlock(std::size_t block, int cell) const;
+  [[nodiscard]] std::optional<Bends> curvaturesInCell(const Row& row, int cell) const;
   /// Of the rulings where the sheet is not turned over: one that crosses the next goes on behind
   /// the crossing with its sides exchanged.
   [[nodiscard]] Range properPart(double f) const;
@@ -171,18 +189,26 @@ class Ruled::Sheet {
   [[nodiscard]] std::size_t blockOf(double f) const {
     const auto here = std::partition_point(blockStrips_.begin(), blockStrips_.end(),
                                            [&](const Strip& strip) { return strip.high < f; });
-    return std::min(static_cast<std::size_t>(here - blockStrips_.begin()), blocks_.size() - 1);
+    return std::min(static_cast<std::size_t>(here - blockStrips_.begin()), blockStrips_.size() - 1);
   }
   class Lows;
   /// Rulings next to p; `upper` is nearer than which a foot must be.
   [[nodiscard]] Lows lows(const Vec3& p, double upper) const;
-  [[nodiscard]] const Surroundings* surroundings(double f, double g) const;
-  void lookAround(std::size_t block, int cell, Surroundings& known) const;
+  /// `far`: above or below the sheet.
+  [[nodiscard]] const Surroundings* surroundings(double f, double g, double far) const;
+  void lookAround(std::size_t block, int cell, double far, Surroundings& known) const;
   /// What is within reach of a place of a block.
   [[nodiscard]] Part partAbout(std::size_t block, const Vec3& place, double reach) const;
   void settleAlongRulings(const Vec3& p, Hint& hint) const;
   [[nodiscard]] std::optional<Bends> curvaturesInCells(double f, double g, double reach) const;
   [[nodiscard]] std::optional<Bends> curvaturesAround(double f, double g, double reach) const;
+  /// None where the normal turns too much.
+  [[nodiscard]] std::optional<Change> changeOver(const SheetPlace& s,
+                                                 double g,
+                                                 double halfF,
+                                                 double halfG,
+                                                 const CurveRange& a,
+                                                 const CurveRange& b) const;
   [[nodiscard]] std::optional<Bounded> curvaturesOf(const SheetPlace& s,
                                                     double g,
                                                     double halfF,
@@ -195,7 +221,21 @@ class Ruled::Sheet {
         0.5 * ((b.low + b.high) * second_.heading() - (a.low + a.high) * first_.heading());
     return between.norm() + 0.5 * (a.high - a.low + b.high - b.low);
   }
-  static bool widenBy(const Row& row, const Vec3& place, double reach, std::optional<Bends>& all);
+  template <class CellOf>
+  static bool widenBy(const Strip& row,
+                      const CellBends* cells,
+                      const CellOf& cellOf,
+                      const Vec3& place,
+                      double reach,
+                      std::optional<Bends>& all);
+  bool widenByRow(std::size_t row,
+                  const Vec3& place,
+                  double reach,
+                  std::optional<Bends>& all) const;
+  bool widenByBlock(std::size_t block,
+                    const Vec3& place,
+                    double reach,
+                    std::optional<Bends>& all) const;
 
   /// Bounds of one of the curves as the sheet follows it: beyond its ends the tangents are
   /// straight.
@@ -237,10 +277,11 @@ class Ruled::Sheet {
   Vec3 middle_ = Vec3::Zero();
   double amidst_ = 0.0;  ///< no end is nearer to it than the root of this
   std::array<CurvePlace, 2> atLow_, atHigh_;
-  std::vector<Row> rows_, blocks_;
+  std::vector<Row> rows_;
   std::vector<Strip> strips_, blockStrips_;  ///< of them, close together
   std::vector<Eight> eights_, blockEights_;  ///< of these
-  std::unique_ptr<Surroundings[]> around_;   ///< of the cells of blocks, as they are asked for
+  std::unique_ptr<CellBends[]> rowCells_, blockCells_;
+  std::unique_ptr<Surroundings[]> around_;  ///< of the cells of blocks, as they are asked for
 };
 
 }  // namespace arelem::surface

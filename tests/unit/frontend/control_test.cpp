@@ -102,7 +102,7 @@ TEST(Control, BlockWordsStayFreeAsNames) {
 
 TEST(Control, Fini) {
   EXPECT_EQ(errors("LOOPST\nFINI"), "16 212");
-  EXPECT_EQ(compileText("FINI/1\n")->legacy(), "22");
+  EXPECT_EQ(compileText("FINI/1\n")->legacy(), "23");
   EXPECT_EQ(compileText("A1)FINI\n")->codes(), "");
 }
 

@@ -34,15 +34,15 @@ TEST(Expressions, Errors) {
   EXPECT_EQ(errors("A=TO+1"), "61");
   EXPECT_EQ(errors("A=SINF 30"), "101");  // SINF30 is a name
   EXPECT_EQ(errors("A=SINF+30"), "59");
-  EXPECT_EQ(errors("A=SINF()"), "69");
-  EXPECT_EQ(errors("A=SINF(1,2)"), "65");
-  EXPECT_EQ(errors("P1=POINT/1,2\nA=P1+1"), "51");
+  EXPECT_EQ(errors("A=SINF()"), "78");
+  EXPECT_EQ(errors("A=SINF(1,2)"), "66");
+  EXPECT_EQ(errors("P1=POINT/1,2\nA=P1+1"), "83");
   EXPECT_EQ(errors("P1=POINT/1,2\nA=SINF(P1)"), "66");
   EXPECT_EQ(errors("A=DOTF(1,2)"), "66");
   EXPECT_EQ(errors("A=B+1"), "101");
   EXPECT_EQ(errors("A=(1)(2)"), "54");
   EXPECT_EQ(errors("A=(1,2)"), "7");
-  EXPECT_EQ(errors("A=(POINT/1,2)"), "51");
+  EXPECT_EQ(errors("A=(POINT/1,2)"), "83");
   EXPECT_EQ(errors("A=1.LT.2"), "402");
   EXPECT_EQ(errors(")=1"), "9");
   EXPECT_EQ(errors("=1"), "5");
@@ -98,16 +98,16 @@ TEST(Subscripts, Elements) {
   EXPECT_EQ(errors("RESERV/A,5\nA(1)=1\nB=A"), "105");
   EXPECT_EQ(errors("A(1)=1"), "108");
   EXPECT_EQ(errors("B=1\nA=B(1)"), "108");
-  EXPECT_EQ(errors("RESERV/A,5\nA(1)=1\nA(2)=POINT/1,2"), "1002");
+  EXPECT_EQ(errors("RESERV/A,5\nA(1)=1\nA(2)=POINT/1,2"), "106");
   EXPECT_EQ(errors("RESERV/A,5,B,5\nA(1)=1\nB(A(1))=2", Dialect::apt360), "55");
   EXPECT_EQ(errors("RESERV/A,5,B,5\nA(1)=1\nB(A(1))=2"), "");
 }
 
 TEST(Subscripts, Reserv) {
-  EXPECT_EQ(errors("RESERV/A"), "253");
-  EXPECT_EQ(errors("RESERV/A,0"), "253");
-  EXPECT_EQ(errors("RESERV/A,2.5"), "253");
-  EXPECT_EQ(errors("RESERV/A,(2+3)"), "253");
+  EXPECT_EQ(errors("RESERV/A"), "255");
+  EXPECT_EQ(errors("RESERV/A,0"), "255");
+  EXPECT_EQ(errors("RESERV/A,2.5"), "255");
+  EXPECT_EQ(errors("RESERV/A,(2+3)"), "255");
   EXPECT_EQ(errors("RESERV"), "253");
   EXPECT_EQ(errors("A=1\nRESERV/A,5"), "256");
   EXPECT_EQ(errors("LOOPST\nRESERV/A,5\nLOOPND"), "252");

@@ -87,7 +87,7 @@ TEST(Names, UnknownParametersOfPostWordsAreText) {
   EXPECT_EQ(errors("LOADTL/1,OSETNO,2", Dialect::apt360), "101");
   EXPECT_EQ(statement("MACHIN/PMILL,02"), "MACHIN/ 'PMILL', 2");
   EXPECT_EQ(statement("MACHIN/DXF", Dialect::apt360), "MACHIN/ 'DXF'");
-  EXPECT_EQ(errors("MACHIN/1"), "81");
+  EXPECT_EQ(errors("MACHIN/1"), "129");
 }
 
 TEST(Names, ErrorsOfAFileAreAllReported) {

@@ -30,8 +30,8 @@ TEST(Statements, PointToPoint) {
   for (const char* bad : {"GOTO/1", "GOTO/1,2,3,4,5", "GOTO/", "GODLTA/1,2,3,4,5"}) {
     EXPECT_EQ(wrong(bad), "129") << bad;
   }
-  EXPECT_EQ(wrong("GOTO/L1"), "66");
-  EXPECT_EQ(wrong("FROM/PT1"), "66");
+  EXPECT_EQ(wrong("GOTO/L1"), "1006");
+  EXPECT_EQ(wrong("FROM/PT1"), "1006");
   EXPECT_EQ(wrong("GOTO/TO,P1"), "132");
 }
 
@@ -41,10 +41,10 @@ TEST(Statements, Startup) {
   EXPECT_EQ(with("GO/L1,PL1,TANTO,C1"), "GO/ L1, PL1, TANTO, C1");
   EXPECT_EQ(with("OFFSET/TO,L1,PL1"), "OFFSET/ TO, L1, PL1");
   EXPECT_EQ(with("GO/ON,(LINE/YAXIS)"), "GO/ ON, (LINE/ YAXIS)");
-  EXPECT_EQ(wrong("GO/TO"), "81");
-  EXPECT_EQ(wrong("GO/"), "81");
-  EXPECT_EQ(wrong("OFFSET/L1,PL1,C1"), "81");
-  EXPECT_EQ(wrong("GO/P1"), "133");
+  EXPECT_EQ(wrong("GO/TO"), "129");
+  EXPECT_EQ(wrong("GO/"), "129");
+  EXPECT_EQ(wrong("OFFSET/L1,PL1,C1"), "129");
+  EXPECT_EQ(wrong("GO/P1"), "1006");
   EXPECT_EQ(wrong("GO/TO,ON,L1"), "132");
   EXPECT_EQ(wrong("GO/LEFT,L1"), "132");
 }
@@ -61,9 +61,9 @@ TEST(Statements, Follow) {
             "GOFWD/ L1, TO, C1, A1@9, PAST, PL1, 20@10");
   EXPECT_EQ(wrong("GOLFT/TO,L1"), "135");
   EXPECT_EQ(wrong("GOUP/L1"), "136");
-  EXPECT_EQ(wrong("GOLFT/"), "81");
-  EXPECT_EQ(wrong("GOLFT/L1,TO"), "81");
-  EXPECT_EQ(wrong("GOLFT/F"), "133");
+  EXPECT_EQ(wrong("GOLFT/"), "129");
+  EXPECT_EQ(wrong("GOLFT/L1,TO"), "129");
+  EXPECT_EQ(wrong("GOLFT/F"), "132");
   EXPECT_EQ(wrong("GOFWD/L1,TO,C1,PAST,PL1"), "453");
   EXPECT_EQ(wrong("GOFWD/L1,TO,C1,A1,PAST,PL1"), "453");
   EXPECT_EQ(wrong("GOFWD/L1,TO,C1,A1,PAST,PL1,A2"), "406 406");
@@ -104,10 +104,10 @@ TEST(Statements, ParametersOfMotion) {
   EXPECT_EQ(with("2DCALC"), "2DCALC");
   EXPECT_EQ(with("POCKET/1,2,3,4,5,6,0,1,P1,P1,P1"), "POCKET/ 1, 2, 3, 4, 5, 6, 0, 1, P1, P1, P1");
   EXPECT_EQ(with("CANON/ON"), "CANON/ ON");
-  EXPECT_EQ(wrong("PSIS/P1"), "576");
-  EXPECT_EQ(wrong("CUTTER"), "81");
+  EXPECT_EQ(wrong("PSIS/P1"), "1006");
+  EXPECT_EQ(wrong("CUTTER"), "132");
   EXPECT_EQ(wrong("TLLFT/1"), "505");
-  EXPECT_EQ(wrong("POCKET/1,2,3"), "81");
+  EXPECT_EQ(wrong("POCKET/1,2,3"), "377");
 }
 
 TEST(Statements, Obtain) {
@@ -118,7 +118,7 @@ TEST(Statements, Obtain) {
   EXPECT_EQ(comma->codes(), "W0203");
   EXPECT_EQ(comma->block()[8], "OBTAIN, POINT/ P1, A, B");
   EXPECT_EQ(wrong("OBTAIN,POINT,P1,A\nB=A", Dialect::apt360), "155");
-  EXPECT_EQ(wrong("OBTAIN/P1,A"), "155");
+  EXPECT_EQ(wrong("OBTAIN/P1,A"), "153");
   EXPECT_EQ(wrong("OBTAIN,POINT/L1,A"), "153");
   EXPECT_EQ(wrong("OBTAIN,POINT/P1,A,B,C,D"), "154");
   EXPECT_EQ(wrong("OBTAIN,POINT/P1,(A)"), "156");
@@ -134,8 +134,8 @@ TEST(Statements, ReferenceSystemsAndZsurf) {
   EXPECT_EQ(with("ZSURF/0,0,1,F"), "ZSURF/ 0, 0, 1, F");
   EXPECT_EQ(wrong("REFSYS/P1"), "651");
   EXPECT_EQ(wrong("REFSYS/(MATRIX/SCALE,2)"), "820");
-  EXPECT_EQ(wrong("ZSURF/L1"), "576");
-  EXPECT_EQ(wrong("ZSURF/1,2"), "576");
+  EXPECT_EQ(wrong("ZSURF/L1"), "26");
+  EXPECT_EQ(wrong("ZSURF/1,2"), "26");
 }
 
 TEST(Statements, PrintAndPunch) {
@@ -144,9 +144,9 @@ TEST(Statements, PrintAndPunch) {
   EXPECT_EQ(with("PRINT/3,ALL"), "PRINT/ 3, ALL");
   EXPECT_EQ(with("PUNCH/2,F"), "PUNCH/ 2, F");
   EXPECT_EQ(reported("PRINT/3,NOSUCH"), "W0204");
-  EXPECT_EQ(errors("PRINT/9"), "326");
-  EXPECT_EQ(errors("PRINT"), "326");
-  EXPECT_EQ(errors("PUNCH/ON"), "326");
+  EXPECT_EQ(errors("PRINT/9"), "129");
+  EXPECT_EQ(errors("PRINT"), "129");
+  EXPECT_EQ(errors("PUNCH/ON"), "129");
 }
 
 TEST(Statements, PostWords) {
@@ -175,7 +175,7 @@ TEST(Statements, DefinitionsWithoutAName) {
   EXPECT_EQ(reported("POINT/1,2"), "W0206");
   EXPECT_EQ(statement("POINT/1,2", Dialect::native), "POINT/ 1, 2");
   EXPECT_EQ(statement("CIRCLE/1,2,3,0,0,1,5"), "CIRCLE/ 1, 2, 3, 0, 0, 1, 5");
-  EXPECT_EQ(errors("POINT/1,2", Dialect::apt360), "7");
+  EXPECT_EQ(errors("POINT/1,2", Dialect::apt360), "76");
   EXPECT_EQ(errors("TOOL/1"), "1000");
 }
 

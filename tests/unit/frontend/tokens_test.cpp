@@ -71,8 +71,8 @@ TEST(Tokens, Synonyms) {
   EXPECT_EQ(statement("SYN/GOTO,GT\nGT/1,2,3"), "GOTO/ 1, 2, 3");
   EXPECT_EQ(statement("SYN/PT,POINT\nP1=POINT/1,2,3"), "P1 = POINT/ 1, 2, 3");
   EXPECT_EQ(statement("SYN/PT,POINT\nLOOPST\nL1=LINE/P1,P1\nP1=PT/1,2\nLOOPND"), "LOOPND");
-  EXPECT_EQ(errors("SYN/PT"), "355");
-  EXPECT_EQ(errors("SYN/PT,QT"), "355");
+  EXPECT_EQ(errors("SYN/PT"), "351");
+  EXPECT_EQ(errors("SYN/PT,QT"), "356");
   EXPECT_EQ(errors("SYN/S,SYN"), "355");
   EXPECT_EQ(errors("A=1\nSYN/A,POINT"), "355");
   EXPECT_EQ(errors("LOOPST\nSYN/PT,POINT\nLOOPND"), "353");

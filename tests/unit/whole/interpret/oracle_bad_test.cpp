@@ -37,10 +37,9 @@ TEST_P(OracleBad, IsRefused) {
   }
 }
 
-// Other numbers than the old system's, with the same meaning: b08 counts parameters (1001) where
-// the old system found no form (1000); b12 finds the tool on its drive surface (40) where it went
-// on with a warning; b13 misses the cutter at the first motion of any kind (312) and not only at a
-// startup (311).
+// Other numbers than the old system's, with the same meaning: b12 finds the tool on its drive
+// surface (40) where it went on with a warning; b13 misses the cutter at the first motion of any
+// kind (312) and not only at a startup (311).
 INSTANTIATE_TEST_SUITE_P(
     Programs,
     OracleBad,
@@ -51,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"b05_parallel_intof", {"1005"}},
                     Bad{"b06_no_intersection", {"1005"}},
                     Bad{"b07_bad_number", {"20"}},
-                    Bad{"b08_arg_count", {"1001"}},
+                    Bad{"b08_arg_count", {"1000"}},
                     Bad{"b09_vocab_as_name", {"7"}},
                     Bad{"b10_arith", {"63", "67"}},
                     Bad{"b11_no_tanto", {"721"}, true},
