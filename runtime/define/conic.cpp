@@ -22,9 +22,9 @@ struct PlaneConic {
 constexpr double nullShare = 1e-13;
 constexpr double atInfinity = 1e-14;
 
-/// True where no place satisfies the equation of a quadric: its form in (x, y, z, 1) has one sign,
-/// and is 0 for directions only.
-bool isEmpty(const geometry::Canon& k) {
+/// Why a quadric is no surface, or null: its form in (x, y, z, 1) has one sign. Where that is 0 is
+/// a plane if the form is a square, else a line, a point, or a direction, at which no place is.
+const char* noSurface(const geometry::Canon& k) {
   Eigen::Matrix4d form;
   form << k[0], k[6], k[5], k[7],  //
       k[6], k[1], k[4], k[8],      //
@@ -34,20 +34,27 @@ bool isEmpty(const geometry::Canon& k) {
   const Eigen::Vector4d values = solver.eigenvalues();
   const double null = nullShare * values.cwiseAbs().maxCoeff();
   if ((values.array() > null).any() && (values.array() < -null).any()) {
-    return false;
+    return nullptr;
   }
+  bool atPlaces = false;
+  int zeros = 0;
   for (int i = 0; i < values.size(); ++i) {
-    if (std::abs(values[i]) <= null && std::abs(solver.eigenvectors()(3, i)) > atInfinity) {
-      return false;
-    }
+    const bool isZero = std::abs(values[i]) <= null;
+    zeros += isZero ? 1 : 0;
+    atPlaces = atPlaces || (isZero && std::abs(solver.eigenvectors()(3, i)) > atInfinity);
   }
-  return true;
+  if (!atPlaces) {
+    return "no place satisfies the equation";
+  }
+  return zeros == 3   ? nullptr
+         : zeros == 2 ? "only the places of a line satisfy the equation"
+                      : "only one place satisfies the equation";
 }
 
-/// The quadric itself, if it has places at all.
+/// The quadric itself, if it is a surface.
 Result<Resolved> withPlaces(geometry::Canon canon) {
-  if (isEmpty(canon)) {
-    return fail(diag::BadConic, "these coefficients", "no place satisfies the equation");
+  if (const char* why = noSurface(canon)) {
+    return fail(diag::BadConic, "these coefficients", why);
   }
   return Resolved(std::move(canon));
 }
