@@ -219,7 +219,8 @@ Ruled::Sheet::Strip Ruled::Sheet::rulingsBetween(double low, double high) const 
 Ruled::Sheet::Row Ruled::Sheet::rowBetween(double low, double high) const {
   const double f = 0.5 * (low + high);
   const double half = 0.5 * (high - low);
-  Row row{rulingsBetween(low, high), range(first_, f, half), range(second_, f, half)};
+  Row row{rulingsBetween(low, high), range(first_, f, half), range(second_, f, half), {}, {}};
+  curves(f, row.atFirst, row.atSecond);
   row.known = isKnown(row);
   return row;
 }
@@ -228,13 +229,11 @@ bool Ruled::Sheet::isKnown(const Row& row) const {
   if (!row.a || !row.b) {
     return false;
   }
-  CurvePlace first, second;
-  curves(0.5 * (row.low + row.high), first, second);
   const int begin = cellAt(-1.0);
   for (int k = begin; k < begin + 3 * cellsOfARuling; ++k) {
     const auto [g, halfG] = cellOf(k);
-    if (!changeOver(between(first, second, g), g, 0.5 * (row.high - row.low), halfG, *row.a,
-                    *row.b)) {
+    if (!changeOver(between(row.atFirst, row.atSecond, g), g, 0.5 * (row.high - row.low), halfG,
+                    *row.a, *row.b)) {
       return false;
     }
   }
@@ -246,7 +245,7 @@ std::optional<Bends> Ruled::Sheet::curvaturesInCell(const Row& row, int cell) co
     return std::nullopt;
   }
   const auto [g, halfG] = cellOf(cell);
-  const auto bounded = curvaturesOf(at(0.5 * (row.low + row.high), g), g,
+  const auto bounded = curvaturesOf(between(row.atFirst, row.atSecond, g), g,
                                     0.5 * (row.high - row.low), halfG, *row.a, *row.b);
   return bounded ? std::optional(bounded->curvatures) : std::nullopt;
 }

@@ -130,7 +130,8 @@ class Ruled::Sheet {
   /// With the curves over them, where that is bounded.
   struct Row : Strip {
     std::optional<CurveRange> a, b;
-    bool known = false;  ///< what is between the curves and as far beside them
+    CurvePlace atFirst, atSecond;  ///< places of the curves, in the middle
+    bool known = false;            ///< what is between the curves and as far beside them
   };
   /// Bounds of the curvatures of a cell.
   struct CellBends {
