@@ -43,6 +43,9 @@ struct State {
   double vectorLimit = 400.0;         ///< NUMPTS
   std::optional<NamedSurface> part;   ///< none: the XY plane
   std::optional<Word> partRelation;   ///< TLONPS, TLOFPS; none before the first of them
+  /// The last startup brought the cutter, and not the tool end, to the part surface, and the tool
+  /// was not moved off it since.
+  bool touchesPart = false;
   std::optional<Word> driveRelation;  ///< TLLFT, TLRGT, TLON; none before the first of them
   bool alwaysIterate = false;         ///< 3DCALC
   bool multax = false;
