@@ -104,6 +104,9 @@ class Planner {
     if (state_.partRelation) {
       return *state_.partRelation == Word::TLONPS;
     }
+    if (state_.touchesPart) {
+      return false;  // an axis that TLAXIS turned since may have led the cutter off it
+    }
     touching_ = guideField(partRole, false);
     const double offset = touching_->at(state_.toolEnd, state_.axis).gap;
     return std::abs(offset) > slack &&

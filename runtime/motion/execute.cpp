@@ -236,6 +236,7 @@ class Motions {
       }
       moveTo(found->toolEnd);
       state_.axis = found->axis;
+      state_.touchesPart = s.surfaces.size() > 1 && s.surfaces[1].condition != ir::Condition::on;
       const Entity& first = *s.surfaces[0].surface;
       put(found->toolEnd, cl::Motion::Kind::go, first.name, first.subscript);
       fact(s.offset ? "OFFSET" : "GO", 1, (found->toolEnd - before).norm(), nullptr, since);

@@ -76,6 +76,7 @@ std::optional<Failure> setToolAxis(State& state, const runtime::ToolAxis& axis) 
 }
 
 std::optional<Failure> setAxis(State& state, const runtime::Locate& locate, bool written) {
+  state.touchesPart = false;
   if (!locate.axis) {
     return std::nullopt;
   }
@@ -98,6 +99,7 @@ std::optional<Failure> setPartSurface(State& state, const runtime::PartSurface& 
     return surface.takeFailure();
   }
   state.part = *std::move(surface);
+  state.touchesPart = false;
   return std::nullopt;
 }
 

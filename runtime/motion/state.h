@@ -39,10 +39,13 @@ struct State {
   std::array<double, 4> outer{tolerance::defaultOutside, tolerance::defaultOutside,
                               tolerance::defaultOutside, tolerance::defaultOutside};
   std::array<double, 4> thick{0.0, 0.0, 0.0, 0.0};
-  double longestVector = 10.0;        ///< MAXDP
-  double vectorLimit = 400.0;         ///< NUMPTS
-  std::optional<NamedSurface> part;   ///< none: the XY plane
-  std::optional<Word> partRelation;   ///< TLONPS, TLOFPS; none before the first of them
+  double longestVector = 10.0;       ///< MAXDP
+  double vectorLimit = 400.0;        ///< NUMPTS
+  std::optional<NamedSurface> part;  ///< none: the XY plane
+  std::optional<Word> partRelation;  ///< TLONPS, TLOFPS; none before the first of them
+  /// The last startup brought the cutter, and not the tool end, to the part surface, and the tool
+  /// was not moved off it since.
+  bool touchesPart = false;
   std::optional<Word> driveRelation;  ///< TLLFT, TLRGT, TLON; none before the first of them
   bool staysOn = false;               ///< TLLFT, TLRGT: a tool end on a line stays there (apt360)
   bool alwaysIterate = false;         ///< 3DCALC
