@@ -22,9 +22,9 @@ struct PlaneConic {
 constexpr double nullShare = 1e-13;
 constexpr double atInfinity = 1e-14;
 
-/// Why a quadric is no surface, or null: its form in (x, y, z, 1) has one sign. Where that is 0 is
-/// a plane if the form is a square, else a line, a point, or a direction, at which no place is.
-const char* noSurface(const geometry::Canon& k) {
+/// True where no place satisfies the equation of a quadric: its form in (x, y, z, 1) has one sign,
+/// and is 0 for directions only.
+bool isEmpty(const geometry::Canon& k) {
   Eigen::Matrix4d form;
   form << k[0], k[6], k[5], k[7],  //
       k[6], k[1], k[4], k[8],      //
@@ -34,27 +34,20 @@ const char* noSurface(const geometry::Canon& k) {
   const Eigen::Vector4d values = solver.eigenvalues();
   const double null = nullShare * values.cwiseAbs().maxCoeff();
   if ((values.array() > null).any() && (values.array() < -null).any()) {
-    return nullptr;
+    return false;
   }
-  bool atPlaces = false;
-  int zeros = 0;
   for (int i = 0; i < values.size(); ++i) {
-    const bool isZero = std::abs(values[i]) <= null;
-    zeros += isZero ? 1 : 0;
-    atPlaces = atPlaces || (isZero && std::abs(solver.eigenvectors()(3, i)) > atInfinity);
+    if (std::abs(values[i]) <= null && std::abs(solver.eigenvectors()(3, i)) > atInfinity) {
+      return false;
+    }
   }
-  if (!atPlaces) {
-    return "no place satisfies the equation";
-  }
-  return zeros == 3   ? nullptr
-         : zeros == 2 ? "only the places of a line satisfy the equation"
-                      : "only one place satisfies the equation";
+  return true;
 }
 
-/// The quadric itself, if it is a surface.
+/// The quadric itself, if it has places at all.
 Result<Resolved> withPlaces(geometry::Canon canon) {
-  if (const char* why = noSurface(canon)) {
-    return fail(diag::BadConic, "these coefficients", why);
+  if (isEmpty(canon)) {
+    return fail(diag::BadConic, "these coefficients", "no place satisfies the equation");
   }
   return Resolved(std::move(canon));
 }

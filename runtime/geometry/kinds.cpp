@@ -2,11 +2,14 @@
 
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include "ir/diag/geometry.h"
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/geometry/built.h"
 #include "runtime/geometry/polyconic.h"
+#include "runtime/geometry/shapes.h"
 #include "runtime/geometry/tabulated_cylinder.h"
 
 namespace arelem::surface {
@@ -23,6 +26,40 @@ Quadric quadricOf(const std::vector<double>& c) {
   matrix << c[0], c[6], c[5], c[6], c[1], c[4], c[5], c[4], c[2];
   const double sign = matrix.trace() < 0.0 ? -1.0 : 1.0;
   return {sign * matrix, sign * vec(c, 7), sign * c[3]};
+}
+
+/// Eigenvalues and values at most this share of what they are made of are rounding. Dimensionless.
+constexpr double nullShare = 1e-14;
+
+/// What the places of a quadric are where that is no surface, else null. Its form p.Q p + 2 q.p + c
+/// then has its least value where Q p = -q, and that is not below 0.
+const char* lessThanASurface(const std::vector<double>& c) {
+  const double sign = c[0] + c[1] + c[2] < 0.0 ? -1.0 : 1.0;
+  const geometry::Quadric quadric = geometry::Quadric::of(c);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(sign *
+                                                             quadric.matrix.topLeftCorner<3, 3>());
+  const Vec3 linear = sign * (eigen.eigenvectors().transpose() * vec(c, 7));
+  const double null = nullShare * eigen.eigenvalues().cwiseAbs().maxCoeff();
+  double least = sign * c[3];
+  double size = std::abs(least);
+  int squares = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double root = eigen.eigenvalues()[i];
+    if (root < -null || (root <= null && std::abs(linear[i]) > nullShare * linear.norm())) {
+      return nullptr;
+    }
+    if (root > null) {
+      ++squares;
+      least -= linear[i] * linear[i] / root;
+      size += linear[i] * linear[i] / root;
+    }
+  }
+  if (squares < 2 || least < -nullShare * size) {
+    return nullptr;
+  }
+  return least > nullShare * size ? "no place satisfies its equation"
+         : squares == 2           ? "only the places of a line satisfy its equation"
+                                  : "only one place satisfies its equation";
 }
 
 /// Where the straight ends begin at one place, the curve closes there, without them.
@@ -120,6 +157,9 @@ Result<AnySurface> surfaceOf(const Entity& entity) {
     case EntityType::gconic:
     case EntityType::lconic:
     case EntityType::quadric:
+      if (const char* why = lessThanASurface(c)) {
+        return fail(diag::NotASurface, spell(entity.type)).withHelp(why);
+      }
       return AnySurface(quadricOf(c));
     case EntityType::tabulatedCylinder:
       return tabulatedOf(c);

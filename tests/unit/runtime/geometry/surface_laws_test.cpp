@@ -51,7 +51,9 @@ Cone arbitrary(Random& r) {
 }
 template <>
 Torus arbitrary(Random& r) {
-  return {r.point(3), r.direction(), r.in(2, 5), r.in(0.3, 1.5)};
+  // Sometimes a tube that runs into itself about the axis.
+  return r.in(0, 3) < 1.0 ? Torus{r.point(2), r.direction(), r.in(0.3, 2.5), r.in(2.5, 5)}
+                          : Torus{r.point(3), r.direction(), r.in(2, 5), r.in(0.3, 1.5)};
 }
 template <>
 Quadric arbitrary(Random& r) {
@@ -275,6 +277,28 @@ TYPED_TEST(SurfaceLaws, DistanceIsLipschitz) {
     EXPECT_LE(std::abs(s.foot(p, a).distance - s.foot(q, b).distance),
               (p - q).norm() * (1 + 1e-9) + 1e-9)
         << i;
+  }
+}
+
+/// A tube that runs into itself about the axis bounds what it is wound round too. Against the
+/// nearest of many places of the arc that is seen from outside.
+TEST(TorusFoot, IsTheNearestOfWhatIsSeenWhereTheTubeRunsIntoItself) {
+  Random r;
+  for (int i = 0; i < 200; ++i) {
+    Torus s{Vec3::Zero(), Vec3::UnitZ(), r.in(0.2, 3), 3.0};
+    const double half = std::acos(-s.major / s.minor);  // of the arc, from outwards to a tip
+    const Vec3 p = r.point(5);
+    const double rho = p.head<2>().norm();
+    double nearest = 1e9;
+    constexpr int steps = 20000;
+    for (int k = 0; k <= steps; ++k) {
+      const double angle = half * (2.0 * k / steps - 1.0);
+      nearest = std::min(nearest, std::hypot(rho - s.major - s.minor * std::cos(angle),
+                                             p.z() - s.minor * std::sin(angle)));
+    }
+    const bool inside = std::hypot(rho - s.major, p.z()) < s.minor;
+    Torus::Hint hint{};
+    EXPECT_NEAR(s.foot(p, hint).distance, inside ? -nearest : nearest, 1e-5) << i;
   }
 }
 
