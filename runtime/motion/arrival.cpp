@@ -10,6 +10,8 @@ namespace arelem::motion {
 namespace {
 /// By this factor a cut vector is longer than it was to be.
 constexpr double clearlyLonger = 1.001;
+/// A last cut vector with a smaller cosine to the path leads across it.
+constexpr double sidelong = 0.5;
 }  // namespace
 
 void Arrival::put(PathPoint& last, const PathPoint& to) {
@@ -27,8 +29,8 @@ bool Arrival::arrive(
     PathPoint& last, const PathPoint& stop, const Segment& segment, const Met& met, double& cap) {
   const Vec3 way = stop.toolEnd - last.toolEnd;
   const bool there = hasMoved_ && way.norm() <= nearStop();
-  const bool beyond =
-      hasMoved_ && !there && way.dot(last.tangent) < 0.0 && stops_.isWithin(last, met);
+  const bool beyond = hasMoved_ && !there && way.dot(last.tangent) < sidelong * way.norm() &&
+                      stops_.isWithin(last, met);
   const auto before = beyond && !hasWithdrawn_ ? trail_.heldFrom() : std::nullopt;
   if (!before) {
     if (!there && !beyond) {
@@ -37,7 +39,8 @@ bool Arrival::arrive(
     }
     return true;
   }
-  const auto fits = fitting(*before, last, segment, met, stop);
+  const bool isShort = (stop.toolEnd - before->toolEnd).norm() <= longest_ + tolerance::sameSide;
+  const auto fits = isShort ? fitting(*before, last, segment, met, stop) : std::nullopt;
   trail_.withdraw();
   last = *before;
   if (fits) {

@@ -12,8 +12,9 @@ inline constexpr double fitShare = 1e-6;
 /// The last cut vectors of a motion, to a stop that was found.
 class Arrival {
  public:
-  Arrival(Course& course, StopFinder& stops, Trail& trail, const Limits& limits)
-      : course_(course), stops_(stops), trail_(trail), limits_(limits) {}
+  /// `longest`: of a cut vector (MAXDP), in part units.
+  Arrival(Course& course, StopFinder& stops, Trail& trail, const Limits& limits, double longest)
+      : course_(course), stops_(stops), trail_(trail), limits_(limits), longest_(longest) {}
 
   /// The stop, if one cut vector from `a`, where the segment begins, reaches it within the bands;
   /// otherwise shortens `cap` so that the rest is shared evenly and no tiny vector remains.
@@ -24,8 +25,10 @@ class Arrival {
 
   /// Goes from `last` to the stop. A cut vector that ends there but for rounding is enough. One
   /// that ends beyond it within the tolerance shall end at the stop instead: the way back would be
-  /// for nothing, and how far it went beyond is not the same for the same motion elsewhere. False
-  /// where that takes more than one: then `last` is where that cut vector began, `cap` shortened.
+  /// for nothing, and how far it went beyond is not the same for the same motion elsewhere. So
+  /// shall one from which the stop is aside: the last cut vector is the direction of what follows.
+  /// False where that takes more than one: then `last` is where that cut vector began, `cap`
+  /// shortened.
   [[nodiscard]] bool arrive(
       PathPoint& last, const PathPoint& stop, const Segment& segment, const Met& met, double& cap);
 
@@ -45,6 +48,7 @@ class Arrival {
   StopFinder& stops_;
   Trail& trail_;
   const Limits& limits_;
+  double longest_;
   bool hasMoved_ = false;      ///< a cut vector along the path was put out
   bool hasWithdrawn_ = false;  ///< a cut vector beyond the stop: once is enough
 };

@@ -352,7 +352,7 @@ class Follower {
   Trail trail_{result_, sink_, effort_};
   Stride stride_;
   StopFinder stops_;
-  Arrival arrival_{course_, stops_, trail_, limits_};
+  Arrival arrival_{course_, stops_, trail_, limits_, state_.longestVector};
   PathPoint last_;
   double turned_ = 0.0;  ///< by the path since it last passed its start. Radians
   double rounds_ = 0.0;

@@ -17,6 +17,16 @@ INDIRV/{way},0
 TLON,GOFWD/DS,{condition},M
 FINI
 """
+WALL = """PARTNO WALL
+CUTTER/6
+M=MESH/STL,'block.stl'
+FROM/{first},9,0
+GO/TO,M,TO,(PLANE/0,0,1,0),ON,(PLANE/1,0,0,{first})
+INDIRV/1,0,0
+TLLFT,GOFWD/M,ON,(PLANE/1,0,0,{stop})
+GOFWD/M,ON,(PLANE/1,0,0,30)
+FINI
+"""
 QUADS = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
 
 
@@ -58,6 +68,20 @@ class ClosedMesh(ArelemCase):
                 for condition, cutter, place in (("ON", "10,5", 10), ("PAST", "10,2", 15), ("TO", "10", 5)):
                     with self.subTest(z=z, turn=turn, condition=condition):
                         self.assertAlmostEqual(self.stop(cutter, condition, z, turn), place, delta=.0011)
+
+    def test_the_last_cut_vector_leads_along_the_path(self):
+        # Stops a whole number of MAXDP away, or a little more: the place across the band from there is no cut vector,
+        # GOFWD would go on across the path (E0507).
+        (self.folder / "block.stl").write_bytes(stl(block((-50, -20, -5), (50, 2, 20), 0.0)))
+        for first, stop in ((-5, 5), (-5, 15), (-5, 5.000004), (-5, 5.00001), (-8, 2)):
+            with self.subTest(first=first, stop=stop):
+                self.write("wall.apt", WALL.format(first=first, stop=stop))
+                self.assertExit(0, "verify", "wall.apt")
+                self.assertExit(0, "wall.apt", "-o", "-", "--to", "cl")
+                way = [p for p in points(self.out) if p[1] < 6][1:]
+                for a, b in zip(way, way[1:]):
+                    self.assertGreater(b[0] - a[0], abs(b[1] - a[1]))
+                    self.assertLess(b[0] - a[0], 10 + 1e-8)
 
 
 if __name__ == "__main__":
