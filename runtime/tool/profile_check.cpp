@@ -94,19 +94,23 @@ std::optional<Failure> shapeFault(const Profile& p) {
   if (withinSide < -size) {
     return fail(diag::CutterCornerOutside, p.e, p.f, -withinSide);
   }
+  // A joint that is taken as touching is told unless the cutter cannot be used for another reason.
+  const auto noSide = p.sideStart.z > p.h + size
+                          ? std::optional(fail(diag::CutterNoSide, p.h, p.sideStart.z))
+                          : std::nullopt;
+  const auto orNoSide = [&](Failure bad) {
+    return noSide && bad.row->severity != Severity::error ? *noSide : std::move(bad);
+  };
   if (auto bad = jointFault(p, aboveBottom, diag::CutterArcCrossesBottom,
                             diag::CutterArcMissesBottom, diag::CutterArcOffBottom)) {
-    return bad;
+    return orNoSide(*std::move(bad));
   }
   if (auto bad = jointFault(p, withinSide, diag::CutterArcCrossesSide, diag::CutterArcMissesSide,
                             diag::CutterArcOffSide)) {
     const bool bulges = withinSide < p.r && bad->row->severity == Severity::error;
-    return bulges ? std::move(*bad).withHelp(lowerHalf(p)) : bad;
+    return bulges ? std::move(*bad).withHelp(lowerHalf(p)) : orNoSide(*std::move(bad));
   }
-  if (p.sideStart.z > p.h + size) {
-    return fail(diag::CutterNoSide, p.h, p.sideStart.z);
-  }
-  return std::nullopt;
+  return noSide;
 }
 
 Profile joined(const Profile& p) {
