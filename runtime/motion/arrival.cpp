@@ -29,18 +29,20 @@ bool Arrival::arrive(
     PathPoint& last, const PathPoint& stop, const Segment& segment, const Met& met, double& cap) {
   const Vec3 way = stop.toolEnd - last.toolEnd;
   const bool there = hasMoved_ && way.norm() <= nearStop();
-  const bool beyond = hasMoved_ && !there && way.dot(last.tangent) < sidelong * way.norm() &&
-                      stops_.isWithin(last, met);
+  const double along = way.dot(last.tangent);
+  const bool beyond =
+      hasMoved_ && !there && along < sidelong * way.norm() && stops_.isWithin(last, met);
   const auto before = beyond && !hasWithdrawn_ ? trail_.heldFrom() : std::nullopt;
   if (!before) {
-    if (!there && !beyond) {
+    if (!there && !(beyond && along < 0.0)) {
       trail_.put(last, stop);
       last = stop;
     }
     return true;
   }
-  const bool isShort = (stop.toolEnd - before->toolEnd).norm() <= longest_ + tolerance::sameSide;
-  const auto fits = isShort ? fitting(*before, last, segment, met, stop) : std::nullopt;
+  const auto fits = along < 0.0              ? fitting(*before, last, segment, met, stop)
+                    : reaches(*before, stop) ? std::optional(stop)
+                                             : std::nullopt;
   trail_.withdraw();
   last = *before;
   if (fits) {
@@ -75,6 +77,11 @@ std::optional<PathPoint> Arrival::fitting(const PathPoint& from,
   }
   const auto edge = stops_.stopAtEdge(a, segment, met);
   return edge && course_.path.fitWithTurn(from, *edge) >= 1.0 - fitShare ? edge : std::nullopt;
+}
+
+bool Arrival::reaches(const PathPoint& from, const PathPoint& end) {
+  return (end.toolEnd - from.toolEnd).norm() <= longest_ + tolerance::sameSide &&
+         course_.path.fitWithTurn(from, end) >= 1.0 - fitShare;
 }
 
 double Arrival::shared(const PathPoint& from, const PathPoint& end) {

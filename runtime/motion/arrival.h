@@ -41,6 +41,7 @@ class Arrival {
                                                  const Segment& segment,
                                                  const Met& met,
                                                  const PathPoint& end);
+  [[nodiscard]] bool reaches(const PathPoint& from, const PathPoint& end);
   [[nodiscard]] double shared(const PathPoint& from, const PathPoint& end);
   [[nodiscard]] double nearStop() const;
 
