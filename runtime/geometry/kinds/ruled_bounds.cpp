@@ -14,18 +14,15 @@ constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
 }  // namespace
 
+/// Each reach is looked at by itself: what is one part within a larger one may be several within
+/// it, as the flanks of an arch are, and a place next to one may have its foot on another.
 Ruled::Sheet::Part Ruled::Sheet::curvatures(double f, double g, double reach) const {
-  Part part{curvaturesInCells(f, g, reach)};
-  if (!part.curvatures) {
-    part.curvatures = curvaturesAround(f, g, reach);
-    return part;
+  const Part rows = rowsAbout(at(f, g).place, reach);
+  if (!rows.alone) {
+    return rows;
   }
-  const Surroundings* known = surroundings(f, g);
-  if (known == nullptr || !(known->alone.load(std::memory_order_relaxed) >= reach)) {
-    const Part all = partAbout(blockOf(f), at(f, g).place, reach);
-    return all.alone ? part : all;
-  }
-  return part;
+  const auto inCells = curvaturesInCells(f, g, reach);
+  return {inCells ? inCells : curvaturesAround(f, g, reach)};
 }
 
 /// Over the places within `reach`, by way of the parameters there.

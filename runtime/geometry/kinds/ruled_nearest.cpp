@@ -60,6 +60,30 @@ Ruled::Sheet::Part Ruled::Sheet::partAbout(std::size_t block,
   return part;
 }
 
+/// The same row by row: blocks beside the curves are wide, and what is near one may be near none of
+/// its rows.
+Ruled::Sheet::Part Ruled::Sheet::rowsAbout(const Vec3& place, double reach) const {
+  Part part{Bends(nothing)};
+  int parts = 0;
+  bool within = false;
+  for (std::size_t block = 0; block < blockStrips_.size(); ++block) {
+    const bool near = blockStrips_[block].isWithin(place, reach);
+    for (std::size_t i = block * rowsOfABlock; i < (block + 1) * rowsOfABlock; ++i) {
+      const bool before = within;
+      within = near && strips_[i].isWithin(place, reach);
+      parts += within && !before ? 1 : 0;
+      if (within) {
+        widenByRow(i, place, reach, part.curvatures);
+      }
+      if (within && (i == 0 || i + 1 == strips_.size())) {
+        part.curvatures.reset();  // beyond the last row nothing is known
+      }
+    }
+  }
+  part.alone = parts <= 1;
+  return part;
+}
+
 /// A ball that touches the sheet and is not sharper than the sheet bends towards it holds no place
 /// of the part about the place where it touches; and none at all if it is no larger than that part.
 void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) const {
@@ -70,20 +94,17 @@ void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) 
   const double inCell = spread + halfG * row.along.norm();
   double above = 0.0;
   double below = 0.0;
-  double alone = 0.0;
   double reach = largestPart * (atHigh_[0].place - atLow_[0].place).cwiseAbs().maxCoeff();
   for (int i = 0; i < mostParts && 0.5 * reach > std::min(above, below); ++i) {
     const Part part = partAbout(block, place, reach + inCell);
-    alone = part.alone ? std::max(alone, reach) : alone;
     if (part.curvatures && part.alone) {
       above = std::max(above, std::min(0.5 * reach, 1.0 / std::max(0.0, -part.curvatures->low)));
       below = std::max(below, std::min(0.5 * reach, 1.0 / std::max(0.0, part.curvatures->high)));
     }
     reach *= smallerPart;
   }
-  known.above.store(above, std::memory_order_relaxed);
   known.below.store(below, std::memory_order_relaxed);
-  known.alone.store(alone, std::memory_order_release);
+  known.above.store(above, std::memory_order_release);
 }
 
 const Ruled::Sheet::Surroundings* Ruled::Sheet::surroundings(double f, double g) const {
@@ -94,7 +115,7 @@ const Ruled::Sheet::Surroundings* Ruled::Sheet::surroundings(double f, double g)
   }
   const std::size_t block = blockOf(f);
   Surroundings& known = around_[block * cellsOfARow + static_cast<std::size_t>(cell)];
-  if (known.alone.load(std::memory_order_acquire) < 0.0) {
+  if (known.above.load(std::memory_order_acquire) < 0.0) {
     lookAround(block, cell, known);
   }
   return &known;

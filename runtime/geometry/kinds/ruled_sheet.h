@@ -114,6 +114,10 @@ class Ruled::Sheet {
       return kept > 0.0 ? line.away * kept - spreadAt(line.g)
                         : -std::numeric_limits<double>::infinity();
     }
+    /// False where no place of them is within `reach` of p.
+    [[nodiscard]] bool isWithin(const Vec3& p, double reach) const {
+      return leastFrom(lineTo(p)) <= reach;
+    }
   };
   /// Eight strips, number by number: several are looked at with one instruction.
   struct Eight {
@@ -151,7 +155,6 @@ class Ruled::Sheet {
     /// The nearest place of all to a point at most so far above or below the sheet whose foot is in
     /// the cell is that foot.
     std::atomic<double> above{-1.0}, below{-1.0};
-    std::atomic<double> alone{-1.0};  ///< no part of the sheet but that about the place is so near
   };
   /// Second derivatives of the sheet by f at one g.
   struct Seconds {
@@ -198,6 +201,7 @@ class Ruled::Sheet {
   void lookAround(std::size_t block, int cell, Surroundings& known) const;
   /// What is within reach of a place of a block.
   [[nodiscard]] Part partAbout(std::size_t block, const Vec3& place, double reach) const;
+  [[nodiscard]] Part rowsAbout(const Vec3& place, double reach) const;
   void settleAlongRulings(const Vec3& p, Hint& hint) const;
   [[nodiscard]] std::optional<Bends> curvaturesInCells(double f, double g, double reach) const;
   [[nodiscard]] std::optional<Bends> curvaturesAround(double f, double g, double reach) const;

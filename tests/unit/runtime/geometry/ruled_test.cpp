@@ -258,5 +258,49 @@ TEST(Ruled, BoundsHoldFarAlongTheRulings) {
   EXPECT_GT(bounded, 500);  // of 800
 }
 
+/// Steep arches whose flanks come as near to each other as places on them are asked about, and join
+/// farther off.
+TEST(Ruled, BoundsHoldBetweenFlanksThatJoinFartherOff) {
+  std::mt19937_64 random(1);
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto any = [&]() -> Vec3 { return Vec3(in(-1, 1), in(-1, 1), in(-1, 1)) / std::sqrt(3.0); };
+  int bounded = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double half = in(0.5, 2);
+    const double sharp = in(1, 3.9) / half;
+    SectionCurve curve;  // of z = -sharp x^2
+    curve.surface.type = EntityType::quadric;
+    curve.surface.canon = {sharp, 0, 0, 0, 0, 0, 0, 0, 0, 0.5};
+    curve.start = {-half, -3, -sharp * half * half};
+    curve.finish = {half, -3, -sharp * half * half};
+    SectionCurve other = curve;
+    other.start.y() = other.finish.y() = 3;
+    const Ruled s({curve, other});
+    for (int j = 0; j < 20; ++j) {
+      const double x = half * in(-2, 2);
+      const Vec3 p = Vec3(x, in(-6, 6), -sharp * x * x) + in(0, 1.5) * any();
+      const double radius = in(0.02, 1.5);
+      Ruled::Hint hint{};
+      const Bends bends = s.bends(p, s.foot(p, hint), radius);
+      bounded += std::isfinite(bends.low) || std::isfinite(bends.high) ? 1 : 0;
+      for (int k = 0; k < 60; ++k) {
+        // Also straight across, where the nearest place changes flanks.
+        const bool across = k % 2 == 0;
+        const Vec3 u = p + radius * (across ? Vec3(in(-1, 1), 0, 0) : any());
+        const Vec3 v = p + radius * (across ? Vec3(in(-1, 1), 0, 0) : any());
+        Ruled::Hint h1{}, h2{}, h3{};
+        const double squared = (v - u).squaredNorm();
+        const double dip = 0.5 * (s.foot(u, h1).distance + s.foot(v, h2).distance) -
+                           s.foot(0.5 * (u + v), h3).distance;
+        ASSERT_LE(dip, bends.high * squared / 8 + 1e-9) << i << ' ' << j;
+        ASSERT_GE(dip, bends.low * squared / 8 - 1e-9) << i << ' ' << j;
+      }
+    }
+  }
+  EXPECT_GT(bounded, 500);  // of 1200
+}
+
 }  // namespace
 }  // namespace arelem::surface
