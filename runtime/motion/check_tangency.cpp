@@ -4,6 +4,7 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/motion/check_watch.h"
+#include "runtime/motion/tilt.h"
 
 namespace arelem::motion {
 
@@ -23,7 +24,7 @@ Vec3 CheckWatch::wayAt(const Segment& s, double u, Field& guide) {
     return way;
   }
   const Vec3 normal = guide.at(s.at(u), s.axisAt(u)).normal;
-  return way - way.dot(normal) * normal;
+  return withinPlane(normal, way);
 }
 
 /// What both gaps say of a tangency at one place.

@@ -7,6 +7,7 @@
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/certify/motion_check.h"
+#include "runtime/motion/tilt.h"
 #include "runtime/motion/told.h"
 
 namespace arelem::motion {
@@ -34,7 +35,7 @@ std::optional<Vec3> guidePlane(std::span<const StartupGoal> goals,
   const Vec3 here = goals[1 - given].field->at(start.toolEnd, start.axis).normal;
   const Vec3 path = there.cross(here);
   const Vec3 along = direction.normalized();
-  const Vec3 normal = path - path.dot(along) * along;
+  const Vec3 normal = withinPlane(along, path);
   return normal.norm() > tolerance::nullDirection ? std::optional<Vec3>(normal.normalized())
                                                   : std::nullopt;
 }
