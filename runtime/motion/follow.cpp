@@ -154,7 +154,8 @@ class Follower {
       if (b == nullptr) {
         return lost();
       }
-      if (auto bad = course_.path.axis.faultAt(b->toolEnd, b->axis)) {
+      auto bad = course_.path.axis.faultAt(b->toolEnd, b->axis);
+      if (bad || (bad = parallelBetween(course_, a, *b))) {
         return bad;
       }
       const Segment segment = segmentBetween(a, *b);

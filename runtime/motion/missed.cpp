@@ -139,6 +139,20 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
   return never;
 }
 
+/// Facets are parallel up to this sine: the rounding of a file is 6e-8 of the coordinates, and an
+/// edge of a triangle may be shorter than these.
+constexpr double levelFacet = 1e-5;
+
+/// Sine of the angle between the surfaces where the tool touches them.
+double sineOf(const PathPoint& at) {
+  return at.contacts[0].normal.cross(at.contacts[1].normal).norm();
+}
+
+Failure parallelAt(const Course& course, const PathPoint& at) {
+  const Vec3 p = told(at.toolEnd);
+  return fail(diag::SurfacesParallel, course.drive.name, course.part.name, p.x(), p.y(), p.z());
+}
+
 /// Sine from which on a cylinder lies across the tool.
 constexpr double crossing = 0.5;
 
@@ -195,6 +209,16 @@ Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) 
   return w.isTangent() ? std::move(limit).note(missedOne(course, w).message) : limit;
 }
 
+std::optional<Failure> parallelBetween(const Course& course,
+                                       const PathPoint& a,
+                                       const PathPoint& b) {
+  const auto& guides = course.path.guides;
+  const bool faceted = guides[0].field->isFaceted() || guides[1].field->isFaceted();
+  const bool parallel = faceted && sineOf(a) <= levelFacet && sineOf(b) <= levelFacet &&
+                        (b.toolEnd - a.toolEnd).norm() > tolerance::coincidence;
+  return parallel ? std::optional(parallelAt(course, a)) : std::nullopt;
+}
+
 Failure lost(Course& course, const PathPoint& last) {
   // Where there is no axis any more steps beyond end nowhere. It is looked for from where the tool
   // is: where else it was looked for depends on steps that led nowhere.
@@ -205,10 +229,8 @@ Failure lost(Course& course, const PathPoint& last) {
     }
   }
   const Vec3 p = told(last.toolEnd);
-  const double sine = last.contacts[0].normal.cross(last.contacts[1].normal).norm();
-  return sine <= tolerance::nullDirection
-             ? fail(diag::SurfacesParallel, course.drive.name, course.part.name, p.x(), p.y(),
-                    p.z())
+  return sineOf(last) <= tolerance::nullDirection
+             ? parallelAt(course, last)
              : fail(diag::ContactLost, course.drive.name, course.part.name, p.x(), p.y(), p.z());
 }
 

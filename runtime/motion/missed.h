@@ -17,6 +17,13 @@ namespace arelem::motion {
 /// Why the path goes no farther than `last`.
 [[nodiscard]] Failure lost(Course& course, const PathPoint& last);
 
+/// Why no cut vector leads from `a` to `b`: drive and part surface, one of them of triangles, are
+/// parallel at both ends but for the rounding of a file, and the path could as well lead anywhere
+/// else.
+[[nodiscard]] std::optional<Failure> parallelBetween(const Course& course,
+                                                     const PathPoint& a,
+                                                     const PathPoint& b);
+
 /// The same where the path took more than `gaps` gaps for each of its cut vectors: that it does not
 /// get on, or that there is an axis between two contacts only.
 [[nodiscard]] Failure tooMuch(Course& course,
