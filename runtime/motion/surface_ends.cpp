@@ -16,6 +16,9 @@ namespace arelem::motion {
 namespace {
 /// Cosine of the angle to the normal of a mesh from which on a tool at its border is beside it.
 constexpr double beside = 0.01;
+/// Cosine to the normal on the side of the tool up to which on one that was beside it has come round
+/// to the back.
+constexpr double behind = -0.5;
 
 /// How the border of a mesh faces: normals of contacts that are near to its own are not beside it.
 class Border final : public surface::KeptWithMesh {
@@ -102,21 +105,33 @@ SurfaceEnds::Lean SurfaceEnds::leanOf(const tool::Contact& contact, Open& open) 
   return {lean.cosine, shape.atBorder[corners[first]] && shape.atBorder[corners[second]]};
 }
 
-std::optional<Failure> SurfaceEnds::passedAt(const PathPoint& last) {
-  const Vec3 p = told(last.toolEnd);
+std::optional<Failure> SurfaceEnds::overBorder(const PathPoint& last) {
   for (Open& open : open_) {
     const tool::Contact& contact = last.contacts[open.guide];
     if (!open.mayBeOver(contact.normal, open.side)) {
       continue;
     }
     const Lean lean = leanOf(contact, open);
-    if (lean.mayBeOver && open.side * lean.cosine <= beside) {
+    if (!lean.mayBeOver || open.side * lean.cosine > beside) {
+      continue;
+    }
+    if (!over_) {
+      const Vec3 p = told(last.toolEnd);
       over_ = fail(diag::ContactLost, course_.drive.name, course_.part.name, p.x(), p.y(), p.z())
                   .withHelp("the tool goes over the border of the mesh `" + open.surface->name +
                             "` there and is beside it");
-      open_.clear();
-      break;
     }
+    if (open.side * lean.cosine <= behind) {
+      return over_;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> SurfaceEnds::passedAt(const PathPoint& last) {
+  const Vec3 p = told(last.toolEnd);
+  if (auto round = overBorder(last)) {
+    return round;
   }
   for (const auto& [surface, contact] : {std::pair{&course_.part, &last.contacts[partRole]},
                                          std::pair{&course_.drive, &last.contacts[driveRole]}}) {

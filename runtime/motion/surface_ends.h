@@ -14,7 +14,8 @@ class SurfaceEnds {
   /// `course` stays.
   explicit SurfaceEnds(const Course& course);
 
-  /// Why the motion ends in a place of its path: behind it there is no surface to run along.
+  /// Why the motion ends in a place of its path: behind it there is no surface to run along, or the
+  /// tool has come round the border of a mesh to its back, on the other side than it was to be.
   [[nodiscard]] std::optional<Failure> passedAt(const PathPoint& last);
   /// The cause of a failure: a tool that went over the border of an open mesh goes round it or down
   /// beside it. That it did so is no fault of a motion that meets its check surface.
@@ -37,6 +38,7 @@ class SurfaceEnds {
     bool mayBeOver = false;
   };
   static Lean leanOf(const tool::Contact& contact, Open& open);
+  [[nodiscard]] std::optional<Failure> overBorder(const PathPoint& last);
 
   const Course& course_;
   std::vector<Open> open_;
