@@ -1,5 +1,6 @@
 #include "runtime/geometry/triangle_mesh.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -102,6 +103,26 @@ void join(TriangleMesh& mesh) {
 std::string placeText(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
 }
+
+/// Of the triangles at an edge that is wrong: one that is in the file twice, if that is why.
+Failure withTwin(Failure failure, const TriangleMesh& mesh, std::span<const MeshEdge> edge) {
+  const auto sorted = [&](const MeshEdge& e) {
+    TriangleMesh::Triangle t = mesh.triangles[e.triangle];
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  for (std::size_t i = 0; i < edge.size(); ++i) {
+    for (std::size_t k = i + 1; k < edge.size(); ++k) {
+      if (sorted(edge[i]) == sorted(edge[k])) {
+        const auto& [a, b, c] = mesh.triangles[edge[i].triangle];
+        return std::move(failure).withHelp(
+            fmt::format("the triangle {}, {}, {} is in it twice", placeText(mesh.vertices[a]),
+                        placeText(mesh.vertices[b]), placeText(mesh.vertices[c])));
+      }
+    }
+  }
+  return failure;
+}
 }  // namespace
 
 Result<TriangleMesh> checkedMesh(TriangleMesh mesh, std::string_view name) {
@@ -121,10 +142,12 @@ Result<TriangleMesh> checkedMesh(TriangleMesh mesh, std::string_view name) {
       return;
     }
     if (edge.size() > 2) {
-      bad = fail(diag::MeshNotManifold, name, place(edge[0].low), place(edge[0].high),
-                 std::uint64_t{edge.size()});
+      bad = withTwin(fail(diag::MeshNotManifold, name, place(edge[0].low), place(edge[0].high),
+                          std::uint64_t{edge.size()}),
+                     mesh, edge);
     } else if (edge.size() == 2 && edge[0].forward == edge[1].forward) {
-      bad = fail(diag::MeshTurned, name, place(edge[0].low), place(edge[0].high));
+      bad = withTwin(fail(diag::MeshTurned, name, place(edge[0].low), place(edge[0].high)), mesh,
+                     edge);
     }
   });
   if (bad) {

@@ -167,6 +167,27 @@ FINI
 """)
                 self.proven()
 
+    def test_a_motion_ends_where_it_comes_round_a_border(self):
+        # A plate up to x = 10 and a ball of radius 1 along y = 0: beside the border it meets x = 10.5; it meets x = 0 for
+        # the second time below the plate only.
+        self.write("plate.stl", stl(facets(lambda x, y: 0.0, 10, 2)))
+        program = PROGRAM.format(cutter="2,1,0,1,0,0,5", surface="MESH/STL,'plate.stl'", y=0)
+        program = program.replace("PLANE/1,0,0,-12", "PLANE/1,0,0,-5")
+        self.write("part.apt", program.replace("PLANE/1,0,0,12", "PLANE/1,0,0,10.5"))
+        self.assertExit(0, "part.apt", "-o", "-", "--to", "cl")
+        self.assertAlmostEqual(points(self.out)[-1][2], math.sqrt(1 - 0.25) - 1, 1)
+        self.write("part.apt", program.replace("PLANE/1,0,0,12", "PLANE/1,0,0,0").replace("ON,LX2", "ON,2,INTOF,LX2"))
+        self.assertExit(4, "part.apt", "-o", "-", "--to", "cl")
+        self.assertIn("E0512", self.err)
+        self.assertIn("the tool goes over the border of the mesh `M1`", self.err)
+
+    def test_a_triangle_that_is_there_twice_is_named(self):
+        triangles = list(facets(lambda x, y: 0.0, 10, 2))
+        self.write("twice.stl", stl(triangles + triangles[3:4]))
+        self.write("part.apt", "M1=MESH/STL,'twice.stl'\nPRINT/3,M1\nFINI\n")
+        self.assertNotEqual(self.run_arelem("check", "part.apt"), 0)
+        self.assertIn("the triangle (-10, 0, 0), (0, 10, 0), (-10, 10, 0) is in it twice", self.err)
+
     def test_a_path_that_was_moved_is_refuted(self):
         self.write("dome.off", off(facets(dome, 20, 40)))
         self.path("6,3", "MESH/OFF,'dome.off'")
