@@ -169,12 +169,29 @@ std::optional<Failure> axisEnds(Course& course, const PathPoint& last) {
   return std::nullopt;
 }
 
+namespace {
+/// Where there is no axis any more steps beyond end nowhere. It is looked for from where the tool
+/// is: where else it was looked for depends on steps that led nowhere.
+std::optional<Failure> axisFails(Course& course, const PathPoint& last) {
+  course.path.axis.stand(last.toolEnd, last.axis);
+  for (const double ahead : looksAhead) {
+    if (auto bad = course.path.axis.fault(last.toolEnd + ahead * last.tangent)) {
+      return bad;
+    }
+  }
+  return std::nullopt;
+}
+}  // namespace
+
 Failure tooMuch(Course& course,
                 const PathPoint& last,
                 std::uint64_t gaps,
                 std::uint64_t cutVectors) {
   if (auto jump = course.path.axis.jump(last.toolEnd)) {
     return *std::move(jump);
+  }
+  if (auto bad = axisFails(course, last)) {
+    return *std::move(bad);
   }
   const Vec3 p = told(last.toolEnd);
   return fail(diag::MotionEffort, gaps, cutVectors, p.x(), p.y(), p.z());
@@ -196,13 +213,8 @@ Failure tooMany(const Course& course, const PathPoint& last, double cutVectors) 
 }
 
 Failure lost(Course& course, const PathPoint& last) {
-  // Where there is no axis any more steps beyond end nowhere. It is looked for from where the tool
-  // is: where else it was looked for depends on steps that led nowhere.
-  course.path.axis.stand(last.toolEnd, last.axis);
-  for (const double ahead : looksAhead) {
-    if (auto bad = course.path.axis.fault(last.toolEnd + ahead * last.tangent)) {
-      return *std::move(bad);
-    }
+  if (auto bad = axisFails(course, last)) {
+    return *std::move(bad);
   }
   const Vec3 p = told(last.toolEnd);
   const double sine = last.contacts[0].normal.cross(last.contacts[1].normal).norm();
