@@ -319,12 +319,15 @@ class BodySearch {
     const tool::ProfilePoint to = piece_->at(box.share + box.halfShare);
     const double rise = 0.5 * (normal_.dot(frame_.radial) * (to.rho - from.rho) +
                                normal_.dot(frame_.axis) * (to.z - from.z));
+    // What points off the center turn differently (tilt) is halved with the time and with them.
+    const double turned = chord_->turn() * box.halfS;
+    const double around = turned * widest_ * std::min(2.0, box.halfAngle.radians);
     Loss loss;
     loss.known = true;
-    loss.s = std::abs(speed) + bend * moves * moves;
-    loss.share = std::abs(rise) + bend * length * length;
-    loss.angle = -widest_ * leastOfTurn(-normal_.dot(frame_.radial) + low * widest_,
-                                        normal_.dot(frame_.around), box.halfAngle);
+    loss.s = std::abs(speed) + bend * moves * moves + around + turned * length;
+    loss.share = std::abs(rise) + bend * length * length + turned * length;
+    loss.angle = around - widest_ * leastOfTurn(-normal_.dot(frame_.radial) + low * widest_,
+                                                normal_.dot(frame_.around), box.halfAngle);
     return loss;
   }
 

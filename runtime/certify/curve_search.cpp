@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/geometry/least.h"
+
 namespace arelem::certify {
 
 namespace {
@@ -16,6 +18,8 @@ constexpr double square = 1e-9;
 constexpr int looks = 4;
 /// Parts of the curve and ways of the tool below this are not halved. Part unit.
 constexpr double shortest = 1e-9;
+/// Below this a direction is looked for again, though that at the middle parts the cutter from it.
+constexpr double small = 1e-6;
 
 double height(const Piece& p, double x) {
   return ((p.a * x + p.b) * x + p.c) * x;
@@ -153,6 +157,18 @@ Vec2 CurveSearch::towards(const Pose& pose, const Vec2& place) const {
   return best;
 }
 
+/// The direction near another one that parts the cutter best from a place.
+Vec2 CurveSearch::sharpened(const Pose& pose, const Vec2& place, const Vec2& direction) const {
+  const Vec2 aside(-direction.y(), direction.x());
+  const auto turned = [&](double t) -> Vec2 { return (direction + t * aside).normalized(); };
+  const auto reachBeyond = [&](double t) {
+    const Vec2 n = turned(t);
+    return support(pose, n) - n.dot(place);
+  };
+  return turned(geometry::narrowLeast(reachBeyond, -1.0, 1.0,
+                                      [](double, double width) { return width > shortest; }));
+}
+
 /// Below zero the curve is set back along its normals: what that gives towards `direction`.
 double CurveSearch::setBack(const Part& part, const Vec2& direction) const {
   if (gap_ >= 0.0) {
@@ -276,9 +292,20 @@ BodyResult CurveSearch::run(const Chord& chord, double from, double to, double a
     }
     const double size = std::max(part.x1 - part.x0, wayOf(part));
     const Part place{part.piece, x, x, s, s, part.corner};
-    if (clearance(place, directions[0]) < 0.0 && clearance(place, directions[1]) < 0.0 &&
-        !measure(pose, directions[0], s)) {
+    const bool parted =
+        clearance(place, directions[0]) >= 0.0 || clearance(place, directions[1]) >= 0.0;
+    if (!parted && !measure(pose, directions[0], s)) {
       return result;
+    }
+    if (!parted || size <= small) {
+      // The point is far enough away, so there may be a better direction.
+      const Vec2 sharp = sharpened(pose, placeOf(p, x) - pose.toolEnd, directions[0]);
+      if (clearance(part, sharp) >= 0.0) {
+        continue;
+      }
+      if (clearance(place, sharp) < 0.0 && !measure(pose, sharp, s)) {
+        return result;
+      }
     }
     if (size <= shortest) {
       return result;

@@ -63,6 +63,7 @@ class CurveSearch {
                               const Polygon& polygon) const;
   [[nodiscard]] double setBack(const Part& part, const Vec2& direction) const;
   [[nodiscard]] Vec2 towards(const Pose& pose, const Vec2& place) const;
+  [[nodiscard]] Vec2 sharpened(const Pose& pose, const Vec2& place, const Vec2& direction) const;
   [[nodiscard]] double support(const Pose& pose, const Vec2& direction) const;
   [[nodiscard]] Vec3 supportPoint(const Pose& pose, const Vec2& direction) const;
   void split(const Part& part);

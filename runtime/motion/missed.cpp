@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
@@ -14,6 +15,8 @@ namespace arelem::motion {
 namespace {
 /// Where a path ends the axis is asked for this far ahead. Part unit.
 constexpr std::array looksAhead{0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+/// So far too where many gaps led nowhere.
+constexpr std::array looksFarAhead{3e-2, 1e-1};
 
 /// Beside its middle a hollow is lower: a cutter has room in one so many times as wide as it is
 /// high.
@@ -183,12 +186,39 @@ std::optional<Failure> axisEnds(Course& course, const PathPoint& last) {
   return std::nullopt;
 }
 
+namespace {
+std::optional<Failure> axisFails(Course& course,
+                                 const PathPoint& last,
+                                 std::span<const double> looks) {
+  for (const double ahead : looks) {
+    if (auto bad = course.path.axis.fault(last.toolEnd + ahead * last.tangent)) {
+      return bad;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Where there is no axis any more steps beyond end nowhere. It is looked for from where the tool
+/// is: where else it was looked for depends on steps that led nowhere.
+std::optional<Failure> axisFails(Course& course, const PathPoint& last) {
+  course.path.axis.stand(last.toolEnd, last.axis);
+  return axisFails(course, last, looksAhead);
+}
+}  // namespace
+
 Failure tooMuch(Course& course,
                 const PathPoint& last,
                 std::uint64_t gaps,
                 std::uint64_t cutVectors) {
   if (auto jump = course.path.axis.jump(last.toolEnd)) {
     return *std::move(jump);
+  }
+  auto bad = axisFails(course, last);
+  if (!bad) {
+    bad = axisFails(course, last, looksFarAhead);
+  }
+  if (bad) {
+    return *std::move(bad);
   }
   const Vec3 p = told(last.toolEnd);
   return fail(diag::MotionEffort, gaps, cutVectors, p.x(), p.y(), p.z());
@@ -220,13 +250,8 @@ std::optional<Failure> parallelBetween(const Course& course,
 }
 
 Failure lost(Course& course, const PathPoint& last) {
-  // Where there is no axis any more steps beyond end nowhere. It is looked for from where the tool
-  // is: where else it was looked for depends on steps that led nowhere.
-  course.path.axis.stand(last.toolEnd, last.axis);
-  for (const double ahead : looksAhead) {
-    if (auto bad = course.path.axis.fault(last.toolEnd + ahead * last.tangent)) {
-      return *std::move(bad);
-    }
+  if (auto bad = axisFails(course, last)) {
+    return *std::move(bad);
   }
   const Vec3 p = told(last.toolEnd);
   return sineOf(last) <= tolerance::nullDirection

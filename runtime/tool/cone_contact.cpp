@@ -41,7 +41,7 @@ class Circle {
 
   /// `toolEnd` and the cone's axis `a` in the frame of the tool.
   Circle(const surface::Cone& s, const Profile& cutter, const Vec3& toolEnd, const Vec3& a)
-      : cone_(s), a_(a), radius_(cutter.e) {
+      : cone_(s), a_(a), radius_(cutter.e), least_(cutter.r * s.cosHalf) {
     const Vec3 center(toolEnd.x(), toolEnd.y(), toolEnd.z() + cutter.f);
     along_ = center.dot(a);
     radial_ = center - along_ * a;
@@ -64,7 +64,7 @@ class Circle {
     const Vec3 around = a_.cross(radial);
     const double aroundOn = c * around.y() - t * around.x();
     p.beforeTip = along * cone_.cosHalf + rho * cone_.sinHalf;
-    if (!(rho > 0.0) || p.beforeTip < 0.0) {
+    if (!(rho > least_) || p.beforeTip < 0.0) {
       return p;
     }
     const double over = cone_.cosHalf * rho * oneOver;
@@ -87,7 +87,9 @@ class Circle {
  private:
   const surface::Cone& cone_;
   const Vec3& a_;
-  double radius_, along_ = 0.0;
+  double radius_;
+  double least_;  ///< distance from the cone's axis at which the corner's ball reaches it
+  double along_ = 0.0;
   Vec3 radial_ = Vec3::Zero();
 };
 }  // namespace

@@ -77,6 +77,43 @@ std::optional<Vec3> inwards(const Profile& p, const Vec3& fromTip, const Vec3& a
   return p.sinBeta * axis - p.cosBeta * out;
 }
 
+/// Where the axis of a cone leaves a cutter that covers its tip, and how deep that is.
+Contact whereAxisLeaves(
+    const surface::Cone& s, const Profile& cutter, const Vec3& te, const Vec3& axis, Contact c) {
+  const auto isInside = [&](double along) {
+    const Vec3 way = s.vertex + along * s.axis - te;
+    const double z = way.dot(axis);
+    ProfilePoint nearest;
+    return distanceTo(cutter, {(way - z * axis).norm(), z}, nearest) < 0.0;
+  };
+  double low = 0.0;
+  double high = tolerance::sameSide;
+  if (!isInside(low)) {
+    return c;
+  }
+  while (isInside(high)) {
+    low = high;
+    high *= 2.0;
+  }
+  for (double middle = 0.5 * (low + high); low < middle && middle < high;
+       middle = 0.5 * (low + high)) {
+    (isInside(middle) ? low : high) = middle;
+  }
+  c.gap = -high * s.sinHalf;
+  c.point = s.vertex + high * s.axis;
+  return c;
+}
+
+/// The ball of a corner that reaches into a cone beyond its axis is nearer to the other side of it:
+/// how far its center is off does not tell how deep it is.
+bool passesAxis(const surface::Cone& s, const Profile& cutter, const Contact& c) {
+  if (c.gap >= 0.0 || cutter.r == 0.0 || cutter.e == 0.0) {
+    return false;
+  }
+  const Vec3 way = c.point - s.vertex;
+  return (way - way.dot(s.axis) * s.axis).dot(c.normal) < 0.0;
+}
+
 /// A cutter that covers the tip of a cone is nearest to it on the cone's axis, where normals of all
 /// sides meet. With m the cutter's own normal there, the gap changes with the height of that place,
 /// by sin(half): so does their mean, which goes with m and is shorter than 1.
@@ -98,6 +135,9 @@ Contact contactOf(const surface::Cone& s,
   }
   Contact c = contactOf<surface::Cone>(s, side, cutter, te, axis, search);
   search.corner.goOn(s, cutter, te, axis, c);
+  if (passesAxis(s, cutter, c)) {
+    c = whereAxisLeaves(s, cutter, te, axis, c);
+  }
   if (c.gap < 0.0 && (c.point - s.vertex).cross(s.axis).norm() <= tolerance::sameSide) {
     const auto m = inwards(cutter, c.point - te, axis);
     const double share = m ? -s.axis.dot(*m) : 0.0;

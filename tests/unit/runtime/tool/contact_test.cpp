@@ -319,6 +319,15 @@ TEST(Contact, PointOfADrillInAHollow) {
 }
 
 // The flat end over the tip of a cone: level where it covers the tip, and steep as the cone inside.
+TEST(Contact, CornerOverTheTipOfACone) {
+  const Profile bullNose = *makeProfile(std::vector<double>{3.0, 0.5});
+  const surface::Cone cone{Vec3::Zero(), -Vec3::UnitZ(), 0.96, 0.28};
+  Search<surface::Cone> search;
+  const Contact c = contact(cone, 1.0, bullNose, {-1.3, 0, -0.2}, Vec3::UnitZ(), search);
+  EXPECT_NEAR(c.gap, -0.028, 1e-14);
+  EXPECT_LT((c.point - Vec3(0, 0, -0.1)).norm(), 1e-14);
+  EXPECT_LT((c.normal - 0.35 * Vec3(-0.6, 0, 0.8)).norm(), 1e-13);
+}
 TEST(Contact, FlatEndOverTheTipOfACone) {
   const Profile flat = *makeProfile(std::vector<double>{1});
   const surface::Cone cone{Vec3::Zero(), -Vec3::UnitZ(), 0.5, std::sqrt(0.75)};
