@@ -102,6 +102,23 @@ Failure noTangency(const Course& course, const CheckWatch& w) {
   return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
 }
 
+/// Of a check surface that is met, but PAST for TO or TO for PAST.
+Failure metTheOtherWay(const CheckWatch& w) {
+  const Vec3 last = told(w.lastContact());
+  const bool asksPast = w.condition() == ir::Condition::past;
+  Failure never = fail(diag::CheckNotReached, w.surface().name, certify::spell(w.condition()), 0.0,
+                       last.x(), last.y(), last.z());
+  if (w.startedAt() && !asksPast) {
+    return std::move(never).withHelp(
+        "the tool stands at it at the start, so that it is PAST it first; without a way to go, "
+        "leave the motion out");
+  }
+  return std::move(never).withHelp(
+      asksPast ? "the tool is TO it there and never comes clear of it again"
+               : "the tool is PAST it there: it begins in it, comes clear of it and never meets it "
+                 "again");
+}
+
 /// Why one check surface did not end the motion.
 Failure missedOne(const Course& course, const CheckWatch& w) {
   const Vec3 p = told(w.nearestPlace());
@@ -112,16 +129,13 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
   if (w.isTangent()) {
     return noTangency(course, w);
   }
-  if (w.touchedAny()) {
+  if (w.touchedAny() && w.nth() > 1) {
     const Vec3 last = told(w.lastContact());
-    Failure seldom = fail(diag::CheckMetTooSeldom, w.met(), w.nth(), condition, w.surface().name,
-                          last.x(), last.y(), last.z());
-    if (w.startedAt() && w.nth() == 1 && condition == "TO") {
-      return std::move(seldom).withHelp(
-          "the tool stands at it at the start, so that it is PAST it first; without a way to go, "
-          "leave the motion out");
-    }
-    return seldom;
+    return fail(diag::CheckMetTooSeldom, w.met(), w.nth(), condition, w.surface().name, last.x(),
+                last.y(), last.z());
+  }
+  if (w.touchedAny()) {
+    return metTheOtherWay(w);
   }
   Failure never = fail(diag::CheckNotReached, w.surface().name, condition, told(w.nearest()), p.x(),
                        p.y(), p.z());
