@@ -120,8 +120,7 @@ class Planner {
     const auto* line = std::get_if<surface::Plane>(&course_.drive.surface);
     const tool::Profile* cutter = cutterFor(state_, driveRole);
     const double slack = state_.band(driveRole) + tolerance::startLength;
-    return line != nullptr && cutter->maxRadius() > slack &&
-           state_.thick[driveRole] == 0.0 &&
+    return line != nullptr && cutter->maxRadius() > slack && state_.thick[driveRole] == 0.0 &&
            std::abs(line->normal.dot(state_.axis)) <= tolerance::symmetric &&
            std::abs(footOn(course_.drive.surface, state_.toolEnd).distance) <= slack;
   }
