@@ -1,4 +1,5 @@
 #include <iostream>
+#include <set>
 
 #include "app/cl_stream.h"
 #include "app/command.h"
@@ -8,6 +9,9 @@
 #include "app/report.h"
 #include "app/trace.h"
 #include "app/word_counts.h"
+
+#include "runtime/tool/profile.h"
+#include "runtime/tool/profile_check.h"
 
 namespace arelem::app {
 
@@ -47,12 +51,30 @@ bool checkPieces(Compilation& job,
   return reading.finish();
 }
 
+/// CUTTER statements are judged where motion begins, which a check does not come to.
+void checkCutters(Compilation& job) {
+  std::set<std::size_t> told;
+  for (const runtime::Action& action : job.evaluation.actions) {
+    const auto* p = std::get_if<runtime::Parameter>(&action.body);
+    if (p == nullptr || p->word != Word::CUTTER || !told.insert(action.origin.begin).second) {
+      continue;
+    }
+    const auto profile = tool::makeProfile(p->values);
+    if (auto bad = profile ? tool::shapeFault(*profile) : std::optional(profile.failure())) {
+      job.log.accept(at(action.origin, *std::move(bad)));
+    }
+  }
+}
+
 void checkWhole(Compilation& job,
                 const std::string& path,
                 WordCounts& words,
                 const InterruptFlag& interrupted) {
   if (load(job, path, interrupted) && job.log.errors() == 0) {
     static_cast<void>(evaluate(job, interrupted));
+    if (job.program.dialect != spell(frontend::Dialect::cl)) {
+      checkCutters(job);
+    }
   }
   std::vector<Span> told;
   for (const Diagnostic& diagnostic : job.log.all()) {

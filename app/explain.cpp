@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 
 #include "app/command.h"
@@ -16,7 +17,16 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// Rows with this code or name, or all rows that carry it as the number of the old system.
+/// An old number without sign and leading zeros; "" of what is none. Listings print warnings as
+/// -1601, and CL files every number in columns.
+std::string_view bareNumber(std::string_view text) {
+  text.remove_prefix(!text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0);
+  text.remove_prefix(std::min(text.find_first_not_of('0'), text.size()));
+  return text.find_first_not_of("0123456789") == text.npos ? text : std::string_view();
+}
+
+/// Rows with this code or name, or all rows that carry it as the number of the old system, however
+/// it is spelled; those with its sign where there are such.
 std::vector<const DiagRow*> rowsFor(const std::string& word) {
   if (const DiagRow* row = findDiagnostic(word)) {
     return {row};
@@ -25,6 +35,12 @@ std::vector<const DiagRow*> rowsFor(const std::string& word) {
   for (const DiagRow& row : diagnosticTable()) {
     if (!word.empty() && row.legacy == word) {
       rows.push_back(&row);
+    }
+  }
+  const std::string_view number = bareNumber(word);
+  for (const DiagRow& row : diagnosticTable()) {
+    if (rows.empty() && !number.empty() && bareNumber(row.legacy) == number) {
+      return rowsFor(std::string(row.legacy));
     }
   }
   return rows;

@@ -1,9 +1,11 @@
 #include "app/language.h"
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 
 #include "app/command.h"
+#include "app/manual_pages.h"
 #include "app/messages.h"
 #include "app/nearest.h"
 #include "app/options.h"
@@ -20,6 +22,9 @@
 namespace arelem::app {
 
 namespace {
+/// The page of docs/manual that tells of the words of motion.
+constexpr std::string_view motionPage = "motion";
+
 /// One JSON object of strings a row, as the manual's generator reads them.
 class JsonRows {
  public:
@@ -209,6 +214,54 @@ bool printFeatures(std::ostream& out, std::string_view word) {
   return any;
 }
 
+/// Forms and statements in which a modifier may stand.
+bool printPlaces(std::ostream& out, std::string_view word) {
+  bool any = false;
+  for (const define::FormRow& form : define::formTable()) {
+    const std::string line = form.anyNoun ? "" : define::syntaxLine(form.noun, form.id);
+    if (hasWord(line, word)) {
+      out << fmt::format("{:7} {}\n        {}\n", publicId(form.idText), line, form.meaning);
+      any = true;
+    }
+  }
+  for (const frontend::StatementForm& form : frontend::statementForms()) {
+    if (form.word != findWord(word) && hasWord(form.pattern, word)) {
+      out << fmt::format("        {}/ {}\n        {}\n", spell(form.word), form.pattern,
+                         form.meaning);
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// What tables and lists of the page of motion tell of the word; else which pages have it.
+/// Programs of the page do not count.
+bool printPages(std::ostream& out, std::string_view word) {
+  bool any = false;
+  std::vector<std::string_view> others;
+  for (const ManualPage& page : manualTopics()) {
+    bool here = false;
+    for (std::string_view rest = page.text; !rest.empty();) {
+      const std::string_view line = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+      here = here || hasWord(line, word);
+      const bool listed = line.starts_with("| ") || line.starts_with("* ");
+      if (page.code == motionPage && listed && hasWord(line, word)) {
+        out << fmt::format("{}.md: {}\n", page.code, line);
+        any = true;
+      }
+    }
+    if (here) {
+      others.push_back(page.code);
+    }
+  }
+  if (!any && !others.empty()) {
+    out << fmt::format("{} is a word of these pages of the manual: {}\n", word,
+                       fmt::join(others, " "));
+  }
+  return any || !others.empty();
+}
+
 void printNouns() {
   std::set<std::string_view> nouns;
   for (const define::FormRow& form : define::formTable()) {
@@ -248,6 +301,10 @@ int runLanguage(const Invocation& invocation) {
       known.emplace_back(spell(static_cast<Word>(i)));
     }
     if (const std::optional<Word> found = findWord(word)) {
+      const bool placed = printPlaces(std::cout, word);
+      if (printPages(std::cout, word) || placed) {
+        return static_cast<int>(ExitCode::ok);
+      }
       std::cout << fmt::format("{} is a word ({}) of other statements and has no form of its own\n",
                                word, className(row(*found).wordClass));
       return static_cast<int>(ExitCode::ok);

@@ -114,12 +114,13 @@ class Planner {
   }
 
   /// Under TLLFT or TLRGT the old system ran a tool end that was on a line along it, as under TLON.
-  [[nodiscard]] bool staysOn() const {
+  [[nodiscard]] bool staysOn() const { return state_.staysOn && oldSystemStaysOn(); }
+
+  [[nodiscard]] bool oldSystemStaysOn() const {
     const auto* line = std::get_if<surface::Plane>(&course_.drive.surface);
     const tool::Profile* cutter = cutterFor(state_, driveRole);
     const double slack = state_.band(driveRole) + tolerance::startLength;
-    return state_.staysOn && line != nullptr && cutter->maxRadius() > slack &&
-           state_.thick[driveRole] == 0.0 &&
+    return line != nullptr && cutter->maxRadius() > slack && state_.thick[driveRole] == 0.0 &&
            std::abs(line->normal.dot(state_.axis)) <= tolerance::symmetric &&
            std::abs(footOn(course_.drive.surface, state_.toolEnd).distance) <= slack;
   }
@@ -248,9 +249,14 @@ class Planner {
       return on ? "the cutter touches it: TLOFPS keeps it so, TLONPS needs a startup ON it"
                 : "the tool end is on it: TLONPS keeps it so, TLOFPS needs a startup TO it";
     }
-    return on ? "the cutter touches it: TLLFT and TLRGT keep it so, TLON needs a startup ON it"
-              : "the tool end is on it: TLON keeps it so, TLLFT and TLRGT need a startup TO or "
-                "PAST it (along a line, --dialect apt360 goes ON it as the old system did)";
+    if (on) {
+      return "the cutter touches it: TLLFT and TLRGT keep it so, TLON needs a startup ON it";
+    }
+    return oldSystemStaysOn()
+               ? "the tool end is on it: TLON keeps it so, TLLFT and TLRGT need a startup TO or "
+                 "PAST it (--dialect apt360 goes ON it as the old system did)"
+               : "the tool end is on it: TLON keeps it so, TLLFT and TLRGT need a startup TO or "
+                 "PAST it";
   }
 
   /// True where a TLAXIS with a vector may have turned the tool away from its surfaces.

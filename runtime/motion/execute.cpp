@@ -303,7 +303,9 @@ class Motions {
   void perform(const Parameter& p) {
     if (p.word == Word::CUTTER) {
       writer_.put(cl::Values{Word::CUTTER, p.values});
-      reportIf(motion::setCutter(state_, p, motion::cutterIsUsed(*actions_, index_)));
+      // CL text has been cut already: its cutter tells what the system that wrote it took.
+      const bool matters = !options_.axesFollow || motion::cutterIsUsed(*actions_, index_);
+      reportIf(motion::setCutter(state_, p, matters));
     } else {
       motion::setParameter(state_, p, writer_);
     }

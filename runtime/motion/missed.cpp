@@ -31,6 +31,37 @@ std::string atTheStart(const CheckWatch& w) {
       w.band());
 }
 
+/// Where on the drive surface the check surface faces as it does: from a place close by, along the
+/// drive surface to where the normals agree. Steps to and fro between surfaces that touch come
+/// there ever more slowly.
+Vec3 whereParallel(const surface::AnySurface& drive, const surface::AnySurface& check, Vec3 place) {
+  constexpr int steps = 20;
+  constexpr double trial = 1e-4;
+  const auto onDrive = [&](const Vec3& p) {
+    const surface::Foot foot = footOn(drive, p);
+    return Vec3(p - foot.distance * foot.normal);
+  };
+  const auto across = [&](const Vec3& p) {
+    const Vec3 normal = footOn(drive, p).normal;
+    const Vec3 other = footOn(check, p).normal;
+    return Vec3(other - other.dot(normal) * normal);
+  };
+  for (int i = 0; i < steps; ++i) {
+    const Vec3 off = across(place);
+    const double sine = off.norm();
+    if (sine <= tolerance::nullDirection) {
+      break;
+    }
+    const Vec3 way = off / sine;
+    const double rate = (across(onDrive(place + trial * way)).dot(way) - sine) / trial;
+    if (std::abs(rate) * trial <= tolerance::nullDirection) {
+      break;
+    }
+    place = onDrive(place - sine / rate * way);
+  }
+  return place;
+}
+
 /// Of a fillet that is too narrow for the tool: where drive and check surface touch the latter is
 /// hollow. They come together by steps to and fro between them.
 std::optional<Failure> doesNotFit(const Course& course, const CheckWatch& w, const Vec3& toolEnd) {
@@ -48,6 +79,10 @@ std::optional<Failure> doesNotFit(const Course& course, const CheckWatch& w, con
     place -= on.distance * on.normal;
     const surface::Foot back = footOn(drive, place);
     place -= back.distance * back.normal;
+  }
+  if (const Vec3 closer = whereParallel(drive, check, place);
+      std::abs(footOn(check, closer).distance) <= std::abs(footOn(check, place).distance)) {
+    place = closer;
   }
   const surface::Foot there = footOn(check, place);
   const double cosine = there.normal.dot(guide.normal);
@@ -83,6 +118,14 @@ std::string_view neverNearer(const Course& course, const CheckWatch& w) {
              : "the tool is nowhere nearer to it than at the start";
 }
 
+/// Of a part surface that goes over into a hollow, a fillet: there the check surface bends towards
+/// the tool.
+bool isHollow(const Course& course, const CheckWatch& w, const Vec3& toolEnd) {
+  const surface::Foot foot = footOn(w.surface().surface, toolEnd);
+  const double side = foot.normal.dot(course.start.axis) < 0.0 ? -1.0 : 1.0;
+  return hollowRadius(w.surface().surface, side, toolEnd) < endless;
+}
+
 /// Why no tangency was met.
 Failure noTangency(const Course& course, const CheckWatch& w) {
   const std::string& partner = w.usesPart() ? course.part.name : course.drive.name;
@@ -98,11 +141,34 @@ Failure noTangency(const Course& course, const CheckWatch& w) {
                       : overlaps ? "overlap"
                                  : "miss each other",
                       std::abs(told(gap)), where.x(), where.y(), where.z());
+  if (overlaps && w.usesPart() && isHollow(course, w, where)) {
+    return std::move(none).withHelp(fmt::format(
+        "the bottom is level there and does not fit into the hollow `{}`: TO a plane through the "
+        "line where they touch stops with the bottom at that line; a ball fits",
+        w.surface().name));
+  }
   const double away = (where - course.start.toolEnd).norm();
   if (cross && away > endless) {
     return std::move(none).withHelp("they come nearer to each other without end");
   }
   return cross && away <= tolerance::coincidence ? std::move(none).withHelp(atTheStart(w)) : none;
+}
+
+/// Of a check surface that is met, but PAST for TO or TO for PAST.
+Failure metTheOtherWay(const CheckWatch& w) {
+  const Vec3 last = told(w.lastContact());
+  const bool asksPast = w.condition() == ir::Condition::past;
+  Failure never = fail(diag::CheckNotReached, w.surface().name, certify::spell(w.condition()), 0.0,
+                       last.x(), last.y(), last.z());
+  if (w.startedAt() && !asksPast) {
+    return std::move(never).withHelp(
+        "the tool stands at it at the start, so that it is PAST it first; without a way to go, "
+        "leave the motion out");
+  }
+  return std::move(never).withHelp(
+      asksPast ? "the tool is TO it there and never comes clear of it again"
+               : "the tool is PAST it there: it begins in it, comes clear of it and never meets it "
+                 "again");
 }
 
 /// Why one check surface did not end the motion.
@@ -115,16 +181,13 @@ Failure missedOne(const Course& course, const CheckWatch& w) {
   if (w.isTangent()) {
     return noTangency(course, w);
   }
-  if (w.touchedAny()) {
+  if (w.touchedAny() && w.nth() > 1) {
     const Vec3 last = told(w.lastContact());
-    Failure seldom = fail(diag::CheckMetTooSeldom, w.met(), w.nth(), condition, w.surface().name,
-                          last.x(), last.y(), last.z());
-    if (w.startedAt() && w.nth() == 1 && condition == "TO") {
-      return std::move(seldom).withHelp(
-          "the tool stands at it at the start, so that it is PAST it first; without a way to go, "
-          "leave the motion out");
-    }
-    return seldom;
+    return fail(diag::CheckMetTooSeldom, w.met(), w.nth(), condition, w.surface().name, last.x(),
+                last.y(), last.z());
+  }
+  if (w.touchedAny()) {
+    return metTheOtherWay(w);
   }
   Failure never = fail(diag::CheckNotReached, w.surface().name, condition, told(w.nearest()), p.x(),
                        p.y(), p.z());

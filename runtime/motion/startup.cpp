@@ -372,7 +372,8 @@ class Starter {
     if (!isWithin(goals_[0], found.toolEnd)) {
       const double drift = goals_[0].field->at(found.toolEnd, rule_.at(found.toolEnd)).gap;
       return fail(diag::OffsetLeavesDrive, goals_.back().surface.name, goals_[0].surface.name,
-                  drift, 0.0 - state_.inner[driveRole], state_.outer[driveRole]);
+                  drift, 0.0 - state_.inner[driveRole], state_.outer[driveRole])
+          .withHelp("GO with both surfaces finds the nearest place on both, if there is one");
     }
     return Standing{found.toolEnd, found.axis, {}};
   }

@@ -8,8 +8,8 @@ namespace arelem::tool {
 /// Whether the values of CUTTER, in their written order and completed to seven, are in their
 /// ranges (401 to 407, 417 of the old system).
 [[nodiscard]] std::optional<Failure> rangeFault(const Profile& profile);
-/// Whether bottom line, corner arc and side line join (405, 408 to 416 of the old system). Only a
-/// cutter that moves along surfaces must pass; others are but written to the CL file.
+/// Whether bottom line, corner arc and side line join (405, 408 to 416 of the old system). In
+/// CL text only a cutter that moves along surfaces must pass; others are but written again.
 [[nodiscard]] std::optional<Failure> shapeFault(const Profile& profile);
 /// The center of a corner arc of the profile's radius that touches both lines, wherever e and f are:
 /// from where the lines meet, inwards and up to a place at that distance from both.

@@ -167,9 +167,9 @@ class BadMotion(ArelemCase):
             self.assertAlmostEqual(float(re.search(r"at \(([\d.]+),", fault["message"])[1]), 23, delta=0.001)
 
     def test_a_tool_that_stands_there_already(self):
-        # TO x = 5 twice: from x = 4.5 on the next position is PAST, at 5.5, and the message says why.
+        # TO x = 5 twice: from x = 4.5 on the only position is PAST, at 5.5, and the message says why.
         fault = self.fault(*self.LINES, "FROM/0,-3,0", "GO/TO,L1", "TLRGT,GORGT/L1,TO,L2", "GOFWD/L1,TO,L2")
-        self.assertFault(fault, "E0546", "724", 0, 1, 5.5, -0.5)
+        self.assertFault(fault, "E0508", "724", 0, 5.5, -0.5, 0)
         self.assertIn("stands at it at the start", json.dumps(fault))
 
     def test_words_that_go_along_a_path_square_to_the_one_given(self):
