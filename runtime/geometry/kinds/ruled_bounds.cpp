@@ -12,6 +12,9 @@ namespace {
 /// are at most this many times as long as straight ones.
 constexpr double mostTurn = 0.2;
 constexpr double sheetSlack = 1.5;
+/// Rows beside the curves grow from this share of their mean width: one much wider than its
+/// neighbour seems to be near a place when rows between them are not, as if it were another flank.
+constexpr double narrowestBeside = 0.05;
 }  // namespace
 
 /// Each reach is looked at by itself: what is one part within a larger one may be several within
@@ -130,9 +133,20 @@ void Ruled::Sheet::makeRows() {
   if (!(low_ < high_)) {
     return;
   }
-  addRows(low_ - reachOfACurve, low_, rowsBeside);
-  addRows(low_, high_, std::max(rowsOfABlock, static_cast<int>((high_ - low_) * rowsOfASpan)));
-  addRows(high_, high_ + reachOfACurve, rowsBeside);
+  const auto add = [&](int number, const auto& edgeAt) {
+    std::vector<double> edges;
+    for (int i = 0; i <= number; ++i) {
+      edges.push_back(edgeAt(static_cast<double>(i) / number));
+    }
+    addRows(edges);
+  };
+  const auto beside = [](double share) {
+    return reachOfACurve * share * std::lerp(narrowestBeside, 1.0, share);
+  };
+  add(rowsBeside, [&](double share) { return low_ - beside(1.0 - share); });
+  add(std::max(rowsOfABlock, static_cast<int>((high_ - low_) * rowsOfASpan)),
+      [&](double share) { return std::lerp(low_, high_, share); });
+  add(rowsBeside, [&](double share) { return high_ + beside(share); });
   for (std::size_t i = 0; i < rows_.size(); i += rowsOfABlock) {
     blockStrips_.push_back(rulingsBetween(rows_[i].low, rows_[i + rowsOfABlock - 1].high));
   }
@@ -152,11 +166,10 @@ void Ruled::Sheet::makeRows() {
 }
 
 /// Whole blocks: where the curves end, rows of one block would know little of each other.
-void Ruled::Sheet::addRows(double from, double to, int number) {
+void Ruled::Sheet::addRows(const std::vector<double>& edges) {
   std::vector<Row> rows;
-  for (int i = 0; i < number; ++i) {
-    rows.push_back(
-        rowBetween(from + (to - from) * i / number, from + (to - from) * (i + 1) / number));
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    rows.push_back(rowBetween(edges[i], edges[i + 1]));
   }
   const auto halve = [this](std::vector<Row>& all, const Row& row) {
     const double middle = 0.5 * (row.low + row.high);

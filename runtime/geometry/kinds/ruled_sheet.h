@@ -22,7 +22,7 @@ inline constexpr int rowsOfABlock = 8;
 inline constexpr int deepestRow = 6;
 inline constexpr int mostRowsHalved = 128;
 /// Rows over the tangents of the curves on each side.
-inline constexpr int rowsBeside = 16;
+inline constexpr int rowsBeside = 24;
 /// More blocks of rows than there can be.
 inline constexpr int mostBlocks = 160;
 
@@ -177,7 +177,7 @@ class Ruled::Sheet {
   [[nodiscard]] Seconds secondsAt(double g, const CurveRange& a, const CurveRange& b) const;
 
   void makeRows();
-  void addRows(double from, double to, int number);
+  void addRows(const std::vector<double>& edges);
   [[nodiscard]] Strip rulingsBetween(double low, double high) const;
   [[nodiscard]] Row rowBetween(double low, double high) const;
   [[nodiscard]] bool isKnown(const Row& row) const;

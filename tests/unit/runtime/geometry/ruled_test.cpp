@@ -258,6 +258,29 @@ TEST(Ruled, BoundsHoldFarAlongTheRulings) {
   EXPECT_GT(bounded, 500);  // of 800
 }
 
+/// Rows beside the curves that are wider than those before them must not look like another flank.
+TEST(Ruled, BoundsAreKnownWhereTheRowsOfTheCurvesEnd) {
+  SectionCurve curve;  // of z = -0.06 x^2
+  curve.surface.type = EntityType::quadric;
+  curve.surface.canon = {0.06, 0, 0, 0, 0, 0, 0, 0, 0, 0.5};
+  curve.start = {-4.5, -4, -0.06 * 4.5 * 4.5};
+  curve.finish = {4.5, -4, -0.06 * 4.5 * 4.5};
+  SectionCurve other = curve;  // wider: the rulings spread
+  other.start = {-6, 4, -0.06 * 36};
+  other.finish = {6, 4, -0.06 * 36};
+  const Ruled s({curve, other});
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> x(4, 7), y(-12, 20);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 from(x(random), y(random), -1.5);
+    Ruled::Hint hint{};
+    const Foot foot = s.foot(from, hint);
+    const Vec3 on = from - foot.distance * foot.normal;
+    const Bends bends = s.bends(on, s.foot(on, hint), 0.01);
+    EXPECT_TRUE(std::isfinite(bends.low) && std::isfinite(bends.high)) << on.transpose();
+  }
+}
+
 /// Steep arches whose flanks come as near to each other as places on them are asked about, and join
 /// farther off.
 TEST(Ruled, BoundsHoldBetweenFlanksThatJoinFartherOff) {
