@@ -192,11 +192,31 @@ class Explain(ArelemCase):
         self.assertExit(2, "explain", "E9999")
         self.assertExit(2, "explain")
 
+    def test_old_numbers_in_every_spelling(self):
+        for words in (("1601",), ("-1601",), ("01601",)):
+            self.assertExit(0, "explain", *words)
+            self.assertTrue(self.out.startswith("# W0501"), self.out)
+        for number in ("724", "+724", "00724"):
+            self.assertExit(0, "explain", number)
+            self.assertRegex(self.out, r"(?m)^E0508  \S")
+
     def test_list_has_every_row_once(self):
         self.assertExit(0, "explain", "--list")
         codes = [line.split()[0] for line in self.out.splitlines()]
         self.assertEqual(len(codes), len(set(codes)))
         self.assertIn("E0301", codes)
+
+
+class Language(ArelemCase):
+    def test_words_within_statements_are_found(self):
+        for word in ("TO", "ON", "PAST", "TANTO", "DSTAN", "PSTAN", "INTOF", "TLLFT", "TLRGT", "TLON", "TLNDON", "TLONPS", "TLOFPS",
+                     "NOPS", "AUTOPS", "DNTCUT", "CUT", "NORMPS", "NORMDS", "PARLEL", "ATANGL", "CUTANG"):
+            self.assertExit(0, "language", word)
+            self.assertIn(word, self.out)
+            self.assertNotIn("has no form of its own", self.out)
+        self.assertExit(0, "language", "PSTAN")
+        self.assertRegex(self.out, r"(?m)^ +GOFWD/ .*PSTAN")
+        self.assertRegex(self.out, r"(?m)^motion.md: .* PSTAN where ps and cs touch")
 
 
 class Targets(ArelemCase):
