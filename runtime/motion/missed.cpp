@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "ir/diag/motion.h"
@@ -219,6 +220,19 @@ Failure parallelAt(const Course& course, const PathPoint& at) {
   return fail(diag::SurfacesParallel, course.drive.name, course.part.name, p.x(), p.y(), p.z());
 }
 
+/// An axis that turns by more than this within a band has leapt. Radians.
+constexpr double leastLeap = 1e-3;
+
+/// By how much the axis turns within a band ahead of a place, where the path is straight.
+double leapOfAxis(Path& path, const PathPoint& last) {
+  const auto& guides = path.guides;
+  if (path.axis.isFixed() || !(guides[0].field->isFaceted() || guides[1].field->isFaceted())) {
+    return 0.0;
+  }
+  const Vec3 ahead = path.axis.at(last.toolEnd + path.band() * last.tangent);
+  return std::atan2(last.axis.cross(ahead).norm(), last.axis.dot(ahead));
+}
+
 /// Sine from which on a cylinder lies across the tool.
 constexpr double crossing = 0.5;
 
@@ -316,10 +330,18 @@ Failure lost(Course& course, const PathPoint& last) {
   if (auto bad = axisFails(course, last)) {
     return *std::move(bad);
   }
+  if (sineOf(last) <= tolerance::nullDirection) {
+    return parallelAt(course, last);
+  }
   const Vec3 p = told(last.toolEnd);
-  return sineOf(last) <= tolerance::nullDirection
-             ? parallelAt(course, last)
-             : fail(diag::ContactLost, course.drive.name, course.part.name, p.x(), p.y(), p.z());
+  Failure end = fail(diag::ContactLost, course.drive.name, course.part.name, p.x(), p.y(), p.z());
+  const double leap = leapOfAxis(course.path, last);
+  return leap > leastLeap
+             ? std::move(end).withHelp(fmt::format(
+                   "the tool axis leaps by {:.3g} degrees there, as the normal does from one "
+                   "triangle to the next: while it turns the cutter leaves the tolerance",
+                   leap * 180.0 / std::numbers::pi))
+             : end;
 }
 
 Failure missed(const Course& course) {

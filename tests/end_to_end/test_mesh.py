@@ -181,6 +181,20 @@ FINI
         self.assertIn("E0512", self.err)
         self.assertIn("the tool goes over the border of the mesh `M1`", self.err)
 
+    def test_an_axis_that_leaps_from_one_triangle_to_the_next(self):
+        # Strips of 2 in x of z = .01 x x: at x = 10 the normal turns by .04 / (1 + .2 * .2) = .0385, 2.2 degrees. While the
+        # cutter of radius 2 turns so, its bottom of radius 1 is .0385 / 2 off, which .02 allows and .01 does not.
+        self.write("bowl.stl", stl(facets(lambda x, y: 0.01 * x * x, 20, 20)))
+        program = PROGRAM.format(cutter="4,1", surface="MESH/STL,'bowl.stl'", y=1).replace("INTOL/0.01", "MULTAX").replace(
+            "GO/", "TLAXIS/NORMPS\nGO/").replace("PLANE/1,0,0,12", "PLANE/1,0,0,10.01")
+        self.write("part.apt", program.replace("OUTTOL/0.01", "OUTTOL/0.022"))
+        self.assertExit(0, "part.apt", "-o", "-", "--to", "cl")
+        self.assertAlmostEqual(points(self.out)[-1][0], 10.01, 6)
+        self.proven()
+        self.write("part.apt", program)
+        self.assertExit(4, "part.apt", "-o", "-", "--to", "cl")
+        self.assertIn("the tool axis leaps by 2.2 degrees there", self.err)
+
     def test_a_triangle_that_is_there_twice_is_named(self):
         triangles = list(facets(lambda x, y: 0.0, 10, 2))
         self.write("twice.stl", stl(triangles + triangles[3:4]))

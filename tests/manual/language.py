@@ -73,8 +73,8 @@ ABOUT = {
               "radius 5 about the x axis.",
     "REVOLV": "A surface of revolution, for SPRAY. Angles count from the curve's own place.",
     "MESH": "Triangles whose normals, by the order of their corners, stand on the positive side. Drive, part and check surface as "
-            "any other; each edge belongs to one triangle or two. Cut vectors are proven over all triangles below them. Lengths "
-            "are in the unit of the program.",
+            "any other; each edge belongs to one triangle or two. Triangles without an area are left out. Cut vectors "
+            "are proven over all triangles below them. Lengths are in the unit of the program.",
     "BSPLIN": "A cubic B-spline that a tool follows with GOTO/spline. Open ones begin and end in their end points, closed ones go "
               "round; curvature is continuous. [Smooth paths](../smoothing.md).",
     "TYPE": "Canonical input for every type, and copies with some numbers replaced.",
