@@ -114,7 +114,7 @@ class Words(ArelemCase):
         self.assertEqual(self.err.count("warning["), 1, self.err)
 
     def test_language_tells_of_every_word(self):
-        for word, shown in (("LETTER", "LETTER/ x, y, size"), ("rapid", "rapid traverse"), ("SPINDL", "SPINDL/"), ("CLW", "modifier")):
+        for word, shown in (("LETTER", "LETTER/ x, y, size"), ("rapid", "rapid traverse"), ("SPINDL", "SPINDL/"), ("CLW", "PATERN/ ARC, circle, start, {CLW | CCLW}")):
             self.assertExit(0, "language", word)
             self.assertIn(shown, self.out)
         for word, shown, hidden in (("DO", "ENDDO", "DOTF"), ("then", "ENDIF", "label1"), ("ON", "PRINT/ {ON", "CANON, n")):
