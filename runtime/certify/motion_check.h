@@ -113,6 +113,17 @@ class MotionCheck {
                                      ir::Condition condition,
                                      const Allowed& allowed,
                                      const Touch& t);
+  [[nodiscard]] static bool hasTurned(const PathEnd& at,
+                                      const surface::AnySurface& check,
+                                      const Relation& relation,
+                                      ir::Condition condition,
+                                      const Allowed& allowed,
+                                      const Touch& t);
+  /// By how much a gap is outside of its band.
+  [[nodiscard]] static double excess(const Touch& t, const Allowed& a);
+  /// Components of a contact normal along the path below this do not tell whether the tool
+  /// approaches the surface or leaves it.
+  static constexpr double glancing = 1e-3;
   [[nodiscard]] Allowed allowedFor(const Modal& modal, Role role) const;
 
   const Options& options_;
