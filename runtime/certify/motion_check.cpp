@@ -19,8 +19,6 @@ constexpr double agreeing = 0.5;
 /// How far ahead the slope of a gap tells how it bends, as a share of the root of its band: a touch
 /// passes through the band in a length of that order.
 constexpr double aheadShare = 0.05;
-/// Locations that a path's end remembers: it is looked there for where the tool came from.
-constexpr std::size_t remembered = 16;
 
 using State = Verdict::State;
 
@@ -28,34 +26,6 @@ double excess(const Touch& t, const Allowed& a) {
   return std::max({0.0, -a.inner - a.slack - t.low, t.high - a.outer - a.slack});
 }
 }  // namespace
-
-void PathEnd::moveTo(const Location& next) {
-  const Chord stretch(from_.toolEnd, next.toolEnd, from_.axis, next.axis);
-  const bool tells = stretch.length() > band_;
-  if (tells || !known_) {
-    stretch_ = stretch;
-  }
-  if (tells) {
-    from_ = next;
-    known_ = true;
-  }
-  place_ = next;
-  if (recent_.size() == remembered) {
-    recent_.erase(recent_.begin());
-  }
-  recent_.push_back(next);
-}
-
-Vec3 PathEnd::towards(const Vec3& offset, const Vec3& line) const {
-  Vec3 velocity = stretch_.velocity(offset);
-  const double squared = line.squaredNorm();
-  if (squared > 0.0) {
-    const double way = std::copysign(stretch_.length(), line.dot(stretch_.step()));
-    velocity += way / std::sqrt(squared) * line - stretch_.step();
-  }
-  const double length = velocity.norm();
-  return length > tolerance::sameSide ? Vec3(velocity / length) : Vec3(Vec3::Zero());
-}
 
 std::string_view spell(ir::Condition condition) {
   constexpr std::array names = {"TO", "TO", "ON", "PAST", "TANTO", "PSTAN"};
@@ -201,17 +171,15 @@ bool MotionCheck::isTouch(const Modal& modal,
   if (excess(t, allowed) > 0.0) {
     return false;
   }
-  const Vec3 across = touchOf(modal, drive, driveRole, at.place()).normal;
-  const Vec3 up = touchOf(modal, modal.partSurface().surface, partRole, at.place()).normal;
-  const Vec3 line = across.cross(up);
-  const Vec3 way = at.towards(t.offset, line);
+  const Touch across = touchOf(modal, drive, driveRole, at.place());
+  const Touch up = touchOf(modal, modal.partSurface().surface, partRole, at.place());
+  const Vec3 way = at.towards(t.offset, across, up);
   const double slope = t.normal.dot(way);
   if (std::abs(slope) <= glancing || (leaves && slope > 0.0)) {
     return true;
   }
   const double step = aheadShare * std::sqrt(allowed.inner + allowed.outer);
-  Location ahead = at.place();
-  ahead.toolEnd += step * at.towards(Vec3::Zero(), line);
+  const Location ahead = at.ahead(step, across, up);
   const double next = touch(check, relation, ahead, allowed).normal.dot(way);
   const double bend =
       (next - slope) / step + 2.0 * (slope - t.normal.dot(at.towards(t.offset))) / at.length();
