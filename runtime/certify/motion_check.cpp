@@ -13,39 +13,9 @@ namespace arelem::certify {
 namespace {
 /// Cosine of the angle within which contact normals agree at a tangency.
 constexpr double agreeing = 0.5;
-/// Locations that a path's end remembers: it is looked there for where the tool came from.
-constexpr std::size_t remembered = 16;
 
 using State = Verdict::State;
 }  // namespace
-
-void PathEnd::moveTo(const Location& next) {
-  const Chord stretch(from_.toolEnd, next.toolEnd, from_.axis, next.axis);
-  const bool tells = stretch.length() > band_;
-  if (tells || !known_) {
-    stretch_ = stretch;
-  }
-  if (tells) {
-    from_ = next;
-    known_ = true;
-  }
-  place_ = next;
-  if (recent_.size() == remembered) {
-    recent_.erase(recent_.begin());
-  }
-  recent_.push_back(next);
-}
-
-Vec3 PathEnd::towards(const Vec3& offset, const Vec3& line) const {
-  Vec3 velocity = stretch_.velocity(offset);
-  const double squared = line.squaredNorm();
-  if (squared > 0.0) {
-    const double way = std::copysign(stretch_.length(), line.dot(stretch_.step()));
-    velocity += way / std::sqrt(squared) * line - stretch_.step();
-  }
-  const double length = velocity.norm();
-  return length > tolerance::sameSide ? Vec3(velocity / length) : Vec3(Vec3::Zero());
-}
 
 std::string_view spell(ir::Condition condition) {
   constexpr std::array names = {"TO", "TO", "ON", "PAST", "TANTO", "PSTAN"};

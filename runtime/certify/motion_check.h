@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "runtime/certify/certificate.h"
+#include "runtime/certify/path_end.h"
 
 namespace arelem::certify {
 
@@ -9,33 +10,6 @@ namespace arelem::certify {
 struct Goal {
   Named surface;
   ir::Condition condition = ir::Condition::to;
-};
-
-/// Where a motion is, and how it came there. Cut vectors shorter than the band may go from one side
-/// of it to the other, whatever the path does: the last stretch that is longer tells.
-class PathEnd {
- public:
-  PathEnd(const Location& first, double band)
-      : place_(first), from_(first), band_(band), recent_{first} {}
-
-  void moveTo(const Location& next);
-  [[nodiscard]] const Location& place() const { return place_; }
-  /// The last locations of the path, that of its end behind the others.
-  [[nodiscard]] const std::vector<Location>& recent() const { return recent_; }
-  /// Of the way by which the tool end came there.
-  [[nodiscard]] double length() const { return stretch_.length(); }
-  /// Direction in which the point of the tool at `offset` from the tool end came: where the axis
-  /// turns, another one than that of the tool end. Zero if it did not move. `line`: that along
-  /// which the tool end moved there, of any length and sense, if it was not the chord.
-  [[nodiscard]] Vec3 towards(const Vec3& offset, const Vec3& line = Vec3::Zero()) const;
-
- private:
-  Location place_;
-  Location from_;  ///< where the present stretch begins
-  Chord stretch_;
-  double band_;
-  std::vector<Location> recent_;
-  bool known_ = false;  ///< a stretch longer than the band is behind
 };
 
 [[nodiscard]] std::string_view spell(ir::Condition condition);  ///< "TO", "ON", ...

@@ -31,17 +31,15 @@ bool MotionCheck::isTouch(const Modal& modal,
   if (excess(t, allowed) > 0.0) {
     return false;
   }
-  const Vec3 across = touchOf(modal, drive, driveRole, at.place()).normal;
-  const Vec3 up = touchOf(modal, modal.partSurface().surface, partRole, at.place()).normal;
-  const Vec3 line = across.cross(up);
-  const Vec3 way = at.towards(t.offset, line);
+  const Touch across = touchOf(modal, drive, driveRole, at.place());
+  const Touch up = touchOf(modal, modal.partSurface().surface, partRole, at.place());
+  const Vec3 way = at.towards(t.offset, across, up);
   const double slope = t.normal.dot(way);
   if (std::abs(slope) <= glancing || (leaves && slope > 0.0)) {
     return true;
   }
   const double step = aheadShare * std::sqrt(allowed.inner + allowed.outer);
-  Location ahead = at.place();
-  ahead.toolEnd += step * at.towards(Vec3::Zero(), line);
+  const Location ahead = at.ahead(step, across, up);
   const double next = touch(check, relation, ahead, allowed).normal.dot(way);
   const double bend =
       (next - slope) / step + 2.0 * (slope - t.normal.dot(at.towards(t.offset))) / at.length();
