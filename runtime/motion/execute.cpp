@@ -298,7 +298,7 @@ class Motions {
   void perform(const PartSurface& p) { reportIf(motion::setPartSurface(state_, p)); }
   void perform(const ToolRelation& r) { motion::setRelation(state_, r); }
   void perform(const ToolAxis& t) { reportIf(motion::setToolAxis(state_, t)); }
-  void perform(const CutterOption& o) { motion::setCutterOption(state_, o, writer_); }
+  void perform(const CutterOption& o) { reportIf(motion::setCutterOption(state_, o, writer_)); }
 
   void perform(const Parameter& p) {
     if (p.word == Word::CUTTER) {

@@ -132,16 +132,23 @@ std::optional<Failure> setCutter(State& state, const runtime::Parameter& p, bool
   return bad;
 }
 
-void setCutterOption(State& state, const runtime::CutterOption& option, RecordWriter& writer) {
+std::optional<Failure> setCutterOption(State& state,
+                                       const runtime::CutterOption& option,
+                                       RecordWriter& writer) {
   auto& slot = state.option[option.surface == 1 ? partRole : driveRole];
   if (option.ring) {
     const auto [radius, height] = *option.ring;
+    if (radius < 0.0) {
+      state.cutterRefused = true;
+      return fail(diag::CutterDiameter, 2.0 * radius);
+    }
     slot = tool::makeRing(radius, height);
     writer.put(cl::Values{Word::CUTTER, {static_cast<double>(option.surface), radius, height}});
   } else {
     slot.reset();
     writer.put(cl::Values{Word::CUTTER, {endOfOption, 0.0, 0.0}});
   }
+  return std::nullopt;
 }
 
 void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer) {

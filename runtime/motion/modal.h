@@ -26,7 +26,9 @@ void setRelation(State& state, const runtime::ToolRelation& relation);
                                                const runtime::Parameter& p,
                                                bool used);
 /// CUTTER/OPTION.
-void setCutterOption(State& state, const runtime::CutterOption& option, RecordWriter& writer);
+[[nodiscard]] std::optional<Failure> setCutterOption(State& state,
+                                                     const runtime::CutterOption& option,
+                                                     RecordWriter& writer);
 /// INTOL, OUTTOL, TOLER, THICK, MAXDP, NUMPTS, with the records that they leave.
 void setParameter(State& state, const runtime::Parameter& p, RecordWriter& writer);
 /// The warning of a tolerance band that is wider than the tool.
