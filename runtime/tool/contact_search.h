@@ -285,8 +285,6 @@ class ContactSearch {
         if (gap < best.gap) {
           const Vec3& next = directions[static_cast<std::size_t>((k + 1) % angles)];
           look(all.list[r], (1.0 - share) * here + share * next, true);
-        } else {
-          skipped = std::min(skipped, gap);
         }
       }
     }

@@ -52,9 +52,11 @@ struct SurveyGrid {
       return {};
     }
     constexpr double step = 2.0 * std::numbers::pi / angles;
-    const double rise = (at(row, k + 1) - at(row, k)) / step;
-    const double share = std::clamp((to - rise) / (to - from), 0.0, 1.0);
-    return {at(row, k) + share * step * from, share};
+    // As parabolas of the curvature that the slopes tell go down from both places.
+    const double curved = (to - from) / step;
+    const double before = at(row, k) - 0.5 * from * from / curved;
+    const double after = at(row, k + 1) - 0.5 * to * to / curved;
+    return {std::min(before, after), from / (from - to)};
   }
 
   void sharpen() { std::for_each(values.begin(), values.begin() + rows.count, tool::sharpen); }
