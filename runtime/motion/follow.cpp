@@ -190,10 +190,8 @@ class Follower {
     }
     across_ = *b;
     const PathPoint* const direct = stride_.next(*beforeTurn_, cap);
-    const auto reach = [&](const PathPoint& to) {
-      return (to.toolEnd - last_.toolEnd).dot(last_.tangent);
-    };
-    if (direct != nullptr && reach(*direct) > reach(*across_)) {
+    if (direct != nullptr && (direct->toolEnd - across_->toolEnd).dot(last_.tangent) > 0.0 &&
+        takesTurn(*direct)) {
       across_ = *direct;
     }
     return &*across_;
@@ -288,16 +286,20 @@ class Follower {
     return !ends.empty();
   }
 
-  /// The turn that was put off, where the cut vector to `next` cannot take it in, or would lead so
+  /// Whether the cut vector to `next` can take in the turn that was put off, and does not lead so
   /// far off the path that a stop there does not tell from which side the tool came.
+  bool takesTurn(const PathPoint& next) {
+    const Vec3 way = next.toolEnd - beforeTurn_->toolEnd;
+    return way.dot(last_.tangent) >= 0.5 * way.norm() &&
+           course_.path.fit(*beforeTurn_, next) >= 1.0 - fitShare;
+  }
+
+  /// The turn that was put off, where the cut vector to `next` does not take it in.
   void putTurn(const PathPoint& next) {
-    if (!beforeTurn_) {
-      return;
-    }
-    const PathPoint turned = std::exchange(last_, *std::exchange(beforeTurn_, std::nullopt));
-    const Vec3 way = next.toolEnd - last_.toolEnd;
-    const bool strays = way.dot(turned.tangent) < 0.5 * way.norm();
-    if (strays || course_.path.fit(last_, next) < 1.0 - fitShare) {
+    const bool apart = beforeTurn_ && !takesTurn(next);
+    const PathPoint turned = last_;
+    last_ = beforeTurn_ ? *std::exchange(beforeTurn_, std::nullopt) : turned;
+    if (apart) {
       put(turned);
     }
   }

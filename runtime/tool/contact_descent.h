@@ -119,9 +119,9 @@ class ContactDescent {
       search_.toward = axis_.unitOrthogonal();
     }
   }
-  /// side * distance of a point of the cutter.
-  double valueAt(ProfilePoint q, const Vec3& toward) {
-    return side_ * surface_.foot(te_ + q.rho * toward + q.z * axis_, search_.hint).distance;
+  /// Of a point of the cutter.
+  surface::Foot footAt(ProfilePoint q, const Vec3& toward) {
+    return surface_.foot(te_ + q.rho * toward + q.z * axis_, search_.hint);
   }
 
  private:

@@ -6,7 +6,7 @@
 #include "runtime/tool/contact_descent.h"
 #include "runtime/tool/rounded.h"
 #include "runtime/tool/section_proof.h"
-#include "runtime/tool/survey_rows.h"
+#include "runtime/tool/survey_grid.h"
 
 /// The general contact: the least side * distance over the whole cutter. Private to runtime/tool.
 ///
@@ -200,7 +200,8 @@ class ContactSearch {
       const double to = std::min(cutter_.f + growth * (from - cutter_.f) + supportSlack, cutter_.h);
       const double outmost =
           cutter_.sideStart.rho + cutter_.sinBeta / cutter_.cosBeta * (to - cutter_.sideStart.z);
-      const double onAxis = descent_.valueAt({0.0, 0.5 * (from + to)}, search_.toward);
+      const double onAxis =
+          side_ * descent_.footAt({0.0, 0.5 * (from + to)}, search_.toward).distance;
       clearance = std::min(clearance, onAxis - std::hypot(outmost, 0.5 * (to - from)) - gap);
       from = to;
     }
@@ -231,41 +232,20 @@ class ContactSearch {
     }
   }
 
-  using Grid = std::array<std::array<double, angles>, SurveyRows::most>;
   /// A minimum of the distance over the cutter, and its direction from the axis.
   struct Low {
     double gap;
     Vec3 point, toward;
+    bool apart = false;  ///< from others in that direction
   };
   struct Lows {
-    std::array<Low, SurveyRows::most * angles + 1> list;
+    std::array<Low, 2 * SurveyRows::most * angles + 1> list;
     std::size_t count = 0;
     void add(const Low& low) { list[count++] = low; }
   };
 
-  /// The lowest of its neighbors; of equal ones the first. A row on the axis, the same all around,
-  /// does not tell where the others are low; nor does the corner of a drill for the cone above it,
-  /// on which a hollow may come nearer between its ends.
-  bool isLow(const Grid& grid, const SurveyRows& all, std::size_t row, int k) const {
-    const bool onCone = cutter_.alpha > 0.0 && all.list[row].piece == SurveyRow::bottom;
-    for (int dr = -1; dr <= 1; ++dr) {
-      const auto r = static_cast<std::size_t>(static_cast<int>(row) + dr);
-      const bool tells = r == row || (r < all.count && all.list[r].q.rho > 0.0 &&
-                                      !(onCone && all.list[r].piece != SurveyRow::bottom));
-      for (int dk = -1; dk <= 1 && tells; ++dk) {
-        const int neighbor = (k + dk + angles) % angles;
-        const bool before = r < row || (r == row && neighbor < k);
-        const double value = grid[r][static_cast<std::size_t>(neighbor)];
-        const double here = grid[row][static_cast<std::size_t>(k)];
-        if ((dr != 0 || dk != 0) && (before ? value <= here : value < here)) {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  /// Descends from every low place of a grid over the whole cutter.
+  /// Descends from every low place of a grid over the whole cutter, and from those between its
+  /// places that may be nearer than the best.
   Contact survey(const Contact& local) {
     constexpr double step = 2.0 * std::numbers::pi / angles;
     const SurveyRows all(cutter_);
@@ -276,34 +256,44 @@ class ContactSearch {
     Contact best = local;
     Vec3 toward = search_.toward;
     auto hint = search_.hint;
-    Grid grid;
+    SurveyGrid grid(all, cutter_.alpha > 0.0);
     double skipped = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < all.count; ++r) {
-      skipped = std::min(skipped, fill(grid[r], all.list[r], directions, best.gap));
+      skipped = std::min(skipped,
+                         fill(grid.values[r], grid.slopes[r], all.list[r], directions, best.gap));
     }
-    std::for_each(grid.begin(), grid.begin() + all.count, sharpen);
+    grid.sharpen();
     Lows lows;
     lows.add({local.gap, local.point, toward});
+    const auto look = [&](const SurveyRow& row, const Vec3& direction, bool apart) {
+      descent_.turnTo(direction);
+      const Contact c = descend(row.piece, row.along);
+      lows.add({c.gap, c.point, search_.toward, apart});
+      if (c.gap < best.gap) {
+        best = c;
+        toward = search_.toward;
+        hint = search_.hint;
+      }
+    };
     for (std::size_t r = 0; r < all.count; ++r) {
       for (int k = 0; k < angles; ++k) {
-        if (!isLow(grid, all, r, k)) {
-          continue;
+        const Vec3& here = directions[static_cast<std::size_t>(k)];
+        if (grid.isLow(r, k)) {
+          look(all.list[r], here, false);
         }
-        descent_.turnTo(directions[static_cast<std::size_t>(k)]);
-        const Contact c = descend(all.list[r].piece, all.list[r].along);
-        lows.add({c.gap, c.point, search_.toward});
-        if (c.gap < best.gap) {
-          best = c;
-          toward = search_.toward;
-          hint = search_.hint;
+        const auto [gap, share] = grid.behind(r, k);
+        if (gap < best.gap) {
+          const Vec3& next = directions[static_cast<std::size_t>((k + 1) % angles)];
+          look(all.list[r], (1.0 - share) * here + share * next, true);
         }
       }
     }
     search_.toward = toward;
     search_.hint = hint;
     const Zone zone = zoneOf(best.point);
-    const double others = std::min({skipped, leastBeside(grid, all, directions, toward, zone),
-                                    leastApart(lows, best, toward)});
+    const double others =
+        std::min({skipped, leastBeside(grid.values, all, directions, toward, zone),
+                  leastApart(lows, best, toward)});
     search_.lead = trustedShare * (others - best.gap);
     search_.leadGap = best.gap + search_.lead;
     search_.leadAt = te_;
@@ -327,7 +317,8 @@ class ContactSearch {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < lows.count; ++i) {
       const Low& low = lows.list[i];
-      const bool beside = below(low.point) && low.toward.dot(toward) >= besideContact &&
+      const bool beside = !low.apart && below(low.point) &&
+                          low.toward.dot(toward) >= besideContact &&
                           zoneOf(low.point) == zoneOf(best.point);
       if (!(beside && below(best.point)) &&
           (low.point - best.point).norm() > tolerance::coincidence) {
@@ -339,7 +330,7 @@ class ContactSearch {
 
   /// The least distance of the grid but for the bottom and the corner next to the contact. Of
   /// point, cone and corner of a drill those that do not touch count.
-  double leastBeside(const Grid& grid,
+  double leastBeside(const SurveyGrid::Values& grid,
                      const SurveyRows& all,
                      const std::array<Vec3, angles>& directions,
                      const Vec3& toward,
@@ -366,19 +357,26 @@ class ContactSearch {
 
   /// Distances around a row; infinite where the surface is so far from the axis there that the row
   /// cannot get below `bound`. What is below them then, else infinity.
-  double fill(std::array<double, angles>& values,
+  double fill(SurveyGrid::Row& values,
+              SurveyGrid::Row& slopes,
               const SurveyRow& row,
               const std::array<Vec3, angles>& directions,
               double bound) {
     values.fill(std::numeric_limits<double>::infinity());
-    const double onAxis = descent_.valueAt({0.0, row.q.z}, directions[0]);
+    slopes.fill(0.0);
+    const double onAxis = side_ * descent_.footAt({0.0, row.q.z}, directions[0]).distance;
     const double lowest = onAxis - std::hypot(row.q.rho, row.halfHeight) - row.ball;
     if (lowest > bound) {
       return lowest;
     }
     for (std::size_t k = 0; k < angles; ++k) {
-      values[k] =
-          row.q.rho == 0.0 ? onAxis - row.ball : descent_.valueAt(row.q, directions[k]) - row.ball;
+      if (row.q.rho == 0.0) {
+        values[k] = onAxis - row.ball;
+        continue;
+      }
+      const surface::Foot foot = descent_.footAt(row.q, directions[k]);
+      values[k] = side_ * foot.distance - row.ball;
+      slopes[k] = row.q.rho * side_ * foot.normal.dot(axis_.cross(directions[k]));
     }
     return std::numeric_limits<double>::infinity();
   }

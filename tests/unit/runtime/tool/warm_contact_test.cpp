@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -128,6 +129,33 @@ TEST(WarmContact, InAHollowGoesOverToTheRim) {
     onRim = onRim || searched.point.z() - te.z() > 4.999;
   }
   EXPECT_TRUE(onRim);
+}
+
+/// The upper rim between the sheet that falls and the one that rises: the places where it is near
+/// to both are less than two places of a survey apart.
+TEST(WarmContact, NearPlacesNextToEachOtherOnTheRim) {
+  const auto section = [](double y, double z, double radius) {
+    geometry::SectionCurve curve;
+    curve.surface.type = EntityType::cylinder;
+    curve.surface.canon = {0, y, z, 0, 0, 1, radius};
+    curve.start = {-4.5, -2.394, z};
+    curve.finish = {4.5, -2.394, z};
+    curve.heading = Vec3::UnitY();
+    return curve;
+  };
+  const surface::Ruled s({section(-6.124, -4.0, 5.73), section(-7.507, 4.0, 7.113)});
+  const double corner = 0.397;
+  const Profile bull = cutter({1.5, corner, 0.75 - corner, corner, 0.0, 0.0, 5.0});
+  const Vec3 te(5.10666, -0.75674, 7.648);
+  surface::Ruled::Hint hint{};
+  double least = 1.0;
+  for (int k = 0; k < 3600; ++k) {
+    const double angle = k * std::numbers::pi / 1800.0;
+    const Vec3 onRim(0.75 * std::cos(angle), 0.75 * std::sin(angle), 5.0);
+    least = std::min(least, -s.foot(te + onRim, hint).distance);
+  }
+  Search<surface::Ruled> search;
+  EXPECT_NEAR(contact(s, -1.0, bull, te, Vec3::UnitZ(), search).gap, least, 1e-6);
 }
 
 }  // namespace
