@@ -44,11 +44,13 @@ struct SurveyGrid {
   };
   /// About the low place between a place of a row and the next one where neither of them is low:
   /// where two sides of a hollow come near next to each other, slopes tell of the one that is
-  /// farther off at the places of the grid. None where there is no such place.
+  /// farther off at the places of the grid. None where there is no such place, and between the
+  /// ends of the side: from there descents go along it, mostly to its rim or its corner.
   [[nodiscard]] Between behind(std::size_t row, int k) const {
+    const bool amidst = rows.list[row].piece == SurveyRow::side && row + 1 != rows.count;
     const double from = slopes[row][index(k)];
     const double to = slopes[row][index(k + 1)];
-    if (!(from < 0.0 && to > 0.0) || isLowOfRow(row, k) || isLowOfRow(row, k + 1)) {
+    if (amidst || !(from < 0.0 && to > 0.0) || isLowOfRow(row, k) || isLowOfRow(row, k + 1)) {
       return {};
     }
     constexpr double step = 2.0 * std::numbers::pi / angles;
