@@ -211,8 +211,7 @@ class Follower {
     return ends_.passedAt(last_);
   }
 
-  /// Goes on in the direction behind a corner, `tip` if that was reached; false where there is
-  /// none.
+  /// Goes on behind a corner, `tip` if that was reached; false where there is no direction.
   bool turnCorner(const PathPoint* tip) {
     const auto way = corners_.from(last_, tip);
     if (!way) {
