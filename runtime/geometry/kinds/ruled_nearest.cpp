@@ -49,7 +49,12 @@ Ruled::Sheet::Part Ruled::Sheet::partAbout(std::size_t block,
   for (const int way : {-1, 1}) {
     bool together = true;
     for (int i = way < 0 ? middle : middle + 1; i >= 0 && i < count; i += way) {
-      const bool within = widenByBlock(static_cast<std::size_t>(i), place, reach, part.curvatures);
+      const auto number = static_cast<std::size_t>(i);
+      const bool within = widenByBlock(number, place, reach, part.curvatures);
+      if (within) {
+        const Strip::Line line = blockStrips_[number].lineTo(place);
+        part.joined = std::max(part.joined, line.away + blockStrips_[number].spreadAt(line.g));
+      }
       part.alone = part.alone && (together || !within);
       together = together && within;
     }
@@ -86,6 +91,9 @@ Ruled::Sheet::Part Ruled::Sheet::rowsAbout(const Vec3& place, double reach) cons
 
 /// A ball that touches the sheet and is not sharper than the sheet bends towards it holds no place
 /// of the part about the place where it touches; and none at all if it is no larger than that part.
+/// Flanks of a neck that is narrower than the ball join in a belly behind it that bends no more
+/// sharply, and therefore reaches as far as the ball that is just as sharp is wide: a part that is
+/// connected by nearer places has no such flanks.
 void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) const {
   const Strip& row = blockStrips_[block];
   const auto [g, halfG] = cellOf(cell);
@@ -97,9 +105,13 @@ void Ruled::Sheet::lookAround(std::size_t block, int cell, Surroundings& known) 
   double reach = largestPart * (atHigh_[0].place - atLow_[0].place).cwiseAbs().maxCoeff();
   for (int i = 0; i < mostParts && 0.5 * reach > std::min(above, below); ++i) {
     const Part part = partAbout(block, place, reach + inCell);
+    const auto ball = [&](double towards) {
+      const double sharpest = 1.0 / std::max(0.0, towards);
+      return part.joined + inCell < 2.0 * sharpest ? std::min(0.5 * reach, sharpest) : 0.0;
+    };
     if (part.curvatures && part.alone) {
-      above = std::max(above, std::min(0.5 * reach, 1.0 / std::max(0.0, -part.curvatures->low)));
-      below = std::max(below, std::min(0.5 * reach, 1.0 / std::max(0.0, part.curvatures->high)));
+      above = std::max(above, ball(-part.curvatures->low));
+      below = std::max(below, ball(part.curvatures->high));
     }
     reach *= smallerPart;
   }

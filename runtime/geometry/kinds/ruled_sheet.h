@@ -62,7 +62,8 @@ class Ruled::Sheet {
     /// Bounds of its normal curvatures, positive where it bends away from its normal. None where it
     /// is not smooth or turns too much.
     std::optional<Bends> curvatures;
-    bool alone = true;  ///< no other part is as near; else its curvatures are among them
+    bool alone = true;    ///< no other part is as near; else its curvatures are among them
+    double joined = 0.0;  ///< it is connected by way of places that are no farther than this
   };
   /// Within `reach` of the place at f and g.
   [[nodiscard]] Part curvatures(double f, double g, double reach) const;
