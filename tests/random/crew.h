@@ -1,6 +1,6 @@
 #pragma once
+#include <functional>
 #include <span>
-#include <vector>
 
 #include "tests/random/trial.h"
 
@@ -11,8 +11,10 @@ class Crew {
  public:
   explicit Crew(unsigned threads);
   [[nodiscard]] std::size_t threads() const { return threads_; }
-  /// The findings, in the order of the scenes.
-  [[nodiscard]] std::vector<Finding> tryAll(std::span<const SceneId> ids);
+  /// Hands over the findings in the order of the scenes, one at a time, each as soon as those
+  /// before it are there: a scene that lasts does not keep the other threads waiting. No scene is
+  /// begun after `take` has returned false; those at work are still handed over.
+  void tryAll(std::span<const SceneId> ids, const std::function<bool(const Finding&)>& take);
 
  private:
   std::size_t threads_;

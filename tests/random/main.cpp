@@ -28,7 +28,7 @@ void addOptions(CLI::App& app, scenes::Request& request) {
   app.add_option("--failures", request.failures,
                  "list of scenes that are known to fail; with --table it is added to");
   app.add_flag("--again", request.again, "runs the scenes of the list of failures once more");
-  app.add_option("--minutes", request.minutes, "begins no round of scenes after this time");
+  app.add_option("--minutes", request.minutes, "begins no scene after this time");
   app.add_flag("--times", request.times, "tells at the end what the scenes of each pair cost");
   app.add_option("--slow", request.slow, "tells of scenes that take longer, seconds");
 }

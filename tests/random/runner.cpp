@@ -20,8 +20,8 @@ namespace arelem::scenes {
 namespace {
 /// Scenes that a pair may be ahead of another one.
 constexpr std::uint64_t ahead = 10;
-/// Scenes between two writings of the table, for each thread.
-constexpr std::size_t together = 50;
+/// Scenes between two writings of the table.
+constexpr std::uint64_t together = 100;
 
 std::size_t kindOf(const std::string& text) {
   const auto* found = std::find(kinds.begin(), kinds.end(), text);
@@ -103,7 +103,7 @@ class Runner {
       const SceneId id = idOf(request_.only);
       fmt::print("{}", drawScene(id).program({}));
       std::fflush(stdout);
-      take(crew_.tryAll(std::vector{id}));
+      tryAll(std::vector{id});
     } else if (request_.again) {
       repeat();
     } else {
@@ -144,7 +144,6 @@ class Runner {
 
   /// All pairs go on alike: those with the fewest scenes first.
   void rounds() {
-    const auto start = std::chrono::steady_clock::now();
     std::vector<std::uint64_t> next(pairCount, request_.first);
     const std::uint64_t end = request_.first + request_.each;
     std::uint64_t goal = end;
@@ -152,43 +151,51 @@ class Runner {
       next[pair] = counts() ? table_.scenes(pair) : request_.first;
       goal = std::min(goal, next[pair]);
     }
+    std::vector<SceneId> ids;
     while (goal < end) {
       goal = std::min(goal + ahead, end);
-      std::vector<SceneId> ids;
       for (const std::size_t pair : pairs()) {
         for (std::uint64_t number = next[pair]; number < goal; ++number) {
           ids.push_back({request_.seed, pair, number});
         }
         next[pair] = std::max(next[pair], goal);
       }
-      const std::size_t share = together * crew_.threads();
-      for (std::size_t i = 0; i < ids.size(); i += share) {
-        take(crew_.tryAll(std::span(ids).subspan(i, std::min(share, ids.size() - i))));
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        if (request_.minutes && spent.count() > 60.0 * *request_.minutes) {
-          return;
-        }
+    }
+    tryAll(ids);
+  }
+
+  /// Takes the findings of these scenes as they come, until the time is over.
+  void tryAll(std::span<const SceneId> ids) {
+    const auto start = std::chrono::steady_clock::now();
+    std::uint64_t unwritten = 0;
+    crew_.tryAll(ids, [&](const Finding& finding) {
+      table_.add(finding);
+      take(finding);
+      if (++unwritten >= together) {
+        writeTable();
+        unwritten = 0;
       }
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+      return !request_.minutes || spent.count() < 60.0 * *request_.minutes;
+    });
+    writeTable();
+  }
+
+  void writeTable() const {
+    if (counts()) {
+      table_.write(request_.table);
     }
   }
 
-  void take(const std::vector<Finding>& findings) {
-    for (const Finding& finding : findings) {
-      if (!request_.again || counted_.contains(spell(finding.id))) {
-        table_.add(finding);
-      }
-      times_.add(finding);
-      if (!finding.wrong.empty()) {
-        tell(finding);
-      }
-      if (finding.seconds > request_.slow) {
-        fmt::print("scene {} takes {:.3f} s (motion {:.3f}, proof {:.3f}, moved {:.3f}): {}\n",
-                   spell(finding.id), finding.seconds, finding.computing, finding.proving,
-                   finding.moved, finding.outcome);
-      }
+  void take(const Finding& finding) {
+    times_.add(finding);
+    if (!finding.wrong.empty()) {
+      tell(finding);
     }
-    if (counts()) {
-      table_.write(request_.table);
+    if (finding.seconds > request_.slow) {
+      fmt::print("scene {} takes {:.3f} s (motion {:.3f}, proof {:.3f}, moved {:.3f}): {}\n",
+                 spell(finding.id), finding.seconds, finding.computing, finding.proving,
+                 finding.moved, finding.outcome);
     }
     std::fflush(stdout);
   }
@@ -233,24 +240,26 @@ class Runner {
     std::vector<SceneId> ids;
     for (const Finding& finding : old) {
       ids.push_back(finding.id);
-      if (finding.id.seed == request_.seed && finding.id.number < table_.scenes(finding.id.pair)) {
-        counted_.insert(spell(finding.id));
-      }
     }
-    for (const Finding& finding : old) {
-      if (counted_.contains(spell(finding.id))) {
-        table_.remove(finding);
-      }
-    }
-    const std::vector<Finding> findings = crew_.tryAll(ids);
+    std::vector<Finding> now;
+    crew_.tryAll(ids, [&](const Finding& finding) {
+      now.push_back(finding);
+      take(finding);
+      return true;
+    });
+    // Only now: a run that is stopped leaves table and list as they were.
     std::ofstream out(request_.failures);
     out << comments_;
-    for (const Finding& finding : findings) {
-      if (!finding.wrong.empty()) {
-        out << row(finding);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (ids[i].seed == request_.seed && ids[i].number < table_.scenes(ids[i].pair)) {
+        table_.remove(old[i]);
+        table_.add(now[i]);
+      }
+      if (!now[i].wrong.empty()) {
+        out << row(now[i]);
       }
     }
-    take(findings);
+    writeTable();
   }
 
   const Request& request_;
@@ -258,7 +267,6 @@ class Runner {
   Table table_;
   Times times_;
   std::set<std::string> known_;
-  std::set<std::string> counted_;  ///< of those tried again, what the table has
   std::string comments_;
   std::uint64_t failed_ = 0;
 };

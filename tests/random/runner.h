@@ -11,7 +11,7 @@ struct Request {
   std::uint64_t seed = 1, each = 1, first = 0;
   std::string pair, only;
   std::vector<std::string> kinds;  ///< only pairs of these; empty: of all
-  unsigned jobs = 0;  ///< 0: one for each core
+  unsigned jobs = 0;               ///< 0: one for each core
   std::string found, table, failures, commit;
   bool again = false, anew = false, times = false;
   std::optional<double> minutes;
