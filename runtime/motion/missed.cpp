@@ -354,7 +354,8 @@ Failure missed(const Course& course) {
 
 bool tellsNearest(const Failure& failure) {
   return failure.row == diag::CheckNotReached.row || failure.row == diag::NoTangency.row ||
-         failure.row == diag::CutVectorLimit.row || failure.row == diag::RunsOffEnd.row;
+         failure.row == diag::CutVectorLimit.row || failure.row == diag::RunsOffEnd.row ||
+         failure.row == diag::ContactLost.row;
 }
 
 Failure withStart(Failure failure, const Course& course) {
@@ -362,6 +363,10 @@ Failure withStart(Failure failure, const Course& course) {
                       failure.row == diag::SurfacesParallel.row ||
                       failure.row == diag::CutVectorLimit.row;
   for (const CheckWatch& w : course.watches) {
+    // Often it is the check surface that is not where it was thought to be.
+    if (failure.row == diag::ContactLost.row) {
+      failure.notes.push_back(missedOne(course, w).message);
+    }
     if (ofPath && failure.help.empty() && w.startedAt() && !w.isTangent()) {
       failure.help = fmt::format(
           "the tool stands at check surface `{}` where the motion begins, which does not count: it "

@@ -180,6 +180,12 @@ FINI
         self.assertExit(4, "part.apt", "-o", "-", "--to", "cl")
         self.assertIn("E0512", self.err)
         self.assertIn("the tool goes over the border of the mesh `M1`", self.err)
+        self.assertIn("only 1 of 2 positions ON check surface `LX2` are met", self.err)
+        # A check surface beside the way: how near the motion came to it and where.
+        self.write("part.apt", program.replace("ON,LX2", "TO,(SPHERE/4,3,0,1)").replace("ON,2,INTOF", ""))
+        self.assertExit(4, "part.apt", "-o", "-", "--to", "cl")
+        self.assertIn("E0512", self.err)
+        self.assertRegex(self.err, r"is never met TO: nearest approach 1\.16\d* at \((3\.99|4|4\.00)\d*, 0, ")
 
     def test_an_axis_that_leaps_from_one_triangle_to_the_next(self):
         # Strips of 2 in x of z = .01 x x: at x = 10 the normal turns by .04 / (1 + .2 * .2) = .0385, 2.2 degrees. While the

@@ -20,7 +20,8 @@ void addOptions(CLI::App& app, scenes::Request& request) {
   app.add_option("--only", request.only,
                  "SEED:PART,DRIVE,NUMBER: this one scene, with its program");
   app.add_option("--jobs", request.jobs, "threads (one for each core)");
-  app.add_option("--found", request.found, "folder for the programs of scenes that fail");
+  app.add_option("--found", request.found,
+                 "folder for the programs of scenes that fail, and of that of --only");
   app.add_option("--table", request.table,
                  "table of counts: goes on behind the scenes that it has, and adds to it");
   app.add_option("--commit", request.commit, "of the motion: told in the head of the table");

@@ -102,6 +102,7 @@ class Runner {
     if (!request_.only.empty()) {
       const SceneId id = idOf(request_.only);
       fmt::print("{}", drawScene(id).program({}));
+      keep(id);
       std::fflush(stdout);
       tryAll(std::vector{id});
     } else if (request_.again) {
@@ -207,15 +208,23 @@ class Runner {
     for (const Fault& fault : finding.wrong) {
       fmt::print("  {}: {}\n", word(fault.concern), fault.text);
     }
-    if (!request_.found.empty()) {
-      const Scene scene = drawScene(finding.id);
-      const std::string folder = request_.found + "/" + spell(finding.id);
-      write(scene, {}, folder + "/drawn");
-      write(scene, scene.move, folder + "/moved");
+    if (request_.only.empty()) {
+      keep(finding.id);
     }
     if (counts() && !request_.failures.empty() && !request_.again && !known) {
       std::ofstream(request_.failures, std::ios::app) << row(finding);
     }
+  }
+
+  /// Program and files of a scene, as drawn and moved, into the folder that was asked for.
+  void keep(const SceneId& id) const {
+    if (request_.found.empty()) {
+      return;
+    }
+    const Scene scene = drawScene(id);
+    const std::string folder = request_.found + "/" + spell(id);
+    write(scene, {}, folder + "/drawn");
+    write(scene, scene.move, folder + "/moved");
   }
 
   /// The scenes of the list of failures, with their outcomes then. Comments are kept.
