@@ -65,6 +65,13 @@ std::optional<double> CheckWatch::slopeBefore(const Segment& s,
   return std::abs(slope) > levelSlope ? std::optional(slope) : std::nullopt;
 }
 
+/// Whether the surface faces the tool as that faces it along which the motion goes.
+bool CheckWatch::agrees(const Segment& s, double u, Field& field, Field& guide) {
+  const Vec3 at = s.at(u);
+  const Vec3 axis = s.axisAt(u);
+  return field.at(at, axis).normal.dot(guide.at(at, axis).normal) > agreeing;
+}
+
 std::optional<CheckWatch::Hit> CheckWatch::tangency(
     const Segment& s, const TangentLook& look, double before, double u, Field& guide) {
   if (!now_.armed || u <= ignoredUntil_) {
@@ -110,8 +117,10 @@ std::optional<CheckWatch::Hit> CheckWatch::scanTangent(const Segment& s, Field& 
       now_.armed = now_.armed || std::abs(look.turn) > tolerance::nullDirection;
     } else {
       now_.armed = true;
-      // A step may lead out of the band behind the tangency.
-      const auto slope = now_.bandField ? slopeBefore(s, u, *now_.bandField, guide) : std::nullopt;
+      // A step may lead out of the band behind the tangency. What touches elsewhere on the tool, as
+      // the far end of one that just fits into a hollow, ends none.
+      const bool faces = now_.bandField && agrees(s, u, *now_.bandField, guide);
+      const auto slope = faces ? slopeBefore(s, u, *now_.bandField, guide) : std::nullopt;
       if (auto hit =
               slope ? tangency(s, {now_.bandField, *slope}, before, u, guide) : std::nullopt) {
         now_.free = 0.0;

@@ -217,6 +217,10 @@ class CheckWatch {
   };
   TangentLook lookForTangency(const Segment& segment, double along, Field& guide);
   [[nodiscard]] static Vec3 wayAt(const Segment& segment, double along, Field& guide);
+  [[nodiscard]] static bool agrees(const Segment& segment,
+                                   double along,
+                                   Field& field,
+                                   Field& guide);
   static std::optional<double> slopeBefore(const Segment& segment,
                                            double along,
                                            Field& field,
