@@ -7,6 +7,7 @@
 #include "ir/space/tolerance.h"
 #include "runtime/motion/angle_rule.h"
 #include "runtime/motion/between_contacts.h"
+#include "runtime/motion/zero.h"
 
 namespace arelem::motion {
 
@@ -37,7 +38,7 @@ class AngleAxis final : public AxisSource {
       }
     }
     if (const auto near = steadily(toolEnd, last_)) {
-      return found(*near);
+      return found(rule_.liesFlat(*near) ? ofFlat(toolEnd, *near).value_or(*near) : *near);
     }
     Vec3 axis = last_;
     double before = 2.0, least = before;
@@ -55,6 +56,11 @@ class AngleAxis final : public AxisSource {
         axis = *possible;
         continue;
       }
+      if (rule_.liesFlat(axis, nearlyFlat)) {
+        if (const auto chosen = ofFlat(toolEnd, axis)) {
+          return found(*chosen);
+        }
+      }
       const double moved = (*next - axis).norm();
       // Half steps where whole ones go to and fro.
       axis = moved < slowShare * before ? *next : Vec3((axis + *next).normalized());
@@ -67,7 +73,7 @@ class AngleAxis final : public AxisSource {
       if (!hurried && moved <= learning) {
         hurried = true;
         if (const auto near = steadily(toolEnd, axis)) {
-          return found(*near);
+          return found(rule_.liesFlat(*near) ? ofFlat(toolEnd, *near).value_or(*near) : *near);
         }
       }
     }
@@ -168,6 +174,10 @@ class AngleAxis final : public AxisSource {
   /// to this share.
   static constexpr double newtonMiss = 1e-14, largestTurn = 0.3, leastShare = 1e-3;
 
+  /// Of a level bottom that lies: the first turn that is tried, and by how much the next is more.
+  /// What the other normal is off the axis beside its edge, where repeats turn by next to nothing.
+  static constexpr double leastFlatTurn = 1e-6, flatGrowth = 8.0, nearlyFlat = 0.05;
+
   /// With what a search begins.
   struct Memory {
     Vec3 axis, forward;
@@ -249,6 +259,39 @@ class AngleAxis final : public AxisSource {
       axis = there;
     }
     slope_.setZero();
+    return std::nullopt;
+  }
+
+  /// Of the axes with which a level bottom lies on the other surface that which is the rule's with
+  /// any other bottom: by the place alone, not by the axis before.
+  std::optional<Vec3> ofFlat(const Vec3& toolEnd, const Vec3& axis) {
+    const auto first = rule_.aside(toolEnd, axis);
+    if (!first) {
+      return std::nullopt;
+    }
+    const Vec3 way = rule_.turning(first->axis);
+    const auto turned = [&](double turn) {
+      return rule_.aside(toolEnd, std::cos(turn) * first->axis + std::sin(turn) * way);
+    };
+    const auto distance = [&](double turn) -> std::optional<double> {
+      const auto there = turned(turn);
+      return there ? std::optional(there->distance) : std::nullopt;
+    };
+    // On a surface that bulges towards the tool the contact goes where the axis leans.
+    double before = 0.0;
+    for (double turn = -std::copysign(leastFlatTurn, first->distance); std::abs(turn) < largestTurn;
+         turn *= flatGrowth) {
+      const auto there = distance(turn);
+      if (!there) {
+        return std::nullopt;
+      }
+      if ((*there > 0.0) != (first->distance > 0.0)) {
+        const auto zero = zeroBetween(distance, std::min(before, turn), std::max(before, turn));
+        const auto chosen = zero ? turned(*zero) : std::nullopt;
+        return chosen ? std::optional(chosen->axis) : std::nullopt;
+      }
+      before = turn;
+    }
     return std::nullopt;
   }
 

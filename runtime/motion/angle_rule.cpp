@@ -41,6 +41,34 @@ std::optional<Vec3> AngleRule::onToolEnd(const Vec3& toolEnd, const Vec3& near) 
   return (normal - axis).norm() <= tolerance::symmetric ? std::optional(axis) : std::nullopt;
 }
 
+bool AngleRule::liesFlat(const Vec3& axis, double nearly) const {
+  const bool isFree = !tilt_.across && tilt_.lead.value_or(0.0) == 0.0 && tilt_.alpha != 0.0;
+  return isFree && !other_.on && (last_.other.normal - axis).norm() <= nearly;
+}
+
+std::optional<AngleRule::Aside> AngleRule::aside(const Vec3& toolEnd, Vec3 near) {
+  constexpr int most = 20;
+  for (int repeats = 0; repeats < most; ++repeats) {
+    const AngleTouch there = touch(toolEnd, near);
+    const auto next = axisOf({there.control.normal, near});
+    if (!next) {
+      return std::nullopt;
+    }
+    const double moved = (*next - near).norm();
+    near = *next;
+    if (moved <= tolerance::rounding) {
+      last_ = there;
+      const Vec3 arm = withinPlane(near, there.other.point - toolEnd);
+      if (arm.norm() <= tolerance::sameSide) {
+        return std::nullopt;  // at its tip a tool has no side
+      }
+      const double distance = turning(near).dot(arm);
+      return Aside{near, std::abs(distance) <= tolerance::rounding * arm.norm() ? 0.0 : distance};
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Vec3> AngleRule::possible(const Vec3& toolEnd, Vec3 axis) {
   constexpr int most = 20;
   for (int tries = 0; tilt_.across && tries < most; ++tries) {

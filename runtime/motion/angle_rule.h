@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "ir/space/tolerance.h"
 #include "runtime/motion/axis_source.h"
 #include "runtime/motion/tilt.h"
 
@@ -39,7 +40,24 @@ class AngleRule {
   [[nodiscard]] std::optional<Vec3> axisOf(const AngleNormals& n);
   /// The axis that follows from the contacts with another one.
   [[nodiscard]] std::optional<Vec3> step(const Vec3& toolEnd, const Vec3& from) {
-    return axisOf(touch(toolEnd, from).normals());
+    last_ = touch(toolEnd, from);
+    return axisOf(last_.normals());
+  }
+  /// Where an axis that the last step gave back is the other normal, the tool lies on that surface
+  /// with its level bottom, and every axis at the angle with which it does gives itself back.
+  /// Nearly so, beside the edge of the bottom, it hardly turns either.
+  [[nodiscard]] bool liesFlat(const Vec3& axis, double nearly = tolerance::symmetric) const;
+  /// An axis at the angle, near one, and how far aside of it and the controlling normal the tool
+  /// touches the other surface. With any but a level bottom the axis of the rule is that with which
+  /// it does not. None where the angle is not to be had.
+  struct Aside {
+    Vec3 axis;
+    double distance = 0.0;
+  };
+  [[nodiscard]] std::optional<Aside> aside(const Vec3& toolEnd, Vec3 near);
+  /// The way in which axes turn that keep the angle of that one.
+  [[nodiscard]] Vec3 turning(const Vec3& axis) const {
+    return last_.control.normal.cross(axis).normalized();
   }
   /// Without an angle any place of a level bottom is the contact for the axis along its normal: of
   /// these axes the one whose contact is the tool end, if that is the contact.
@@ -68,6 +86,7 @@ class AngleRule {
   std::optional<Tilt> held_;
   AngleSide control_, other_;
   Vec3 forward_;
+  AngleTouch last_;  ///< of the last step
   std::string reason_;
 };
 

@@ -38,6 +38,12 @@ class AxisRule {
       source_->mark();
     }
   }
+  /// As it was where a place was marked.
+  void back(const Vec3& toolEnd, const Vec3& axis) {
+    if (!isFixed()) {
+      source_->back(toolEnd, axis);
+    }
+  }
   /// Of axes that have a choice, from there on that which they make there.
   void hold(const Vec3& toolEnd) {
     if (!isFixed()) {

@@ -52,24 +52,60 @@ double unlessLevel(double curvature, double step) {
   return std::abs(curvature) <= levelTurn / step ? 0.0 : curvature;
 }
 
-/// The contact may jump round the cutter as the axis turns, and its normal with it; at the vertex
-/// of a cone the normal is any. Three gaps tell how the gap bends, over a way that rounding leaves
-/// enough of.
-double curvatureOfGaps(
-    Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
-  const double way = gapProbe * step;
-  const auto gap = [&](double along) {
-    const Vec3 place = toolEnd + along * t;
-    return field.at(place, axis.at(place)).gap;
-  };
-  return unlessLevel((gap(way) - 2.0 * gap(0.0) + gap(-way)) / (way * way), step);
-}
+/// Gaps around a place. The contact may jump round the cutter as the axis turns, and its normal
+/// with it; at the vertex of a cone the normal is any: gaps tell how the surface that the tool end
+/// keeps to lies and bends, over a way that rounding leaves enough of. The axis of each place is
+/// found from that in the middle, whatever others were looked at before.
+class GapsAround {
+ public:
+  GapsAround(Field& field, const Vec3& toolEnd, AxisRule& axis, double step)
+      : field_(field),
+        toolEnd_(toolEnd),
+        axis_(axis),
+        step_(step),
+        way_(gapProbe * step),
+        middle_(axis.at(toolEnd)) {
+    axis_.mark();
+    gap_ = field_.at(toolEnd_, middle_).gap;
+  }
+
+  [[nodiscard]] double curvature(const Vec3& t) {
+    return unlessLevel((gap(way_ * t) - 2.0 * gap_ + gap(-way_ * t)) / (way_ * way_), step_);
+  }
+  /// Square to where the gap keeps its size.
+  [[nodiscard]] Vec3 normal() {
+    const tool::Contact contact = field_.at(toolEnd_, middle_);
+    if (axis_.isFixed()) {
+      return contact.normal;
+    }
+    Vec3 rise;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 shift = way_ * Vec3::Unit(i);
+      rise[i] = (gap(shift) - gap(-shift)) / (2.0 * way_);
+    }
+    return rise.norm() > tolerance::nullDirection ? Vec3(rise.normalized()) : contact.normal;
+  }
+
+ private:
+  [[nodiscard]] double gap(const Vec3& shift) {
+    const Vec3 place = toolEnd_ + shift;
+    axis_.back(toolEnd_, middle_);
+    return field_.at(place, axis_.at(place)).gap;
+  }
+
+  Field& field_;
+  Vec3 toolEnd_;
+  AxisRule& axis_;
+  double step_, way_;
+  Vec3 middle_;
+  double gap_;
+};
 }  // namespace
 
 double curvatureAlong(
     Field& field, const Vec3& toolEnd, AxisRule& axis, const Vec3& t, double step) {
   if (!axis.isFixed()) {
-    return curvatureOfGaps(field, toolEnd, axis, t, step);
+    return GapsAround(field, toolEnd, axis, step).curvature(t);
   }
   const Vec3 ahead = toolEnd + step * t;
   const Vec3 behind = toolEnd - step * t;
@@ -116,8 +152,9 @@ double restGap(Field& field,
     return restOf(0.0, 0.0, inner, outer);
   }
   const double step = probe(inner + outer);
-  const auto along = [&](const Vec3& t) { return curvatureOfGaps(field, toolEnd, axis, t, step); };
-  const Vec3 normal = field.at(toolEnd, axis.at(toolEnd)).normal;
+  GapsAround gaps(field, toolEnd, axis, step);
+  const auto along = [&](const Vec3& t) { return gaps.curvature(t); };
+  const Vec3 normal = gaps.normal();
   const Vec3 t = normal.unitOrthogonal();
   return restOf(along(t) + along(normal.cross(t)), path.isZero() ? 0.0 : along(path), inner, outer);
 }

@@ -9,6 +9,7 @@
 
 #include "ir/space/tolerance.h"
 #include "runtime/motion/effort.h"
+#include "runtime/motion/tilt.h"
 
 namespace arelem::motion {
 
@@ -324,6 +325,26 @@ Settled settleNear(const Vec3& start,
 }
 }  // namespace
 
+namespace {
+/// The directions around a place, the first one towards where the tool comes from: in a plane of
+/// symmetry the tool touches at several places at once, and rounding chooses whose normals count.
+Eigen::Matrix3d frameTowards(const Vec3& from, const Settled& at, std::size_t count) {
+  const Vec3 way = from - at.toolEnd;
+  const Eigen::Matrix3d frame = frameOf(at, count);
+  if (way.norm() <= tolerance::coincidence) {
+    return frame;
+  }
+  const Vec3 first = way.normalized();
+  const Vec3 aside = withinPlane(first, frame.col(0));
+  const Vec3 second = aside.norm() > tolerance::nullDirection
+                          ? Vec3(aside.normalized())
+                          : Vec3(withinPlane(first, frame.col(1)).normalized());
+  Eigen::Matrix3d turned;
+  turned << first, second, first.cross(second);
+  return turned;
+}
+}  // namespace
+
 Settled nearestAround(const Settled& near,
                       const Vec3& from,
                       AxisRule& axis,
@@ -336,12 +357,13 @@ Settled nearestAround(const Settled& near,
   const double usual = 16.0 * near.worst;
   const double farthest = std::max(usual, (near.toolEnd - from).norm());
   const Settled next = settleNear(near.toolEnd, farthest, axis, wanted, constraints);
-  if (next.ok) {
+  // Whole steps that lead far end at any of several positions, and rounding chooses at which.
+  if (next.ok && (next.toolEnd - near.toolEnd).norm() <= nearStart * near.worst) {
     return next;
   }
-  const Eigen::Matrix3d frame = frameOf(near, wanted.size());
-  Settled best = near;
-  double least = tolerance::farAway;
+  const Eigen::Matrix3d frame = frameTowards(from, near, wanted.size());
+  Settled best = next.ok ? next : near;
+  double least = next.ok ? (next.toolEnd - from).norm() : tolerance::farAway;
   const auto begun = gapsMeasured();
   // An axis that follows takes long to find, and from so many places no even way finds it either.
   for (const bool evenly : {false, true}) {
