@@ -40,9 +40,7 @@ std::optional<Met> StopFinder::scan(const Segment& segment) {
   return first;
 }
 
-std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
-                                          const Segment& segment,
-                                          const Met& met) {
+std::optional<PathPoint> StopFinder::stop(const PathPoint& a, const Segment& segment, Met& met) {
   const Vec3 near = withoutTolerances(a, segment, met);
   if (!course_.exact) {
     const Vec3 path = course_.path.look(near, a.tangent).tangent;
@@ -50,7 +48,11 @@ std::optional<PathPoint> StopFinder::stop(const PathPoint& a,
       g.rest = restGap(*g.field, near, course_.path.axis, g.inner, g.outer, false, path);
     }
   }
-  auto end = atRest(a, segment, met, near);
+  const Role role = roleOf(met);
+  met.rest = met.hit.touch ? 0.0
+                           : restGap(*met.hit.field, near, course_.path.axis, state_.inner[role],
+                                     state_.outer[role], course_.exact, Vec3::Zero());
+  auto end = atRest(a, segment, met);
   // A chord may cross what the path proper only touches, but for a whole stretch.
   const bool tangent = course_.watches[met.check].isTangent();
   const bool strays = tangent ? end && !mayBegin(met, *end) : met.hit.touch && met.hit.level == 0.0;
@@ -129,7 +131,7 @@ std::optional<Found> StopFinder::find(const PathPoint& a, const Segment& segment
   }
   keep();
   std::optional<Found> found;
-  while (const auto met = scan(segment)) {
+  while (auto met = scan(segment)) {
     auto end = stop(a, segment, *met);
     if (end && !isContact(*met, *end)) {
       end.reset();
@@ -204,14 +206,8 @@ PathPoint StopFinder::closer(const PathPoint& a,
 
 std::optional<PathPoint> StopFinder::atRest(const PathPoint& a,
                                             const Segment& segment,
-                                            const Met& met,
-                                            const Vec3& near) {
-  const Role role = roleOf(met);
-  const double rest = met.hit.touch
-                          ? 0.0
-                          : restGap(*met.hit.field, near, course_.path.axis, state_.inner[role],
-                                    state_.outer[role], course_.exact, Vec3::Zero());
-  return meet(course_.path, a, segment, course_.watches[met.check], met.hit, rest);
+                                            const Met& met) {
+  return meet(course_.path, a, segment, course_.watches[met.check], met.hit, met.rest);
 }
 
 std::optional<PathPoint> StopFinder::stopAtEdge(const PathPoint& a,
@@ -226,7 +222,7 @@ std::optional<PathPoint> StopFinder::stopAtEdge(const PathPoint& a,
     const bool outwards = 2.0 * g.rest > g.outer - g.inner;
     g.rest = g.field->flat() ? g.vertexGap() : g.edge(outwards);
   }
-  auto end = atRest(a, segment, met, a.toolEnd);
+  auto end = atRest(a, segment, met);
   for (std::size_t i = 0; i < rests.size(); ++i) {
     course_.path.guides[i].rest = rests[i];
   }

@@ -9,6 +9,7 @@ namespace arelem::motion {
 struct Met {
   std::size_t check = 0;
   CheckWatch::Hit hit;
+  double rest = 0.0;  ///< the gap to leave there, found with the stop
 };
 
 /// A check surface that is met, and the place of the stop: none where the path cannot be followed
@@ -57,15 +58,12 @@ class StopFinder {
   void keep();
   void restore(const std::vector<CheckWatch::Progress>& kept);
   std::optional<Met> scan(const Segment& segment);
-  std::optional<PathPoint> stop(const PathPoint& a, const Segment& segment, const Met& met);
+  std::optional<PathPoint> stop(const PathPoint& a, const Segment& segment, Met& met);
   PathPoint onCircle(const Met& met, const PathPoint& end);
   Vec3 withoutTolerances(const PathPoint& a, const Segment& segment, const Met& met);
   bool isContact(const Met& met, const PathPoint& end);
   [[nodiscard]] bool mayBegin(const Met& met, const PathPoint& end) const;
-  std::optional<PathPoint> atRest(const PathPoint& a,
-                                  const Segment& segment,
-                                  const Met& met,
-                                  const Vec3& near);
+  std::optional<PathPoint> atRest(const PathPoint& a, const Segment& segment, const Met& met);
   PathPoint closer(const PathPoint& a,
                    const Segment& segment,
                    const Met& met,
