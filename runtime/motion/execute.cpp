@@ -226,14 +226,15 @@ class Motions {
     takeAutomaticPart();
     putFeed(s.feed);
     auto found = motion::startupPosition(state_, s);
+    // The part surface of what follows it is, with or without a position at it.
+    if (s.surfaces.size() > 1) {
+      motion::startAtPart(state_, s.surfaces[1]);
+    }
     if (!found) {
       reportIf(motion::ofMotion(state_, found.takeFailure()));
     } else {
       reportAll(found->warnings);
       const Vec3 before = state_.toolEnd;
-      if (s.surfaces.size() > 1) {
-        motion::startAtPart(state_, s.surfaces[1]);
-      }
       moveTo(found->toolEnd);
       state_.axis = found->axis;
       state_.touchesPart = s.surfaces.size() > 1 && s.surfaces[1].condition != ir::Condition::on;
