@@ -12,10 +12,6 @@ namespace {
 const double* numberAt(const std::vector<cl::Value>& values, std::size_t i) {
   return i < values.size() ? std::get_if<double>(&values[i]) : nullptr;
 }
-double valueAt(const std::vector<cl::Value>& values, std::size_t i) {
-  const double* number = numberAt(values, i);
-  return number != nullptr ? *number : 0.0;
-}
 const cl::SurfaceValue* matrixAt(const std::vector<cl::Value>& values, std::size_t i) {
   const auto* matrix = i < values.size() ? std::get_if<cl::SurfaceValue>(&values[i]) : nullptr;
   return matrix != nullptr && matrix->canon.size() == 12 ? matrix : nullptr;
@@ -23,20 +19,6 @@ const cl::SurfaceValue* matrixAt(const std::vector<cl::Value>& values, std::size
 
 Location moved(const Location& l, const path::Affine& by) {
   return {by.point(l.toolEnd), by.direction(l.axis)};
-}
-
-/// The matrix of the k-th copy, from that of the one before it.
-path::Affine stepOf(const std::vector<cl::Value>& v, std::uint64_t k, const path::Affine& before) {
-  const Word mode = std::get<Word>(v[1]);
-  const auto times = static_cast<double>(k);
-  if (mode == Word::TRANSL) {
-    return path::Affine::translation(times * Vec3(valueAt(v, 2), valueAt(v, 3), valueAt(v, 4)));
-  }
-  if (mode == Word::XYROT) {
-    return path::Affine::rotation(times * valueAt(v, 2));
-  }
-  const cl::SurfaceValue* matrix = matrixAt(v, 2);
-  return matrix != nullptr ? path::Affine::fromRows(matrix->canon).after(before) : before;
 }
 }  // namespace
 
@@ -78,7 +60,19 @@ void OutputOrder::tracut(const cl::Post& post, std::string& objection) {
   back_ = back;
 }
 
+void OutputOrder::goOn() {
+  while (!open_.empty() && open_.back().copied) {
+    closeRange();
+  }
+}
+
+void OutputOrder::closeRange() {
+  closed_.insert_or_assign(open_.back().index, std::move(open_.back()));
+  open_.pop_back();
+}
+
 void OutputOrder::index(const cl::Post& post) {
+  goOn();
   const double* number = numberAt(post.arguments, 0);
   if (number == nullptr) {
     return;
@@ -86,40 +80,42 @@ void OutputOrder::index(const cl::Post& post) {
   if (post.arguments.size() == 1) {
     open_.push_back({*number, {}});
   } else if (!open_.empty() && open_.back().index == *number) {
-    closed_.insert_or_assign(*number, std::move(open_.back()));
-    open_.pop_back();
+    closeRange();
   }
 }
 
 void OutputOrder::copy(const cl::Post& post, std::string& objection) {
-  const std::vector<cl::Value>& v = post.arguments;
-  const double* number = numberAt(v, 0);
-  const Word* mode = v.size() > 1 ? std::get_if<Word>(&v[1]) : nullptr;
-  if (number == nullptr || mode == nullptr || numberAt(v, v.size() - 1) == nullptr) {
+  auto plan = path::readCopy(post.arguments);
+  if (!plan) {
     objection = "a COPY that cannot be read";
     return;
   }
-  if (!open_.empty() && open_.back().index == *number) {
-    closed_.insert_or_assign(*number, std::move(open_.back()));
-    open_.pop_back();
+  while (!open_.empty() && open_.back().copied && open_.back().index != plan->index) {
+    closeRange();
   }
-  const auto range = closed_.find(*number);
-  if (range == closed_.end()) {
-    return;
+  const auto closed = closed_.find(plan->index);
+  Range* range = closed != closed_.end()                               ? &closed->second
+                 : !open_.empty() && open_.back().index == plan->index ? &open_.back()
+                                                                       : nullptr;
+  if (range != nullptr) {
+    range->copied = true;
+    pending_ = {range->runs, *std::move(plan), 1, 0, {}};
+    pending_.by = pending_.plan.step(1, {});
   }
-  pending_ = {range->second.runs, v, 0, 1, 0, {}};
-  pending_.times = static_cast<std::uint64_t>(std::max(0.0, valueAt(v, v.size() - 1)));
-  pending_.by = stepOf(v, 1, {});
 }
 
 OutputOrder::Copy OutputOrder::takeCopy() {
-  Copy copy{pending_.runs[pending_.run], pending_.number};
+  const Kept& original = pending_.runs[pending_.run];
+  // The outer copy moves what the inner ones then move on.
+  const Kept kept{original.run, original.copied.after(pending_.by)};
+  Copy copy{kept.run, pending_.number};
   for (Location& l : copy.run.locations) {
-    l = moved(l, pending_.by);
+    l = moved(l, kept.copied);
   }
+  keep(kept);
   if (++pending_.run == pending_.runs.size()) {
     pending_.run = 0;
-    pending_.by = stepOf(pending_.plan, ++pending_.number, pending_.by);
+    pending_.by = pending_.plan.step(++pending_.number, pending_.by);
   }
   return copy;
 }
@@ -136,9 +132,9 @@ OutputOrder::Run OutputOrder::programmed(const Run& run) const {
   return result;
 }
 
-void OutputOrder::keep(const Run& run) {
+void OutputOrder::keep(const Kept& kept) {
   for (Range& range : open_) {
-    range.runs.push_back(run);
+    range.runs.push_back(kept);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "runtime/certify/guide.h"
-#include "runtime/path/affine.h"
+#include "runtime/path/copy_plan.h"
 
 namespace arelem::certify {
 
@@ -25,43 +25,56 @@ class OutputOrder {
   [[nodiscard]] Run programmed(const Run& run) const;
   [[nodiscard]] Location programmed(const Location& location) const;
   /// Notes a run of the file for the ranges that are open.
-  void keep(const Run& run);
+  void keep(const Run& run) { keep(Kept{run, {}}); }
+  /// A motion that is no copy comes: no further COPY may take the ranges that were copied as open.
+  void goOn();
   /// Whether an INDEX is open, whose runs must be kept for its copies.
   [[nodiscard]] bool keeps() const { return !open_.empty(); }
   /// Whether the file must hold a copy next.
   [[nodiscard]] bool expectsCopy() const {
-    return pending_.number <= pending_.times && !pending_.runs.empty();
+    return pending_.number <= pending_.plan.times && !pending_.runs.empty();
   }
   /// Number of locations of the next copy.
   [[nodiscard]] std::size_t copyLength() const {
-    return pending_.runs[pending_.run].locations.size();
+    return pending_.runs[pending_.run].run.locations.size();
   }
   struct Copy {
     Run run;
     std::uint64_t number = 0;  ///< which copy of its COPY, from 1
   };
+  /// The next copy, which the open ranges take in as the file is to have it.
   [[nodiscard]] Copy takeCopy();
 
  private:
+  /// A run of a range. `copied`: what the copies inside of the range did to it.
+  struct Kept {
+    Run run;
+    path::Affine copied;
+  };
+  /// An INDEX. It is open until INDEX/i,NOMORE or the first motion behind its COPY.
   struct Range {
     double index = 0.0;
-    std::vector<Run> runs;
+    std::vector<Kept> runs;
+    bool copied = false;
   };
+  void keep(const Kept& kept);
+  /// Moves the innermost range to the closed ones.
+  void closeRange();
   void tracut(const cl::Post& post, std::string& objection);
   void index(const cl::Post& post);
   void copy(const cl::Post& post, std::string& objection);
 
   /// The copies of the last COPY that are still to come.
   struct Pending {
-    std::vector<Run> runs;
-    std::vector<cl::Value> plan;  ///< the parameters of COPY
-    std::uint64_t times = 0, number = 1;
+    std::vector<Kept> runs;
+    path::CopyPlan plan;
+    std::uint64_t number = 1;
     std::size_t run = 0;
     path::Affine by;
   };
 
   std::optional<path::Affine> back_;  ///< inverse of the TRACUT matrix in force
-  std::vector<Range> open_;
+  std::vector<Range> open_;           ///< outermost first
   std::map<double, Range> closed_;
   Pending pending_;
 };

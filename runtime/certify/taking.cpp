@@ -29,6 +29,9 @@ void Association::begin(std::optional<int> isn, bool withAxis) {
     action = advance();
   }
   t.copy = order_.expectsCopy();
+  if (!t.copy) {
+    order_.goOn();
+  }
   if (t.copy || action == nullptr || (isn && action->isn != *isn)) {
     return;
   }
@@ -170,7 +173,6 @@ void Association::close() {
   Taking& t = *taking_;
   if (t.copy && !t.run.locations.empty()) {
     judgeCopy(t.run);
-    order_.keep(t.run);
   } else if (t.follow != nullptr) {
     order_.keep(t.run);
     endFollow();
