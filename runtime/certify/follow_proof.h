@@ -20,6 +20,8 @@ class FollowProof {
   /// True where the tool is at none of the sides of drive or part surface, by more than another
   /// band.
   [[nodiscard]] bool strays(const Location& at) const;
+  /// True where the cut vector to `next` would keep the tolerances of drive and part surface.
+  [[nodiscard]] bool keeps(const Location& next) { return drive_.keeps(next) && part_.keeps(next); }
   [[nodiscard]] const PathEnd& end() const { return end_; }
   [[nodiscard]] std::uint64_t cutVectors() const { return cutVectors_; }
 

@@ -28,20 +28,32 @@ class GuideStream::Proof {
   }
 
   void add(const Location& next) {
-    const Chord chord(last_.toolEnd, next.toolEnd, last_.axis, next.axis);
-    probe_->take(chord);
-    node_ = count_ == 0 ? probe_->at(0.0) : probe_->resume(node_);
-    const Allowed allowed = allowedNow();
-    if (node_.high > allowed.outer + allowed.slack && probe_->widen()) {
-      node_ = probe_->at(0.0);  // the ball end is not what touches
-    }
-    take(prove(*probe_, allowed, node_), count_, chord);
+    const Chord chord = chordTo(next);
+    take(proven(chord, node_), count_, chord);
     last_ = next;
     ++count_;
+  }
+  [[nodiscard]] bool keeps(const Location& next) {
+    Node node = node_;
+    return proven(chordTo(next), node).good();
   }
   [[nodiscard]] const GuideResult& result() const { return result_; }
 
  private:
+  [[nodiscard]] Chord chordTo(const Location& next) const {
+    return {last_.toolEnd, next.toolEnd, last_.axis, next.axis};
+  }
+  /// `node`: at the last location, and then at the end of the chord.
+  Verdict proven(const Chord& chord, Node& node) {
+    probe_->take(chord);
+    node = count_ == 0 ? probe_->at(0.0) : probe_->resume(node);
+    const Allowed allowed = allowedNow();
+    if (node.high > allowed.outer + allowed.slack && probe_->widen()) {
+      node = probe_->at(0.0);  // the ball end is not what touches
+    }
+    return prove(*probe_, allowed, node);
+  }
+
   /// The contact of the whole cutter where the motion begins.
   void begin() {
     probe_->take(Chord(last_.toolEnd, last_.toolEnd, last_.axis, last_.axis));
@@ -142,6 +154,10 @@ void GuideStream::add(const Location& next) {
       other_.reset();
     }
   }
+}
+
+bool GuideStream::keeps(const Location& next) {
+  return proof_->keeps(next) || (other_ != nullptr && other_->keeps(next));
 }
 
 const GuideResult& GuideStream::result() const {

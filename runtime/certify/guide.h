@@ -48,6 +48,8 @@ class GuideStream {
   GuideStream& operator=(GuideStream&&) = delete;
 
   void add(const Location& next);
+  /// True where the cut vector to `next` would keep the tolerance; it is not taken.
+  [[nodiscard]] bool keeps(const Location& next);
   [[nodiscard]] const GuideTask& task() const { return *task_; }
   [[nodiscard]] const GuideResult& result() const;
 

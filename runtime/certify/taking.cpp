@@ -107,8 +107,9 @@ bool Association::isMet(const PathEnd& end) const {
 bool Association::goesOn(const Held& next) {
   const Vec3 last = taking_->proof->end().place().toolEnd;
   const Behind found = behind(next);
-  const Vec3& place = found.end.place().toolEnd;
-  return found.met && !found.strays && (place - last).norm() > options_.slack && !isNext(place);
+  const Location& place = found.end.place();
+  return found.met && (place.toolEnd - last).norm() > options_.slack && !isNext(place.toolEnd) &&
+         taking_->proof->keeps(place);
 }
 
 bool Association::leadsTo(std::size_t way, const Location& from, const Vec3& place) const {

@@ -184,12 +184,14 @@ void CheckWatch::noteFirstZero(const Segment& s, double before, double u, const 
 
 /// True where the measure came near zero and goes away again. A slope of zero has no direction.
 bool CheckWatch::touchesHere(const Measure& m) {
+  if (!now_.armed) {
+    return false;  // on which side the tool was is not known before it has left the surface
+  }
   const double toward = now_.positive ? m.turn : -m.turn;
   if (std::abs(toward) <= tolerance::symmetric) {
     return false;
   }
-  const bool turned =
-      now_.armed && near(m) && now_.bandField == m.field && now_.lastTurn < 0.0 && toward > 0.0;
+  const bool turned = near(m) && now_.bandField == m.field && now_.lastTurn < 0.0 && toward > 0.0;
   now_.bandField = m.field;
   now_.lastTurn = toward;
   return turned;

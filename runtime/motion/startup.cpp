@@ -18,8 +18,6 @@
 namespace arelem::motion {
 
 namespace {
-/// Share of the way to the first surface that a directed startup goes before it iterates.
-constexpr double approachShare = 0.75;
 /// Where a position without gaps is missed by so many bands, there is none within them either.
 constexpr double nearlyTouching = 10.0;
 
@@ -140,39 +138,6 @@ class Starter {
             }};
   }
 
-  [[nodiscard]] bool allPlanes() const {
-    return std::all_of(goals_.begin(), goals_.end(),
-                       [](const StartupGoal& goal) { return goal.surface.isPlane(); });
-  }
-
-  /// Steps of a directed startup towards its surfaces, in the order drive, part, check. A direction
-  /// that leads to its surface from where the tool stands, but misses it behind the steps before,
-  /// is met by these.
-  [[nodiscard]] Vec3 approach() const {
-    Vec3 toolEnd = state_.toolEnd;
-    double farthest = 0.0;
-    for (const StartupGoal& goal : goals_) {
-      farthest = std::max(farthest, std::abs(footOn(goal.surface.surface, toolEnd).distance));
-    }
-    for (std::size_t i = 0; i < goals_.size(); ++i) {
-      if (!state_.direction[i]) {
-        continue;
-      }
-      const Vec3 v = state_.direction[i]->normalized();
-      const auto hitFrom = [&](const Vec3& place) {
-        return pierce(goals_[i].surface.surface, sidePoint(state_, place, state_.axis), v);
-      };
-      const auto hit = hitFrom(toolEnd);
-      if (!hit && hitFrom(state_.toolEnd)) {
-        continue;
-      }
-      const double radius = goals_[i].condition == ir::Condition::on ? 0.0 : state_.cutter->d / 2;
-      const double way = hit ? *hit - radius - state_.band(goals_[i].role) : farthest;
-      toolEnd += (hit && allPlanes() ? approachShare : 1.0) * std::max(way, 0.0) * v;
-    }
-    return toolEnd;
-  }
-
   /// Seen from the side from which the motions that follow will see it.
   std::unique_ptr<Field> onField(const StartupGoal& goal, const Vec3& near) {
     const auto& surface = goal.surface.surface;
@@ -225,6 +190,9 @@ class Starter {
   std::vector<Constraint> constraints(const Vec3& from) {
     std::vector<Constraint> list;
     const auto& v = state_.direction[0];
+    if (!isGuided_) {
+      return list;
+    }
     if (exact_ && goals_.size() == 2) {
       const Vec3 toward = v ? *v : goals_[0].field->at(from, state_.axis).normal;
       list.push_back({state_.axis.cross(toward).normalized(), state_.toolEnd});
@@ -244,14 +212,19 @@ class Starter {
   }
 
   Result<Standing> runGo() {
-    const Vec3 led = approach();
-    Vec3 reached = led;
-    Settled found = search(led, reached);
-    if (!found.ok && goals_.size() > 2 && led != state_.toolEnd) {
-      // Directions of three surfaces only guide: where they lead astray, the nearest position is
-      // looked for without them.
-      Vec3 undirected = reached;
-      const Settled other = search(state_.toolEnd, undirected);
+    const Led led = leadOf(state_, goals_);
+    Vec3 reached = led.toolEnd;
+    Settled found = search(led.toolEnd, reached);
+    if (led.beyond && (!found.ok || goesBack(found.toolEnd))) {
+      Vec3 last = *led.beyond;
+      const Settled other = search(*led.beyond, last);
+      found = other.ok && (!found.ok || !goesBack(other.toolEnd)) ? other : found;
+    }
+    if (!found.ok && isOnlyGuided()) {
+      // Where directions that guide lead astray, the nearest position is looked for without them.
+      Vec3 last = reached;
+      isGuided_ = false;
+      const Settled other = search(state_.toolEnd, last);
       found = other.ok ? other : found;
     }
     // Where a search ends in vain is anywhere: that with the axis held tells whether there is one.
@@ -263,10 +236,25 @@ class Starter {
       return *std::move(bad);
     }
     if (!found.ok) {
-      Failure none = noPosition(*state_.cutter, goals_, found, led);
+      Failure none = noPosition(*state_.cutter, goals_, found, led.toolEnd);
       return bad ? std::move(none).withHelp(bad->message) : none;
     }
     return along(found);
+  }
+
+  /// Directions of two surfaces, where these are no lines and circles on a plane, and of three.
+  [[nodiscard]] bool isOnlyGuided() const {
+    const auto& v = state_.direction;
+    return goals_.size() > 1 && !exact_ && (v[0] || v[1] || v[2]);
+  }
+  [[nodiscard]] bool goesBack(const Vec3& toolEnd) const {
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+      const auto& v = state_.direction[i];
+      if (v && senseOf(state_, *v, toolEnd, goals_[i].role, exact_).back > 0.0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// The position to which the conditions lead from a place; `reached` is where the first way ends.
@@ -297,7 +285,7 @@ class Starter {
     }
     // Where a direction leads, its wall is the one in front, be another one nearer to that place.
     const bool isLed = found.ok && from != state_.toolEnd;
-    if (evenly && !allPlanes() && !isLed) {
+    if (evenly && !allPlanes(goals_) && !isLed) {
       const auto goals = wanted(false, from);
       start = isFirst ? start : measured(from, rule_, goals);  // by fields that are new
       found = nearer(found, start, rule_, goals, extra);
@@ -383,7 +371,7 @@ class Starter {
   std::vector<StartupGoal> goals_;
   std::optional<std::size_t> partIndex_;
   AxisRule rule_;
-  bool exact_ = false;
+  bool exact_ = false, isGuided_ = true;
 };
 }  // namespace
 

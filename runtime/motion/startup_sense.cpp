@@ -7,10 +7,52 @@
 #include "ir/diag/motion.h"
 #include "ir/space/tolerance.h"
 #include "runtime/certify/motion_check.h"
+#include "runtime/motion/pierce.h"
+#include "runtime/motion/route.h"
 #include "runtime/motion/tilt.h"
 #include "runtime/motion/told.h"
 
 namespace arelem::motion {
+
+namespace {
+/// Share of the way to the first surface that a directed startup goes before it iterates.
+constexpr double approachShare = 0.75;
+}  // namespace
+
+bool allPlanes(std::span<const StartupGoal> goals) {
+  return std::all_of(goals.begin(), goals.end(),
+                     [](const StartupGoal& goal) { return goal.surface.isPlane(); });
+}
+
+Led leadOf(const State& state, std::span<const StartupGoal> goals) {
+  Led led{state.toolEnd, {}};
+  double farthest = 0.0;
+  for (const StartupGoal& goal : goals) {
+    farthest = std::max(farthest, std::abs(footOn(goal.surface.surface, led.toolEnd).distance));
+  }
+  Vec3 beyond = Vec3::Zero();
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (!state.direction[i]) {
+      continue;
+    }
+    const Vec3 v = state.direction[i]->normalized();
+    const auto hitFrom = [&](const Vec3& place) {
+      return pierce(goals[i].surface.surface, sidePoint(state, place, state.axis), v);
+    };
+    const auto hit = hitFrom(led.toolEnd);
+    if (hit) {
+      const double radius = goals[i].condition == ir::Condition::on ? 0.0 : state.cutter->d / 2;
+      const double way = *hit - radius - state.band(goals[i].role);
+      led.toolEnd += (allPlanes(goals) ? approachShare : 1.0) * std::max(way, 0.0) * v;
+    } else if (!hitFrom(state.toolEnd)) {
+      beyond += farthest * v;
+    }
+  }
+  if (!beyond.isZero(0.0)) {
+    led.beyond = led.toolEnd + beyond;
+  }
+  return led;
+}
 
 Vec3 pathOf(std::span<const StartupGoal> goals, const Vec3& near, const Vec3& axis) {
   if (goals.size() < 2) {

@@ -24,6 +24,20 @@ struct Sense {
 /// both of them.
 [[nodiscard]] Vec3 pathOf(std::span<const StartupGoal> goals, const Vec3& near, const Vec3& axis);
 
+/// Where a startup begins its search.
+struct Led {
+  Vec3 toolEnd;
+  /// As far along a direction that misses its surface as the farthest surface is off (spec 4.7):
+  /// looked from where what is met from the start lies behind it.
+  std::optional<Vec3> beyond;
+};
+
+/// Steps of a directed startup towards its surfaces, in the order drive, part, check. A direction
+/// that leads to its surface from where the tool stands, but misses it behind the steps before, is
+/// met by these.
+[[nodiscard]] Led leadOf(const State& state, std::span<const StartupGoal> goals);
+[[nodiscard]] bool allPlanes(std::span<const StartupGoal> goals);
+
 /// A tool end and the axis there.
 struct Place {
   Vec3 toolEnd;

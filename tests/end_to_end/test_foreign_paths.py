@@ -1,5 +1,6 @@
 """`arelem verify PART CL` of files that another system may have written: plain CL text, arcs, other units, other cutters."""
 import math
+import random
 import re
 import unittest
 
@@ -22,7 +23,42 @@ FINI
 """
 
 
+def chain_of_arcs(seed):
+    """A contour of a line, arcs that turn either way, and a line, each tangent to the next."""
+    r = random.Random(seed)
+    radius = r.choice((1, 3, 5))
+    x, y, course = r.uniform(10, 40), 0.0, 0.0
+    surfaces = [f"LINE/-50,{-radius},50,{-radius}"]
+    for _ in range(r.randint(2, 5)):
+        turn, angle, bend = r.choice((1, -1)), r.uniform(0.4, 1.8), r.uniform(radius + 3, 40)
+        center = x - turn * bend * math.sin(course), y + turn * bend * math.cos(course)
+        surfaces.append(f"CIRCLE/{center[0]!r},{center[1]!r},{bend + turn * radius!r}")
+        course += turn * angle
+        x, y = center[0] + turn * bend * math.sin(course), center[1] - turn * bend * math.cos(course)
+    along, across = (math.cos(course), math.sin(course)), (math.sin(course), -math.cos(course))
+    edge = x + radius * across[0], y + radius * across[1]
+    surfaces.append(f"LINE/{edge[0]!r},{edge[1]!r},{edge[0] + along[0]!r},{edge[1] + along[1]!r}")
+    x, y = x + 30 * along[0], y + 30 * along[1]
+    lines = [f"S{i}={s}" for i, s in enumerate(surfaces)]
+    motions = [f"GOFWD/S{i},TANTO,S{i + 1}" for i in range(len(surfaces) - 1)]
+    return "\n".join([f"CUTTER/{2 * radius}", f"OUTTOL/{r.choice(('.001', '.0005', '.01'))}", *lines,
+                      f"LF=LINE/{x!r},{y!r},{x + across[0]!r},{y + across[1]!r}", "FROM/-5,0,0", "INDIRV/0,-1,0",
+                      "GO/TO,S0,TO,(PLANE/0,0,1,0)", "INDIRV/1,0,0", "TLLFT", *motions,
+                      f"GOFWD/S{len(surfaces) - 1},ON,LF", "FINI", ""]), (x, y)
+
+
 class ForeignPaths(ArelemCase):
+    def test_tangent_motions_of_plain_text_end_where_their_chords_leave_the_band(self):
+        for seed in range(60):
+            program, (x, y) = chain_of_arcs(seed)
+            with self.subTest(seed=seed, program=program):
+                self.write("c.apt", program)
+                self.assertExit(0, "c.apt", "--to", "cl", "-o", "c.cls")
+                end = (self.folder / "c.cls").read_text().split("GOTO /")[-1].split("\n")[0].split(",")
+                self.assertAlmostEqual(float(end[0]), x, delta=0.01)
+                self.assertAlmostEqual(float(end[1]), y, delta=0.01)
+                self.assertExit(0, "verify", "c.apt", "c.cls")
+
     def test_a_stop_behind_a_sharp_turn_is_of_one_side(self):
         self.write("w.apt", SHARP)
         self.assertExit(0, "compile", "w.apt", "-o", "w.jsonl")
