@@ -299,7 +299,7 @@ std::vector<Goal> Association::goalsOf(const Follow& follow) const {
     if (auto surface = named(c.use.surface)) {
       const auto condition =
           c.use.condition == ir::Condition::automatic ? ir::Condition::to : c.use.condition;
-      goals.push_back({*std::move(surface), condition});
+      goals.push_back({*std::move(surface), condition, c.nth});
     }
   }
   if (follow.checks.empty()) {

@@ -68,8 +68,9 @@ class Association {
   /// displaced, and others come back to them, or the motion has ended before it, beside its check
   /// surface. Which it is those behind it tell; it is kept until then.
   [[nodiscard]] bool holdsBack(const Held& next);
-  /// A last cut vector may be shorter than the tolerance of its check surface: true where a
-  /// location behind one at the check surface still belongs to the motion.
+  /// A last cut vector may be shorter than the tolerance of its check surface, and a path may come
+  /// near that before its stop: true where a location behind one at the check surface still belongs
+  /// to the motion.
   [[nodiscard]] bool goesOn(const Held& next);
   /// Whether a location is at a check surface, and how far it strays.
   struct Behind {
@@ -79,6 +80,10 @@ class Association {
   [[nodiscard]] Behind behind(const Held& next);
   /// True at any check surface of the motion that is taken.
   [[nodiscard]] bool isMet(const PathEnd& end) const;
+  /// Whether the next statement is a startup, which may lead to where the tool is.
+  [[nodiscard]] bool isStartupNext() const;
+  /// False where the next statement is a motion along a surface that the tool is not at there.
+  [[nodiscard]] bool suitsNext(const Location& place) const;
   /// True where the next statement, GOTO or GODLTA, leads there.
   [[nodiscard]] bool isNext(const Vec3& place) const;
   /// True where the next output from an action on is a GOTO or GODLTA from a location to a place.

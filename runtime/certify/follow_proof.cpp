@@ -20,6 +20,7 @@ double bandOf(const GuideTask& task) {
 FollowProof::FollowProof(MotionCheck& check,
                          const Modal& modal,
                          const Named& drive,
+                         std::span<const Goal> goals,
                          const Location& first,
                          const InterruptFlag* interrupted)
     : check_(check),
@@ -28,7 +29,12 @@ FollowProof::FollowProof(MotionCheck& check,
       drive_(driveTask(drive), first),
       part_(partTask(), first),
       end_(first, bandsAcross * std::max(bandOf(drive_.task()), bandOf(part_.task()))),
-      interrupted_(interrupted) {}
+      interrupted_(interrupted) {
+  const double pathBand = bandOf(drive_.task()) + bandOf(part_.task());
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    counts_.push_back(check_.countOf(modal, goals[i], i, pathBand, first));
+  }
+}
 
 GuideTask FollowProof::driveTask(const Named& drive) const {
   GuideTask task = check_.taskOf(modal_, driveRole, drive, modal_.toolOnDrive());
@@ -61,19 +67,19 @@ GuideTask FollowProof::partTask() const {
   return task;
 }
 
+bool FollowProof::isOff(const GuideTask& task, const Location& at, double most) {
+  const auto isFar = [&](double side) {
+    const Relation relation{task.cutter, side, task.thick};
+    return std::abs(touch(task.surface.surface, relation, at, task.allowed).high) > most;
+  };
+  return isFar(1.0) && (task.cutter == nullptr || isFar(-1.0));
+}
+
 bool FollowProof::strays(const Location& at) const {
-  for (const GuideStream* guide : {&drive_, &part_}) {
-    const GuideTask& task = guide->task();
-    const double most = 2.0 * bandOf(task) + task.startSlack + task.allowed.slack;
-    const auto isOff = [&](double side) {
-      const Relation relation{task.cutter, side, task.thick};
-      return std::abs(touch(task.surface.surface, relation, at, task.allowed).high) > most;
-    };
-    if (isOff(1.0) && (task.cutter == nullptr || isOff(-1.0))) {
-      return true;
-    }
-  }
-  return false;
+  const auto isAstray = [&](const GuideTask& task) {
+    return isOff(task, at, 2.0 * bandOf(task) + task.startSlack + task.allowed.slack);
+  };
+  return isAstray(drive_.task()) || isAstray(part_.task());
 }
 
 void FollowProof::add(const Location& next) {
@@ -86,6 +92,11 @@ void FollowProof::add(const Location& next) {
   drive_.add(next);
   part_.add(next);
   end_.moveTo(next);
+  for (auto& count : counts_) {
+    if (count) {
+      count->add(next);
+    }
+  }
   ++cutVectors_;
 }
 
@@ -109,6 +120,12 @@ StatementResult FollowProof::finish(const runtime::Action& action,
   }
   if (met < goals.size()) {
     check_.judgeStop(result, modal_, action, goals[met], met, end_, drive_.task().surface.surface);
+  }
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    // A stop that is missed is told as such.
+    if (counts_[i] && (i != met || result.stops.back().good)) {
+      check_.judgeCount(result, action, goals[i], *counts_[i], i == met);
+    }
   }
   return result;
 }

@@ -13,6 +13,7 @@ class FollowProof {
   FollowProof(MotionCheck& check,
               const Modal& modal,
               const Named& drive,
+              std::span<const Goal> goals,
               const Location& first,
               const InterruptFlag* interrupted);
 
@@ -20,9 +21,15 @@ class FollowProof {
   /// True where the tool is at none of the sides of drive or part surface, by more than another
   /// band.
   [[nodiscard]] bool strays(const Location& at) const;
+  /// True where the tool is at neither side of a surface: by more than `most`.
+  [[nodiscard]] static bool isOff(const GuideTask& task, const Location& at, double most);
   /// True where the cut vector to `next` would keep the tolerances of drive and part surface.
   [[nodiscard]] bool keeps(const Location& next) { return drive_.keeps(next) && part_.keeps(next); }
   [[nodiscard]] const PathEnd& end() const { return end_; }
+  /// False where the path has not come to the goal as often as that asks for.
+  [[nodiscard]] bool mayEndAt(std::size_t goal) const {
+    return !counts_[goal] || !counts_[goal]->early();
+  }
   [[nodiscard]] std::uint64_t cutVectors() const { return cutVectors_; }
 
   /// What is to be said of the motion, its end at the goal that was met; `met` may lie behind them.
@@ -39,6 +46,7 @@ class FollowProof {
   Location first_;
   GuideStream drive_, part_;
   PathEnd end_;
+  std::vector<std::optional<StopCount>> counts_;  ///< of the goals
   Vec3 firstStep_ = Vec3::Zero();
   std::uint64_t cutVectors_ = 0;
   const InterruptFlag* interrupted_;

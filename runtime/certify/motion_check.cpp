@@ -52,6 +52,42 @@ GuideTask MotionCheck::taskOf(const Modal& modal, Role role, Named surface, bool
   return task;
 }
 
+std::optional<StopCount> MotionCheck::countOf(const Modal& modal,
+                                              const Goal& goal,
+                                              std::size_t index,
+                                              double pathBand,
+                                              const Location& first) const {
+  if (goal.condition == ir::Condition::tanto || goal.condition == ir::Condition::pstan) {
+    return std::nullopt;
+  }
+  const Role role = index == 0 ? checkRole : secondCheckRole;
+  const bool on = goal.condition == ir::Condition::on;
+  const StopWanted wanted{goal.condition,
+                          goal.nth,
+                          on ? nullptr : modal.cutterFor(role),
+                          on ? 0.0 : modal.thick[role],
+                          allowedFor(modal, role),
+                          pathBand};
+  return StopCount(goal.surface.surface, wanted, first);
+}
+
+void MotionCheck::judgeCount(StatementResult& result,
+                             const runtime::Action& action,
+                             const Goal& goal,
+                             const StopCount& count,
+                             bool endsThere) {
+  if (count.passed()) {
+    const Vec3& p = count.passedAt();
+    report(result, action,
+           fail(diag::StopPassed, spell(goal.condition), goal.surface.name, p.x(), p.y(), p.z(),
+                std::uint64_t{count.passedVector() + 1}));
+  } else if (endsThere && count.early()) {
+    report(
+        result, action,
+        fail(diag::StopEarly, count.number(), spell(goal.condition), goal.surface.name, goal.nth));
+  }
+}
+
 void MotionCheck::judgeStop(StatementResult& result,
                             const Modal& modal,
                             const runtime::Action& action,

@@ -3,6 +3,7 @@
 
 #include "runtime/certify/certificate.h"
 #include "runtime/certify/path_end.h"
+#include "runtime/certify/stop_count.h"
 
 namespace arelem::certify {
 
@@ -10,6 +11,7 @@ namespace arelem::certify {
 struct Goal {
   Named surface;
   ir::Condition condition = ir::Condition::to;
+  int nth = 1;  ///< n, INTOF
 };
 
 [[nodiscard]] std::string_view spell(ir::Condition condition);  ///< "TO", "ON", ...
@@ -34,6 +36,18 @@ class MotionCheck {
                               std::size_t index,
                               const PathEnd& end,
                               const surface::AnySurface& drive) const;
+  /// What counts the positions at a check surface; none for tangencies.
+  [[nodiscard]] std::optional<StopCount> countOf(const Modal& modal,
+                                                 const Goal& goal,
+                                                 std::size_t index,
+                                                 double pathBand,
+                                                 const Location& first) const;
+  /// Judges how often the path came to a check surface before its end.
+  void judgeCount(StatementResult& result,
+                  const runtime::Action& action,
+                  const Goal& goal,
+                  const StopCount& count,
+                  bool endsThere);
   /// Judges the end of a motion by its goal.
   void judgeStop(StatementResult& result,
                  const Modal& modal,

@@ -97,7 +97,8 @@ Association::Behind Association::behind(const Held& next) {
 bool Association::isMet(const PathEnd& end) const {
   const Taking& t = *taking_;
   for (std::size_t g = 0; g < t.goals.size(); ++g) {
-    if (check_.missed(modal_, t.goals[g], g, end, t.drive->surface) == 0.0) {
+    if (t.proof->mayEndAt(g) &&
+        check_.missed(modal_, t.goals[g], g, end, t.drive->surface) == 0.0) {
       return true;
     }
   }
@@ -108,8 +109,32 @@ bool Association::goesOn(const Held& next) {
   const Vec3 last = taking_->proof->end().place().toolEnd;
   const Behind found = behind(next);
   const Location& place = found.end.place();
-  return found.met && (place.toolEnd - last).norm() > options_.slack && !isNext(place.toolEnd) &&
+  const bool moved = (place.toolEnd - last).norm() > options_.slack || !isStartupNext();
+  return (found.met ? moved : !suitsNext(place)) && !isNext(place.toolEnd) &&
          taking_->proof->keeps(place);
+}
+
+bool Association::isStartupNext() const {
+  const Action* action = outputFrom(index_);
+  return action != nullptr && std::holds_alternative<runtime::Startup>(action->body);
+}
+
+bool Association::suitsNext(const Location& place) const {
+  const auto& checks = taking_->follow->checks;
+  const bool branches = std::any_of(checks.begin(), checks.end(), [](auto& c) { return c.label; });
+  const Action* action = branches ? nullptr : outputFrom(index_);
+  const auto* follow = action != nullptr ? std::get_if<Follow>(&action->body) : nullptr;
+  const auto drive = follow != nullptr ? named(follow->drive) : fail(diag::NotCertified, "");
+  if (!drive) {
+    return true;
+  }
+  // The statements between may change the rest of it.
+  const auto isAt = [&](bool on) {
+    const GuideTask task = check_.taskOf(modal_, driveRole, *drive, on);
+    const double most = std::max(task.allowed.inner, task.allowed.outer) + task.allowed.slack;
+    return !FollowProof::isOff(task, place, most);
+  };
+  return isAt(false) || isAt(true);
 }
 
 bool Association::leadsTo(std::size_t way, const Location& from, const Vec3& place) const {
@@ -230,7 +255,7 @@ void Association::prove(const Location& first) {
     report(*t.action, fail(diag::OnAsItStands, arelem::spell(*modal_.driveRelation), t.drive->name,
                            modal_.cutterFor(driveRole)->maxRadius()));
   }
-  t.proof.emplace(check_, modal_, *t.drive, first, options_.interrupted);
+  t.proof.emplace(check_, modal_, *t.drive, t.goals, first, options_.interrupted);
 }
 
 /// A location with the program's axis where the file has none.

@@ -59,6 +59,36 @@ class ForeignPaths(ArelemCase):
                 self.assertAlmostEqual(float(end[1]), y, delta=0.01)
                 self.assertExit(0, "verify", "c.apt", "c.cls")
 
+    def test_a_stop_is_the_one_that_is_counted(self):
+        program = """CUTTER/10
+OUTTOL/.001
+L=LINE/0,0,1,0
+C=CIRCLE/60,0,12
+FROM/0,10,0
+GO/TO,L,TO,(PLANE/0,0,1,0)
+INDIRV/1,0,0
+TLLFT,GOFWD/L,%s,C
+GOTO/0,0,50
+FINI
+"""
+        stops = ("ON", "ON,2,INTOF", "TO", "PAST", "TO,2,INTOF", "PAST,2,INTOF")
+        for asked in stops:
+            for cut in stops:
+                with self.subTest(asked=asked, cut=cut):
+                    self.write("cut.apt", program % cut)
+                    self.assertExit(0, "cut.apt", "-o", "cut.jsonl", "-o", "cut.cls")
+                    self.write("asked.apt", program % asked)
+                    for output in ("cut.jsonl", "cut.cls"):
+                        self.assertExit(0 if asked == cut else 5, "verify", "asked.apt", output)
+        self.write("asked.apt", program % "ON")
+        self.write("cut.apt", program % "ON,2,INTOF")
+        self.assertExit(0, "cut.apt", "-o", "cut.jsonl")
+        self.assertExit(5, "verify", "asked.apt", "cut.jsonl")
+        self.assertRegex(self.err, r"asked.apt:8:1: error\[E0919\]: the path passes its stop ON `C` before \(49\.")
+        self.assertExit(0, "asked.apt", "-o", "cut.jsonl")
+        self.assertExit(5, "verify", "cut.apt", "cut.jsonl")
+        self.assertIn("error[E0928]: the motion ends at stop 1 ON `C`; the program asks for stop 2", self.err)
+
     def test_a_stop_behind_a_sharp_turn_is_of_one_side(self):
         self.write("w.apt", SHARP)
         self.assertExit(0, "compile", "w.apt", "-o", "w.jsonl")
