@@ -31,8 +31,9 @@ FollowProof::FollowProof(MotionCheck& check,
       end_(first, bandsAcross * std::max(bandOf(drive_.task()), bandOf(part_.task()))),
       interrupted_(interrupted) {
   const double pathBand = bandOf(drive_.task()) + bandOf(part_.task());
+  const Vec3 path = drive_.result().firstNormal.cross(part_.result().firstNormal).normalized();
   for (std::size_t i = 0; i < goals.size(); ++i) {
-    counts_.push_back(check_.countOf(modal, goals[i], i, pathBand, first));
+    counts_.push_back(check_.countOf(modal, goals[i], i, pathBand, path, first));
   }
 }
 

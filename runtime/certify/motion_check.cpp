@@ -56,6 +56,7 @@ std::optional<StopCount> MotionCheck::countOf(const Modal& modal,
                                               const Goal& goal,
                                               std::size_t index,
                                               double pathBand,
+                                              const Vec3& path,
                                               const Location& first) const {
   if (goal.condition == ir::Condition::tanto || goal.condition == ir::Condition::pstan) {
     return std::nullopt;
@@ -67,7 +68,8 @@ std::optional<StopCount> MotionCheck::countOf(const Modal& modal,
                           on ? nullptr : modal.cutterFor(role),
                           on ? 0.0 : modal.thick[role],
                           allowedFor(modal, role),
-                          pathBand};
+                          pathBand,
+                          path};
   return StopCount(goal.surface.surface, wanted, first);
 }
 

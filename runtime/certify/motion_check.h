@@ -41,6 +41,7 @@ class MotionCheck {
                                                  const Goal& goal,
                                                  std::size_t index,
                                                  double pathBand,
+                                                 const Vec3& path,
                                                  const Location& first) const;
   /// Judges how often the path came to a check surface before its end.
   void judgeCount(StatementResult& result,

@@ -40,7 +40,7 @@ REASONS = {
     "a CL tape; tests/unit/backend and tests/end_to_end show them": "E0602 E0603 E0720 E0721 E0722 E0891 W0604 W0723 W0724 W0725 W0726 W0728 W0729",
     "two files to compare; tests/end_to_end/test_verify.py shows them": "E0901 E0902 E0903 E0920",
     "a path that breaks its program's tolerance; tests/end_to_end/test_certify.py and tests/unit/runtime/certify show them":
-        "E0727 E0904 E0905 E0906 E0907 E0908 E0909 E0910 E0911 E0912 E0913 E0914 E0915 E0930 E0931 E0932 E0933 E0934 W0916 W0917 W0918",
+        "E0727 E0904 E0905 E0906 E0907 E0908 E0909 E0910 E0911 E0912 E0913 E0914 E0915 E0919 E0928 E0930 E0931 E0932 E0933 E0934 W0916 W0917 W0918",
     "a machine file or a V+ program; tests/unit/backend/robot, tests/unit/backend/vplus and tests/end_to_end/test_robots.py show them":
         "E0388 E0690 W0620 E0621 E0622 E0630 W0631 W0632 E0633 E0605 E0650 E0651 E0652 E0660 E0661 E0662 E0663 E0664 E0665 "
         "E0666 E0634 E0635 E0636 E0637 E0626 E0627 W0684 E0926 E0927 E0922 E0923 E0924 E0680 E0681 E0682 E0683 E0684 E0685 E0686 W0687 E0689",
