@@ -204,7 +204,7 @@ Contact contactOf(const surface::Sphere& s,
   const Vec3 out = apart ? Vec3(across / rho) : Vec3(axis.unitOrthogonal());
   ProfilePoint q;
   if (side > 0.0) {
-    const double distance = distanceTo(cutter, {rho, z}, q);
+    const double distance = distanceUnderTop(cutter, {rho, z}, q);
     const Vec3 point = te + q.rho * out + q.z * axis;
     const Vec3 normal = (point - s.center) / (distance != 0.0 ? distance : 1.0);
     return {distance - s.radius, normal, point};
@@ -240,7 +240,7 @@ Contact contactOf(const surface::Cylinder& s,
       const Vec3 onRim = rho * out + std::sqrt(top.rho * top.rho - rho * rho) * s.axis;
       return {z - top.z - s.radius, -axis, te + onRim + top.z * axis};
     }
-    const double distance = distanceTo(cutter, {rho, z}, q);
+    const double distance = distanceUnderTop(cutter, {rho, z}, q);
     const double scale = distance != 0.0 ? 1.0 / distance : 1.0;
     return {distance - s.radius, scale * ((q.rho - rho) * out + (q.z - z) * axis),
             te + q.rho * out + q.z * axis};

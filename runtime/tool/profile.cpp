@@ -174,6 +174,16 @@ double distanceTo(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
   return aboveBottom && withinSide && withinArc && c.z < p.h ? -best.distance : best.distance;
 }
 
+double distanceUnderTop(const Profile& p, ProfilePoint c, ProfilePoint& nearest) {
+  const double distance = distanceTo(p, c, nearest);
+  const double above = c.z - p.h;
+  if (p.ring || above >= 0.0 || above <= distance) {
+    return distance;
+  }
+  nearest = {c.rho, p.h};
+  return above;
+}
+
 double farthestFrom(const Profile& p, ProfilePoint c, ProfilePoint& farthest) {
   double best = -1.0;
   const auto consider = [&](ProfilePoint q) {

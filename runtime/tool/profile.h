@@ -50,6 +50,11 @@ void completeProfile(Profile& profile);
 [[nodiscard]] ProfilePoint reachPoint(const Profile& profile, double nz);
 /// Least distance of a point (rho, z) to the body, negative inside, and the nearest profile point.
 [[nodiscard]] double distanceTo(const Profile& profile, ProfilePoint c, ProfilePoint& nearest);
+/// The same, but a point inside the body is no deeper in it than below its top: that does not cut,
+/// but a way through it leads out.
+[[nodiscard]] double distanceUnderTop(const Profile& profile,
+                                      ProfilePoint c,
+                                      ProfilePoint& nearest);
 /// Greatest distance of a point (rho, z) to the body, and that profile point (on the far side of
 /// the axis).
 [[nodiscard]] double farthestFrom(const Profile& profile, ProfilePoint c, ProfilePoint& farthest);

@@ -296,6 +296,32 @@ TEST(Contact, BallOnSphereIsClosedForm) {
   EXPECT_NEAR(c.gap, std::hypot(3.0, 6.0) - 6.0, 1e-14);
 }
 
+TEST(Contact, WithinTheCutterNothingIsDeeperThanBelowItsTop) {
+  // A ball of radius 2 in the cutter of radius 3 and height 10: its center is 1 below the top, 3
+  // from the side. Steps to where it comes out go by the gap.
+  const Profile cutter = *makeProfile(std::vector<double>{6.0, 0.0, 3.0, 0.0, 0.0, 0.0, 10.0});
+  const auto gap = [&](double z) {
+    Search<surface::Sphere> search;
+    const surface::Sphere ball{Vec3(0.0, 0.0, z), 2.0};
+    return contact(ball, 1.0, cutter, Vec3::Zero(), Vec3::UnitZ(), search);
+  };
+  EXPECT_NEAR(gap(9.0).gap, -1.0 - 2.0, 1e-12);
+  EXPECT_TRUE(gap(9.0).normal.isApprox(-Vec3::UnitZ()));
+  EXPECT_NEAR(gap(6.0).gap, -3.0 - 2.0, 1e-12);
+  for (double z = 0.5; z < 10.0; z += 0.25) {
+    EXPECT_LE(std::abs(gap(z).gap - gap(z - 0.25).gap), 0.25 + 1e-12) << z;
+  }
+  const auto across = [&](double z) {
+    Search<surface::Cylinder> search;
+    const surface::Cylinder rod{Vec3(0.0, 0.0, z), Vec3::UnitX(), 2.0};
+    return contact(rod, 1.0, cutter, Vec3::Zero(), Vec3::UnitZ(), search).gap;
+  };
+  EXPECT_NEAR(across(9.0), -1.0 - 2.0, 1e-12);
+  for (double z = 0.5; z < 14.0; z += 0.25) {
+    EXPECT_LE(std::abs(across(z) - across(z - 0.25)), 0.25 + 1e-12) << z;
+  }
+}
+
 TEST(Contact, WallUsesTheLargestRadius) {
   const Profile flat = *makeProfile(std::vector<double>{0.5});
   const surface::Cylinder c{{0, 0, 0}, Vec3::UnitZ(), 2.0};
