@@ -235,7 +235,7 @@ Contact contactOf(const surface::Cylinder& s,
   ProfilePoint q;
   if (side > 0.0) {
     const ProfilePoint top = cutter.sideEnd;
-    if (z > top.z && rho < top.rho) {
+    if (z >= top.z && rho < top.rho) {
       // The upper rim is an edge there, of which the profile has the end only.
       const Vec3 onRim = rho * out + std::sqrt(top.rho * top.rho - rho * rho) * s.axis;
       return {z - top.z - s.radius, -axis, te + onRim + top.z * axis};
