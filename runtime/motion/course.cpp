@@ -51,7 +51,7 @@ class Planner {
       guide(role).inner = state_.inner[role];
       guide(role).outer = state_.outer[role];
       if (!(state_.band(role) > 0.0)) {
-        return fail(diag::NoBand, state_.band(role));
+        return fail(diag::NoBand, surfaceOf(role).name);
       }
     }
     course_.onDrive = toolOn(driveRole);
@@ -203,7 +203,7 @@ class Planner {
                       (tangent && (partner == partRole ? onPart_ : course_.onDrive));
       const Tool tool{on ? nullptr : &*state_.cutter, on ? 0.0 : state_.thick[role]};
       if (!(state_.band(role) > 0.0)) {
-        return fail(diag::NoBand, state_.band(role));
+        return fail(diag::NoBand, goal.surface.name);
       }
       const StopBand allowed{state_.inner[role], state_.outer[role]};
       course_.watches.emplace_back(goal.surface, goal.condition, goal.nth, tool, allowed,

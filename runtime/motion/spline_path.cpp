@@ -7,7 +7,8 @@ namespace arelem::motion {
 
 Result<std::vector<Vec3>> alongSpline(const Entity& curve, double band) {
   if (!(band > 0.0)) {
-    return fail(diag::NoBand, band);
+    return fail(diag::NoBand,
+                curve.name.empty() ? std::string_view("(SPLINE)") : std::string_view(curve.name));
   }
   auto spline = spline::CubicSpline::of(curve.canon);
   if (!spline) {
