@@ -351,7 +351,7 @@ class Follower {
   const InterruptFlag* interrupted_;
   Effort effort_;
   FollowResult result_;
-  Trail trail_{result_, sink_, effort_};
+  Trail trail_{course_.path, result_, sink_, effort_};
   Stride stride_;
   StopFinder stops_;
   Arrival arrival_{course_, stops_, trail_, limits_, state_.longestVector};

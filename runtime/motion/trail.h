@@ -12,8 +12,8 @@ namespace arelem::motion {
 /// for a stop that may take the place of its end.
 class Trail {
  public:
-  Trail(FollowResult& result, CutVectorSink& sink, Effort& effort)
-      : result_(result), sink_(sink), effort_(effort) {}
+  Trail(const Path& path, FollowResult& result, CutVectorSink& sink, Effort& effort)
+      : path_(path), result_(result), sink_(sink), effort_(effort) {}
 
   /// The cut vector that follows.
   void put(const PathPoint& from, const PathPoint& to) {
@@ -56,9 +56,11 @@ class Trail {
     result_.partOuter = std::max(result_.partOuter, to.contacts[0].gap);
     result_.driveInner = std::min(result_.driveInner, to.contacts[1].gap);
     result_.driveOuter = std::max(result_.driveOuter, to.contacts[1].gap);
-    result_.forward = length > 0.0 ? step : to.tangent;
+    // One within the bands may go from one of their sides to the other, whatever the path does.
+    result_.forward = length > path_.band() ? step : to.tangent;
   }
 
+  const Path& path_;
   FollowResult& result_;
   CutVectorSink& sink_;
   Effort& effort_;
